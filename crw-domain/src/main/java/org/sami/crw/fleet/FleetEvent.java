@@ -117,6 +117,9 @@ public sealed interface FleetEvent {
     /** The boat took the pictures of a panorama, and keeps them on board. */
     record PanoramaTaken(String boat, BoatCommand command, int pictures, GeoPoint from) implements FleetEvent {}
 
+    /** The operator was told that the boat may come so deep into what it is to avoid, at most, on the way on which it is sent now; in metres. */
+    record DepthAnnounced(String boat, double insideM) implements FleetEvent {}
+
     // ---- settings
 
     /** The boat said which settings are in force on it. */

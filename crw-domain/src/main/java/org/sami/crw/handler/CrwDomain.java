@@ -104,7 +104,7 @@ public final class CrwDomain implements AutoCloseable {
                 fleet,
                 Set.of(ExecutePathHandler.TYPE, ExecutePathHandler.BLOCKING_TYPE, ExploreAreaHandler.TYPE));
         BoatErrors errors = new BoatErrors(boats, services.error());
-        ClearWays clearWays = new ClearWays(boats, messages, errors);
+        ClearWays clearWays = new ClearWays(boats, messages, errors, events);
         MotionCommands motion = new MotionCommands(boats, messages, ways, clearWays);
         computations = new Computations(fleet, messages, threads);
         SettingRequests settings = new SettingRequests(boats, messages);

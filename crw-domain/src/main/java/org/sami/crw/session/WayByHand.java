@@ -101,7 +101,9 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
                         .water(Optional.empty(), command.points(), start.at().error()))
                 .filter(Water::isOpen) // who is sent outside is not kept in
                 .ifPresent(outside -> doubts.add("is sent to " + text(to) + ", which lies outside of the fence"));
-        command.water().ifPresent(water -> doubts.addAll(WayDanger.of(from, command.points(), water)));
+        command.water()
+                .ifPresent(water ->
+                        WayDanger.of(from, command.points(), water).forEach(danger -> doubts.add(danger.words())));
         Optional<WayDoubt> doubt = WayCheck.doubt(way);
         doubt.ifPresent(one -> doubts.add(one.words()));
         start.home()

@@ -3,6 +3,8 @@ package org.sami.crw.handler.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -22,11 +24,13 @@ public final class ClearWays {
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final BoatErrors errors;
+    private final FleetEvents events;
 
-    public ClearWays(ProxyRegistry boats, MessageSink messages, BoatErrors errors) {
+    public ClearWays(ProxyRegistry boats, MessageSink messages, BoatErrors errors, FleetEvents events) {
         this.boats = boats;
         this.messages = messages;
         this.errors = errors;
+        this.events = events;
     }
 
     /** The same moves, with the water in which the boats may go. */
@@ -60,13 +64,11 @@ public final class ClearWays {
             GeoPoint from,
             List<GeoPoint> points,
             Water water) {
-        for (String danger : WayDanger.of(from, points, water)) {
+        String boat = move.addressee().boat();
+        for (WayDanger danger : WayDanger.of(from, points, water)) {
             messages.tell(ActivationMessages.of(
-                    activation,
-                    context,
-                    Priority.LOW,
-                    move.addressee().boat() + " " + danger,
-                    List.of(move.addressee().boat())));
+                    activation, context, Priority.LOW, boat + " " + danger.words(), List.of(boat)));
+            events.publish(new FleetEvent.DepthAnnounced(boat, danger.insideM()));
         }
     }
 }

@@ -4,48 +4,36 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.regex.Pattern;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
-/** Says of a way, before it is driven, how far a boat may come into what is to be avoided. Pure functions. */
-public final class WayDanger {
-    private static final Pattern DEPTH = Pattern.compile("(\\d+\\.\\d) m inside");
-
-    private WayDanger() {}
-
-    /** How deep a boat comes inside at most by words of {@link #of}, in metres to a tenth; empty where they say nothing of it. */
-    public static OptionalDouble announcedM(String words) {
-        return DEPTH.matcher(words)
-                .results()
-                .mapToDouble(found -> Double.parseDouble(found.group(1)))
-                .max();
-    }
-
+/**
+ * That a boat may come into what is to be avoided on a way: said before it drives it. Immutable.
+ *
+ * @param words a clause for the operator, without the boat's name
+ * @param insideM how deep it may come inside at most, in metres, to a tenth as the words say it
+ */
+public record WayDanger(String words, double insideM) {
     /**
-     * Clauses for the operator, each without the boat's name: where the way begins or leads inside, and where it passes too near. None for a way
-     * on which no boat comes inside.
+     * The dangers of a way: where it begins or leads inside, and where it passes too near. None for a way on which no boat comes inside.
      *
      * @param from where the boat is
      * @param points in driving order; legs turn around what is to be avoided where there is a way around
      */
-    public static List<String> of(GeoPoint from, List<GeoPoint> points, Water water) {
-        List<String> words = new ArrayList<>();
+    public static List<WayDanger> of(GeoPoint from, List<GeoPoint> points, Water water) {
+        List<WayDanger> dangers = new ArrayList<>();
         CrossTrackError error = water.error();
         double startM = water.depthM(from);
         if (startM > 0) {
-            words.add(String.format(
-                    Locale.ROOT,
-                    "lies %.1f m inside what is to be avoided, and leaves it on the shortest way",
-                    startM));
+            dangers.add(danger(
+                    startM, "lies %.1f m inside what is to be avoided, and leaves it on the shortest way", startM));
         }
         Optional<GeoPoint> deepest = points.stream()
                 .filter(point -> water.depthM(point) > 0)
                 .max((one, other) -> Double.compare(water.depthM(one), water.depthM(other)));
-        deepest.ifPresent(point -> words.add(inside(point, water)));
+        deepest.ifPresent(point -> dangers.add(inside(point, water)));
         double leastM = Double.POSITIVE_INFINITY;
         List<GeoPoint> nearest = List.of();
         for (List<GeoPoint> leg : clearLegs(from, points, water)) {
@@ -56,25 +44,29 @@ public final class WayDanger {
             }
         }
         if (error.insideM(leastM) > 0) {
-            words.add(String.format(
-                    Locale.ROOT,
+            dangers.add(danger(
+                    error.insideM(leastM),
                     "passes what is to be avoided at %.1f m near %s; boats may be %.1f m beside their way, so up to %.1f m inside",
                     leastM,
                     text(water.nearest(nearest)),
                     error.mostM(),
                     error.insideM(leastM)));
         }
-        return words;
+        return dangers;
     }
 
-    private static String inside(GeoPoint point, Water water) {
-        return String.format(
-                Locale.ROOT,
+    private static WayDanger inside(GeoPoint point, Water water) {
+        return danger(
+                water.depthM(point) + water.error().mostM(),
                 "is sent to %s, which lies %.1f m inside what is to be avoided; boats may be %.1f m beside their way, so up to %.1f m inside",
                 text(point),
                 water.depthM(point),
                 water.error().mostM(),
                 water.depthM(point) + water.error().mostM());
+    }
+
+    private static WayDanger danger(double insideM, String format, Object... parts) {
+        return new WayDanger(String.format(Locale.ROOT, format, parts), Math.round(insideM * 10) / 10.0);
     }
 
     /** The legs as they are driven, but for those that begin or end inside, and those that have no way around. */

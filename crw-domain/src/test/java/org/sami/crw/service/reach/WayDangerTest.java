@@ -1,7 +1,6 @@
 package org.sami.crw.service.reach;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
@@ -38,6 +37,7 @@ class WayDangerTest {
     @Test
     void pointInsideIsNamedWithItsDepthAndNotTakenForAWayThatPasses() {
         assertThat(WayDanger.of(at(0, 0), List.of(at(52, 0), at(0, 0)), CALM))
+                .extracting(WayDanger::words)
                 .singleElement()
                 .asString()
                 .matches("is sent to 45\\.\\d{5},10\\.\\d{5}, which lies 12\\.0 m inside what is to be avoided; "
@@ -47,12 +47,14 @@ class WayDangerTest {
     @Test
     void boatThatLiesInsideIsSaidToLeave() {
         assertThat(WayDanger.of(at(45, 0), List.of(at(0, 0)), CALM))
+                .extracting(WayDanger::words)
                 .containsExactly("lies 5.0 m inside what is to be avoided, and leaves it on the shortest way");
     }
 
     @Test
     void inTheFieldItIsSaidWhereAWayPassesAndHowFarInsideABoatMayCome() {
         assertThat(WayDanger.of(at(0, 0), List.of(at(120, 0)), FIELD))
+                .extracting(WayDanger::words)
                 .singleElement()
                 .asString()
                 .matches("passes what is to be avoided at 6\\.\\d m near 45\\.\\d{5},10\\.\\d{5}; "
@@ -67,16 +69,15 @@ class WayDangerTest {
     }
 
     @Test
-    void depthIsReadFromWhatIsSaid() {
-        assertThat(announcedM(WayDanger.of(at(0, 0), List.of(at(52, 0)), CALM))).isEqualTo(12.6, within(0.05));
-        assertThat(announcedM(WayDanger.of(at(45, 0), List.of(at(0, 0)), CALM))).isEqualTo(5);
-        assertThat(announcedM(WayDanger.of(at(0, 0), List.of(at(120, 0)), FIELD)))
-                .isEqualTo(3.9, within(0.05));
-        assertThat(WayDanger.announcedM("boat2 waits: boat5 lies at its next waypoint"))
-                .isEmpty();
+    void depthIsThatOfTheWords() {
+        assertThat(insideM(at(0, 0), at(52, 0), CALM)).isEqualTo(12.6);
+        assertThat(insideM(at(45, 0), at(0, 0), CALM)).isEqualTo(5);
+        assertThat(insideM(at(0, 0), at(120, 0), FIELD)).isEqualTo(3.9);
     }
 
-    private static double announcedM(List<String> words) {
-        return WayDanger.announcedM("boat1 " + words.get(0)).orElseThrow();
+    private static double insideM(GeoPoint from, GeoPoint to, Water water) {
+        WayDanger danger = WayDanger.of(from, List.of(to), water).get(0);
+        assertThat(danger.words()).contains(danger.insideM() + " m inside");
+        return danger.insideM();
     }
 }

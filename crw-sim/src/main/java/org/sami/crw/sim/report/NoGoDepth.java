@@ -10,7 +10,6 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.LinearRing;
 import org.locationtech.jts.geom.Location;
 import org.locationtech.jts.geom.util.GeometryFixer;
-import org.sami.crw.service.reach.WayDanger;
 
 /**
  * How deep boats came into the areas that plan and project avoid, by their tracks. An area counts from the start of the run, whenever the plan
@@ -35,13 +34,7 @@ public final class NoGoDepth {
     /** How deep boats might come inside at most, as the operator was told before they drove; 0 where nothing was told, empty where nothing is avoided. */
     public static OptionalDouble announced(RunReport report) {
         boolean isAvoided = report.map().areas().stream().anyMatch(area -> area.kind() == MapArea.Kind.AVOIDED);
-        double mostM = report.notes().stream()
-                .filter(note -> note.kind().equals(NoteResult.DOMAIN_MESSAGE))
-                .map(note -> WayDanger.announcedM(note.message()))
-                .flatMapToDouble(OptionalDouble::stream)
-                .max()
-                .orElse(0);
-        return isAvoided ? OptionalDouble.of(mostM) : OptionalDouble.empty();
+        return isAvoided ? OptionalDouble.of(report.map().announcedM().orElse(0)) : OptionalDouble.empty();
     }
 
     private static double deepestM(MapArea area, List<BoatResult> boats) {

@@ -2,6 +2,7 @@ package org.sami.crw.sim.report;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalDouble;
 
 /**
  * What the map of a run has beside tracks and locations.
@@ -11,14 +12,17 @@ import java.util.Objects;
  * @param explorations likewise
  * @param closest how near boats came to one another
  * @param paths that boats were given, in order of time
+ * @param announcedM how deep boats might come into avoided areas at most, as the operator was told before they drove, in metres; empty where nothing was told
  */
 public record RunMap(
         List<MapArea> areas,
         List<MapSpot> spots,
         List<Exploration> explorations,
         ClosestApproach closest,
-        List<MapPath> paths) {
+        List<MapPath> paths,
+        OptionalDouble announcedM) {
     public RunMap {
+        Objects.requireNonNull(announcedM, "announcedM");
         paths = List.copyOf(paths);
         areas = List.copyOf(areas);
         spots = List.copyOf(spots);
@@ -26,9 +30,14 @@ public record RunMap(
         Objects.requireNonNull(closest, "closest");
     }
 
-    /** A map without paths. */
+    /** A map without paths, of a run in which nothing was told of depths. */
     public RunMap(List<MapArea> areas, List<MapSpot> spots, List<Exploration> explorations, ClosestApproach closest) {
-        this(areas, spots, explorations, closest, List.of());
+        this(areas, spots, explorations, closest, List.of(), OptionalDouble.empty());
+    }
+
+    /** The same, of a run in which the operator was told how deep boats may come into avoided areas; empty where nothing was told. */
+    public RunMap announcing(OptionalDouble depthM) {
+        return new RunMap(areas, spots, explorations, closest, paths, depthM);
     }
 
     /** The map of a plan that names neither areas nor points. */

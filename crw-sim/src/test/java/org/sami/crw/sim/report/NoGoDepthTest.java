@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,37 +25,28 @@ class NoGoDepthTest {
     }
 
     @Test
-    void deepestOfWhatTheOperatorWasToldIsAnnounced() {
-        NoteResult[] told = {
-            note(
-                    NoteResult.DOMAIN_MESSAGE,
-                    "boat1 passes it; boats may be 9 m beside their way, so up to 2.5 m inside"),
-            note(
-                    NoteResult.DOMAIN_MESSAGE,
-                    "boat2 passes it; boats may be 9 m beside their way, so up to 3.5 m inside"),
-            note(NoteResult.FENCE, "boat2 is 7.5 m inside")
-        };
+    void whatTheOperatorWasToldIsAnnouncedWhereSomethingIsAvoided() {
+        OptionalDouble told = OptionalDouble.of(3.5);
+        OptionalDouble nothing = OptionalDouble.empty();
 
-        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.AVOIDED, told))).hasValue(3.5);
-        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.AVOIDED))).hasValue(0);
+        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.AVOIDED, told))).isEqualTo(told);
+        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.AVOIDED, nothing)))
+                .hasValue(0);
         assertThat(NoGoDepth.announced(report(9, MapArea.Kind.EXPLORED, told))).isEmpty();
     }
 
-    private static NoteResult note(String kind, String message) {
-        return new NoteResult(1000, kind, 1, message);
+    private static RunReport report(double northM, MapArea.Kind kind) {
+        return report(northM, kind, OptionalDouble.empty());
     }
 
-    private static RunReport report(double northM, MapArea.Kind kind, NoteResult... notes) {
+    private static RunReport report(double northM, MapArea.Kind kind, OptionalDouble announcedM) {
         RunReport sample = SampleReport.of(1, 1);
         List<TrackPoint> track = List.of(at(0, -50, northM), at(60_000, 50, northM));
         BoatResult boat = new BoatResult("boat1", sample.boats().get(0).link(), 100, 90, 0, track);
         MapArea area =
                 new MapArea(kind, List.of(point(-10, -10), point(10, -10), point(10, 10), point(-10, 10)), List.of());
-        RunMap map = new RunMap(
-                List.of(area),
-                List.of(),
-                List.of(),
-                new ClosestApproach(Optional.empty(), Optional.empty(), List.of(), 0));
+        ClosestApproach closest = new ClosestApproach(Optional.empty(), Optional.empty(), List.of(), 0);
+        RunMap map = new RunMap(List.of(area), List.of(), List.of(), closest).announcing(announcedM);
         return new RunReport(
                 sample.header(),
                 sample.result(),
@@ -63,7 +55,7 @@ class NoGoDepthTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                List.of(notes),
+                List.of(),
                 map);
     }
 

@@ -121,6 +121,7 @@ class ClearWaysRunTest {
                 .mapToDouble(Double::parseDouble)
                 .max()
                 .orElse(0);
+        assertThat(report.map().announcedM()).hasValue(announcedM);
         assertThat(deepestM(report)).isLessThanOrEqualTo(announcedM);
         double keptM = Conditions.FIELD.crossTrackError().marginM();
         assertThat(announcedM)

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -204,6 +205,7 @@ public final class PlanMap implements HostListener {
                         .map(asked -> asked.result(tracks, left -> area(MapArea.Kind.UNCOVERED, left)))
                         .toList(),
                 closest.join(),
-                paths);
+                paths,
+                OptionalDouble.empty());
     }
 }

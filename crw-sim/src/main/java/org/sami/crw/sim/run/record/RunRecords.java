@@ -48,6 +48,7 @@ public final class RunRecords {
     private final LocationListener locations;
     private final PlanMap map;
     private final FenceNotes fences;
+    private final AnnouncedDepth announced = new AnnouncedDepth();
     private final PhaseRecorder phases;
 
     /**
@@ -76,6 +77,7 @@ public final class RunRecords {
         phases = new PhaseRecorder(plan.vocabulary());
         fences = new FenceNotes(session.models());
         session.addListener((SessionListener) readings);
+        session.subscribe(Runnable::run, announced);
         if (!settings.isConnected()) { // else the run's monitor hears it, on the engine's thread
             session.addListener(new SessionListener() {
                 @Override
@@ -183,7 +185,7 @@ public final class RunRecords {
                         visited,
                         interrupts.results(),
                         told(end.atMillis()),
-                        map.map(known(results, end.atMillis(), links), visited))
+                        map.map(known(results, end.atMillis(), links), visited).announcing(announced.mostM()))
                 .withReadings(readings.readings())
                 .withLog(new RunLog(
                         phases.results(),

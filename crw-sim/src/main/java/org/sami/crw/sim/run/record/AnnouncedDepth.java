@@ -1,0 +1,22 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
+
+/** How deep boats may come into what they are to avoid, as the operator is told in a run before they drive. From any thread. */
+final class AnnouncedDepth implements Consumer<FleetEvent> {
+    private OptionalDouble mostM = OptionalDouble.empty();
+
+    @Override
+    public synchronized void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.DepthAnnounced announced) {
+            mostM = OptionalDouble.of(Math.max(mostM.orElse(0), announced.insideM()));
+        }
+    }
+
+    /** The deepest that was told, in metres; empty where nothing was. */
+    synchronized OptionalDouble mostM() {
+        return mostM;
+    }
+}
