@@ -56,11 +56,10 @@ final class ModeControl {
         this.vehicle = vehicle;
         steering = new SteeringControl(vehicle, config);
         surroundings = new Surroundings(config.boatId());
-        givingWay = new GivingWay(
-                surroundings,
-                vehicle,
-                config.trackingError().map(TrackingError::positionM).orElse(0.0));
-        stationGivingWay = new StationGivingWay(surroundings, vehicle, config.holdRadiusM());
+        double positionErrorM =
+                config.trackingError().map(TrackingError::positionM).orElse(0.0);
+        givingWay = new GivingWay(surroundings, vehicle, positionErrorM);
+        stationGivingWay = new StationGivingWay(surroundings, vehicle, config.holdRadiusM(), positionErrorM);
         stationDrive = new StationDrive(vehicle, steering, givingWay);
         follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
         home = here();
@@ -271,8 +270,10 @@ final class ModeControl {
             steering.rest();
         }
         double distanceM = steering.distanceM(target);
-        double keptM = keptM(nowMs);
-        if (drivingBack && distanceM < keptM / 2) {
+        boolean isTaken = stationGivingWay.isTaken(target, KEPT_NEAR_OTHERS_M / 2, nowMs);
+        double keptM = isTaken ? stationGivingWay.besideTakenM() + KEPT_NEAR_OTHERS_M : keptM(nowMs);
+        double enoughM = isTaken ? stationGivingWay.besideTakenM() : keptM / 2;
+        if (drivingBack && distanceM < enoughM) {
             drivingBack = false;
             steering.rest();
         } else if (distanceM > keptM) {

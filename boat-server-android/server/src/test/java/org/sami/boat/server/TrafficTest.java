@@ -74,14 +74,30 @@ class TrafficTest {
         commander.command(new HoldPosition("c3"));
         bench.vehicle.speedMps = 0;
         bench.vehicle.northM = -2;
-        commander.say(traffic(boat("boat2", 0, 2, 0), boat("boat3", 3.8, -0.5, 0), boat("boat4", -3.8, -0.5, 0)));
+        commander.say(traffic(boat("boat2", 3, -0.9, 0), boat("boat3", -3, -0.9, 0)));
         bench.run(0.3, commander);
         assertThat(bench.vehicle.thrust()).isZero();
 
-        commander.say(traffic(boat("boat2", 15, 0, 0), boat("boat3", 16, 0, 0), boat("boat4", -16, 0, 0)));
+        commander.say(traffic(boat("boat2", 15, 0, 0), boat("boat3", -16, 0, 0)));
         bench.run(0.5, commander);
 
         assertThat(bench.vehicle.thrust()).isPositive();
+    }
+
+    @Test
+    void boatWhoseStationIsTakenLiesStillBesideItUntilItIsFree() {
+        commander.command(new HoldPosition("c3"));
+        bench.vehicle.speedMps = 0;
+        bench.vehicle.eastM = -3.8;
+        commander.say(traffic(boat("boat2", 0.2, 0, 0)));
+        bench.run(1, commander);
+        assertThat(bench.vehicle.thrust()).isZero();
+        assertThat(bench.vehicle.rudder()).isZero();
+
+        commander.say(traffic(boat("boat2", 0, 15, 0)));
+        bench.run(1, commander);
+
+        assertThat(bench.vehicle.rudder()).as("it turns to its station").isPositive();
     }
 
     @ParameterizedTest

@@ -222,6 +222,29 @@ class GivingWayTest {
     }
 
     @Test
+    void ofTwoBoatsWithOneStationTheOtherLiesStillBesideIt() {
+        launch(3);
+        drive("boat3", 15, 40, 15, 80, 15, 40, 15, 80, 15, 40, 15, 80, 15, 40, 15, 80, 15, 40, 15, 80, 15, 40);
+        drive("boat1", 0, 60);
+        drive("boat2", 0, 60);
+        watch(180, "boat1", "boat2");
+        world.run(30);
+        double drivenM = drivenM("boat1") + drivenM("boat2");
+
+        world.run(120); // while they are told of the third one
+
+        assertThat(hasArrived("boat3")).isFalse();
+        assertThat(drivenM("boat1") + drivenM("boat2") - drivenM)
+                .as("metres of both")
+                .isLessThan(10);
+        assertThat(leastM).isGreaterThanOrEqualTo(APART_M);
+    }
+
+    private double drivenM(String boat) {
+        return world.fleet.boat(boat).orElseThrow().distanceM();
+    }
+
+    @Test
     void boatWhosePointIsTakenByOneThatIsStoppedWaitsApart() {
         launch(2);
         begin("boat2", 0, 30);

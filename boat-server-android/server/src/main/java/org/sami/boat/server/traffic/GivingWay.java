@@ -101,9 +101,14 @@ public final class GivingWay {
     public GivingWay(Surroundings surroundings, Vehicle vehicle, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
-        forErrorsM = DEVIATIONS * Math.sqrt(2) * positionErrorM;
+        forErrorsM = forErrorsM(positionErrorM);
         neighbours = new Neighbours(surroundings);
         goingBack = new GoingBack(surroundings, APART_M + forErrorsM + ROOM_M);
+    }
+
+    /** What boats keep on top of {@link #APART_M}, in metres, where positions have this standard deviation along each axis. */
+    static double forErrorsM(double positionErrorM) {
+        return DEVIATIONS * Math.sqrt(2) * positionErrorM;
     }
 
     /** Whether the boat goes otherwise than it would without others. */

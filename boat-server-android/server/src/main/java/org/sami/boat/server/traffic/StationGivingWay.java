@@ -19,16 +19,43 @@ public final class StationGivingWay {
     private final Surroundings surroundings;
     private final Vehicle vehicle;
     private final double radiusM;
+    private final double apartM;
 
     /**
      * That of a boat.
      *
      * @param radiusM how far from its station it may lie
+     * @param positionErrorM standard deviation of positions along each axis, the boat's own and those of others, in metres
      */
-    public StationGivingWay(Surroundings surroundings, Vehicle vehicle, double radiusM) {
+    public StationGivingWay(Surroundings surroundings, Vehicle vehicle, double radiusM, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
         this.radiusM = radiusM - FROM_EDGE_M;
+        apartM = GivingWay.APART_M + GivingWay.forErrorsM(positionErrorM);
+    }
+
+    /**
+     * Whether another boat lies still so near the station that this one cannot come to it.
+     *
+     * @param withinM how near to its station it is to come
+     */
+    public boolean isTaken(LocalFrame station, double withinM, long nowMs) {
+        LocalFrame plane = surroundings.plane();
+        double eastM = plane.eastM(station.originLatDeg(), station.originLonDeg());
+        double northM = plane.northM(station.originLatDeg(), station.originLonDeg());
+        for (OtherBoat other : surroundings.others()) {
+            if (other.isSlow()
+                    && !other.isUnderWay()
+                    && PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < apartM - withinM) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** How near a boat can well come to a station that is taken, in metres. */
+    public double besideTakenM() {
+        return apartM + GivingWay.ROOM_M;
     }
 
     /** Where to go aside; empty where the boat lies in nobody's way, or there is no room. */
