@@ -94,6 +94,11 @@ final class ConsoleContext implements AutoCloseable {
                 .toList();
     }
 
+    /** Waits until all is told that follows from what the engine has done: also what handlers tell the operator, a little after the engine's step. */
+    void catchUp() {
+        await(session.ask(view -> true).thenCompose(left -> session.fleet().ask(boats -> left)));
+    }
+
     /**
      * Waits for what a stage gives.
      *

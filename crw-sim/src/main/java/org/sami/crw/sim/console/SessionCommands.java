@@ -160,6 +160,8 @@ final class SessionCommands {
             context.until(() -> false, seconds(what));
         } else if (!context.until(wanted, limit)) {
             throw new ConsoleFault("still not after " + Numbers.short1(limit) + " s: wait " + what);
+        } else {
+            context.catchUp(); // what comes next may be quit, and ends the telling
         }
     }
 

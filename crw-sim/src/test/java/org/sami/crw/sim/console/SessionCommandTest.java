@@ -106,7 +106,7 @@ class SessionCommandTest {
             assertThat(ran.out())
                     .contains("anna is linked", "bo is linked", "mission 1 of clv has begun")
                     .containsPattern("1 or more of (anna, bo|bo, anna), or all")
-                    .contains("1  clv  runs since", "mission 1 of clv: ended");
+                    .contains("1  clv  runs since", "mission 1 of clv: ended", "All boats have finished");
             assertThat(ran.out()).doesNotContain("crw: ");
             assertThat(ran.exitCode()).isZero();
         }
