@@ -163,7 +163,7 @@ final class NetPainter {
     }
 
     private static void silhouette(Graphics2D g, Vertex vertex) {
-        g.setColor(SemanticColor.NET_RECOVERY.withAlpha(90));
+        g.setColor(SemanticColor.NET_RECOVERY.get());
         if (vertex.kind() == Kind.PLACE) {
             g.fill(circle(vertex, NetDrawing.PLACE_RADIUS - 1));
         } else {
