@@ -3,12 +3,17 @@ package org.sami.ui.command;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Window;
+import java.awt.event.ActionEvent;
 import java.util.List;
+import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
@@ -17,9 +22,14 @@ import org.sami.ui.look.Spacing;
 public final class CommandKeysPanel extends JPanel {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 560;
+    private static final int ROW = 28;
 
-    /** Lists the commands: those with a key first. */
-    public CommandKeysPanel(CommandRegistry commands) {
+    /**
+     * Lists the commands: those with a key first.
+     *
+     * @param leave closes it; Escape does so
+     */
+    public CommandKeysPanel(CommandRegistry commands, Runnable leave) {
         super(new BorderLayout());
         setName("command-keys");
         int inset = Look.px(Spacing.INSET);
@@ -37,17 +47,29 @@ public final class CommandKeysPanel extends JPanel {
         }
         JTable table = new JTable(rows);
         table.setName("command-keys-table");
+        table.setRowHeight(Look.px(ROW));
+        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel head) {
+            head.setHorizontalAlignment(SwingConstants.LEADING);
+        }
         table.getColumnModel().getColumn(0).setPreferredWidth(Look.px(WIDTH * 2 / 3));
         add(new JScrollPane(table));
+        getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
+        getActionMap().put("leave", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent pressed) {
+                leave.run();
+            }
+        });
         setPreferredSize(new Dimension(Look.px(WIDTH), Look.px(HEIGHT)));
     }
 
-    /** Opens it beside a window. */
+    /** Opens it over a window, no larger than that. */
     public static void open(Window owner, CommandRegistry commands) {
         JDialog dialog = new JDialog(owner, "Commands and keys");
         dialog.setName("command-keys-window");
-        dialog.setContentPane(new CommandKeysPanel(commands));
+        dialog.setContentPane(new CommandKeysPanel(commands, dialog::dispose));
         dialog.pack();
+        dialog.setSize(Math.min(dialog.getWidth(), owner.getWidth()), Math.min(dialog.getHeight(), owner.getHeight()));
         dialog.setLocationRelativeTo(owner);
         dialog.setVisible(true);
     }

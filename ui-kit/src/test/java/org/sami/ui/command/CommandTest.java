@@ -3,14 +3,17 @@ package org.sami.ui.command;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.Action;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
@@ -132,13 +135,36 @@ class CommandTest {
         commands.add(new Command("mission-start", "Start mission", () -> {}));
         commands.add(abort());
 
-        CommandKeysPanel panel = new CommandKeysPanel(commands);
+        CommandKeysPanel panel = new CommandKeysPanel(commands, () -> {});
         JTable table = (JTable)
                 ((javax.swing.JScrollPane) panel.getComponent(0)).getViewport().getView();
 
         assertThat(table.getValueAt(0, 0)).isEqualTo("Abort mission");
         assertThat(table.getValueAt(0, 1)).isEqualTo("Ctrl+Shift+X");
         assertThat(table.getRowCount()).isEqualTo(2);
+    }
+
+    @Test
+    void escapeLeavesTheListOfKeysAlsoFromItsTable() {
+        boolean[] left = {false};
+        CommandKeysPanel panel = new CommandKeysPanel(commands, () -> left[0] = true);
+        JTable table = Layout.find(panel, "command-keys-table", JTable.class).orElseThrow();
+        KeyStroke escape = KeyStroke.getKeyStroke("ESCAPE");
+        int around = JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT;
+
+        SwingUtilities.notifyAction(
+                panel.getActionMap().get(panel.getInputMap(around).get(escape)),
+                escape,
+                new KeyEvent(table, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_ESCAPE, KeyEvent.CHAR_UNDEFINED),
+                panel,
+                0);
+
+        assertThat(left[0]).isTrue();
+        assertThat(table.getActionMap()
+                        .get(table.getInputMap(around).get(escape))
+                        .accept(table))
+                .as("whether the table keeps the key for itself")
+                .isFalse();
     }
 
     private static void press(CommandSearch search, String key) {
