@@ -3,6 +3,7 @@ package org.sami.ui.table;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
@@ -75,17 +76,36 @@ final class RowFit<R> {
         int[] lines =
                 IntStream.range(0, rows.get().size()).map(this::linesNeeded).toArray();
         int most = IntStream.of(lines).max().orElse(1);
+        if (whole) {
+            Arrays.fill(lines, most);
+        }
         mostLines = most;
-        int together = Math.min(leastSeen, lines.length);
-        while (mostLines > 1 && together * RowCell.height(table, mostLines) > room()) {
+        while (mostLines > 1 && !areEnoughSeen(lines)) {
             mostLines--;
         }
         for (int row = 0; row < lines.length; row++) {
-            int height = RowCell.height(table, Math.min(mostLines, whole ? most : lines[row]));
+            int height = height(lines[row]);
             if (table.getRowHeight(row) != height) {
                 table.setRowHeight(row, height);
             }
         }
+    }
+
+    private int height(int linesNeeded) {
+        return RowCell.height(table, Math.min(mostLines, linesNeeded));
+    }
+
+    /** Whether rows that follow one another are seen together wherever the view is, as many as are to be seen. */
+    private boolean areEnoughSeen(int[] lines) {
+        int together = Math.min(leastSeen, lines.length);
+        int heights = 0;
+        for (int row = 0; row < lines.length; row++) {
+            heights += height(lines[row]) - (row < together ? 0 : height(lines[row - together]));
+            if (heights > room()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private int linesNeeded(int row) {

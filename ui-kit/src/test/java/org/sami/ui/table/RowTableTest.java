@@ -181,6 +181,11 @@ class RowTableTest {
         Layout.layOut(table, 300, 400);
         assertThat(table.table().getRowHeight(0)).isGreaterThan(low);
 
+        table.show(List.of(new Row("short", 1), new Row("beside a long one " + words, 2)));
+        Layout.layOut(table, 300, 110);
+        assertThat(inView(0) && inView(1)).isTrue();
+        assertThat(table.table().getRowHeight(1)).isGreaterThan(low);
+
         table.show(List.of(new Row("the only one " + words, 1)));
         Layout.layOut(table, 300, 110);
         assertThat(table.table().getRowHeight(0)).isGreaterThan(low);

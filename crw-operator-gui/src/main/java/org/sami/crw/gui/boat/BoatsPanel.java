@@ -13,7 +13,6 @@ import org.sami.ui.table.RowTable;
 
 /** The boats, worst first: what each does or why it stands, charge, speed, path, age of the link. Shows each in its own mark. */
 public final class BoatsPanel extends JPanel {
-    private static final int LEAST_ROWS = 2;
     private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
                     (Shown shown) -> BoatWords.trouble(shown.boat()))
             .reversed()
@@ -50,7 +49,6 @@ public final class BoatsPanel extends JPanel {
                         RowColumn.<Shown>number("Link", 104, Shown::link)
                                 .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)
                                 .asLastSpare())); // what it does says when the link is lost
-        table.showWholeRows(LEAST_ROWS);
         BoatTables.shareSelection(context, table, Shown::name);
         context.models()
                 .fleet()
