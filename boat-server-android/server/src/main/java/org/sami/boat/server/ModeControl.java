@@ -156,6 +156,7 @@ final class ModeControl {
         target = station;
         drivingBack = false;
         drivesAside = false;
+        stationGivingWay.begin();
         stationDrive.begin();
         steering.rest();
     }

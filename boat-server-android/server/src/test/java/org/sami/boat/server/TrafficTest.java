@@ -94,6 +94,11 @@ class TrafficTest {
         assertThat(bench.vehicle.thrust()).isZero();
         assertThat(bench.vehicle.rudder()).isZero();
 
+        bench.run(4, commander); // nothing is told of boats that lie still
+        commander.say(traffic(boat("boat3", -15, 0, 0)));
+        bench.run(1, commander);
+        assertThat(bench.vehicle.rudder()).isZero();
+
         commander.say(traffic(boat("boat2", 0, 15, 0)));
         bench.run(1, commander);
 

@@ -20,6 +20,7 @@ public final class StationGivingWay {
     private final Vehicle vehicle;
     private final double radiusM;
     private final double apartM;
+    private Optional<String> takenBy = Optional.empty(); // who has taken the station
 
     /**
      * That of a boat.
@@ -34,8 +35,14 @@ public final class StationGivingWay {
         apartM = GivingWay.APART_M + GivingWay.forErrorsM(positionErrorM);
     }
 
+    /** From now on the boat keeps another station. */
+    public void begin() {
+        takenBy = Optional.empty();
+    }
+
     /**
-     * Whether another boat lies still so near the station that this one cannot come to it.
+     * Whether another boat lies still so near the station that this one cannot come to it, or lay there when it was told of last: while all lie still,
+     * nothing is told.
      *
      * @param withinM how near to its station it is to come
      */
@@ -47,10 +54,12 @@ public final class StationGivingWay {
             if (other.isSlow()
                     && !other.isUnderWay()
                     && PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < apartM - withinM) {
+                takenBy = Optional.of(other.boatId());
                 return true;
             }
         }
-        return false;
+        takenBy = takenBy.filter(boatId -> !surroundings.knows(boatId)); // else it has gone from there
+        return takenBy.isPresent();
     }
 
     /** How near a boat can well come to a station that is taken, in metres. */

@@ -100,6 +100,11 @@ public final class Surroundings {
         return others.isEmpty();
     }
 
+    /** Whether something was told of this boat lately. */
+    boolean knows(String boatId) {
+        return others.stream().anyMatch(other -> other.boatId().equals(boatId));
+    }
+
     /** Whether some boat is nearer to a position than so many metres. */
     public boolean isNear(double latDeg, double lonDeg, double metres, long nowMs) {
         double eastM = plane.eastM(latDeg, lonDeg);
