@@ -12,7 +12,7 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /** Relevant tokens are those that an input event names: without such an event there are none (thesis 3.1, 9.3.4). */
-final class RelevantTokens implements PlanCheck {
+final class RelevantTokenCheck implements PlanCheck {
     private static final Set<EventRole> MAY_NAME = Set.of(
             EventRole.INTERRUPT,
             EventRole.GENERAL_INTERRUPT_RECEIVED,
@@ -22,7 +22,7 @@ final class RelevantTokens implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {
-            boolean names = plan.inputsOf(t).stream().anyMatch(RelevantTokens::mayName);
+            boolean names = plan.inputsOf(t).stream().anyMatch(RelevantTokenCheck::mayName);
             if (names || t.inputs().size() > plan.inputsOf(t).size()) {
                 continue;
             }

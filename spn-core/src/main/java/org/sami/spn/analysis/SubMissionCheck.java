@@ -14,7 +14,7 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 
 /** Sub-missions exist, do not contain themselves, and can come to an end where somebody waits for it (thesis 3.1). */
-final class SubMissions implements PlanCheck {
+final class SubMissionCheck implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Place place : plan.plan().places()) {
