@@ -240,8 +240,8 @@ public final class GivingWay {
         border = surroundings.border();
         speedMps = vehicle.speedMps();
         double less = KEPT_LESS * Math.max(0, (gaveWayS - LONG_S) / (LONGEST_S - LONG_S));
-        neighbours.keep(APART_M + forErrorsM * (1 - less));
-        neighbours.update(eastM, northM, speedMps, fastestMps, hasWay, nowMs);
+        double keptM = APART_M + forErrorsM * (1 - less);
+        neighbours.update(eastM, northM, speedMps, fastestMps, hasWay, keptM, nowMs);
     }
 
     /** Measures where the others can stop, and how far to keep off what is not to be entered, before it is asked what is safe. */

@@ -42,16 +42,6 @@ final class Neighbours {
     }
 
     /**
-     * What boats keep from now on.
-     *
-     * @param newApartM how far apart the segments are on which two boats stop, in metres
-     */
-    void keep(double newApartM) {
-        apartM = newApartM;
-        wideM = newApartM + GivingWay.ROOM_M;
-    }
-
-    /**
      * Finds those that can come near.
      *
      * @param atEastM where this boat is
@@ -59,8 +49,18 @@ final class Neighbours {
      * @param speedMps its speed in m/s
      * @param fastestMps the most that it goes, whatever it chooses, in m/s
      * @param hasWay whether it is under way, so that others may have to give way to it
+     * @param keptM how far apart the segments are to be on which two boats stop, in metres
      */
-    void update(double atEastM, double atNorthM, double speedMps, double fastestMps, boolean hasWay, long nowMs) {
+    void update(
+            double atEastM,
+            double atNorthM,
+            double speedMps,
+            double fastestMps,
+            boolean hasWay,
+            double keptM,
+            long nowMs) {
+        apartM = keptM;
+        wideM = keptM + GivingWay.ROOM_M;
         List<OtherBoat> others = surroundings.others();
         makeRoom(others.size());
         count = 0;
