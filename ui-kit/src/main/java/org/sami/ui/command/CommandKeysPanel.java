@@ -52,6 +52,7 @@ public final class CommandKeysPanel extends JPanel {
             head.setHorizontalAlignment(SwingConstants.LEADING);
         }
         table.getColumnModel().getColumn(0).setPreferredWidth(Look.px(WIDTH * 2 / 3));
+        table.getColumnModel().getColumn(1).setMinWidth(widestKey(table));
         add(new JScrollPane(table));
         getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
         getActionMap().put("leave", new AbstractAction() {
@@ -61,6 +62,17 @@ public final class CommandKeysPanel extends JPanel {
             }
         });
         setPreferredSize(new Dimension(Look.px(WIDTH), Look.px(HEIGHT)));
+    }
+
+    /** So wide that every key is read whole: a part of one is no key. */
+    private static int widestKey(JTable table) {
+        int width = 0;
+        for (int row = 0; row < table.getRowCount(); row++) {
+            width = Math.max(
+                    width,
+                    table.prepareRenderer(table.getCellRenderer(row, 1), row, 1).getPreferredSize().width);
+        }
+        return width + table.getIntercellSpacing().width;
     }
 
     /** Opens it over a window, no larger than that. */

@@ -145,6 +145,20 @@ class CommandTest {
     }
 
     @Test
+    void everyKeyOfTheListIsReadWhole() {
+        CommandRegistry many = new CommandRegistry();
+        many.add(new Command("go-on", "Release: boats go on", () -> {}).withKey("ctrl shift ENTER"));
+        CommandKeysPanel panel = new CommandKeysPanel(many, () -> {});
+        JTable table = Layout.find(panel, "command-keys-table", JTable.class).orElseThrow();
+
+        table.setSize(120, 100);
+        table.doLayout();
+
+        int needed = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1).getPreferredSize().width;
+        assertThat(table.getCellRect(0, 1, false).width).isGreaterThanOrEqualTo(needed);
+    }
+
+    @Test
     void escapeLeavesTheListOfKeysAlsoFromItsTable() {
         boolean[] left = {false};
         CommandKeysPanel panel = new CommandKeysPanel(commands, () -> left[0] = true);
