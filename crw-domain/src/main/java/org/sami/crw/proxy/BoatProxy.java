@@ -223,7 +223,9 @@ public final class BoatProxy {
         }
         if (link.isCommanding()) {
             driver.tick(condition.nowMs);
-            fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
+            if (fleetRequests.areWaiting()) {
+                fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
+            }
             settings.tick(condition.nowMs);
             if (condition.awaitingProgress) {
                 link.helloIfDue(condition.nowMs);
@@ -368,8 +370,7 @@ public final class BoatProxy {
     /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
     private void settle() {
         Optional<Obstacle> obstacle = obstacle();
-        if (obstacle.filter(one -> one.cause() != BoatExplanation.Cause.COMPARING)
-                .isPresent()) {
+        if (obstacle.isPresent() && obstacle.get().cause() != BoatExplanation.Cause.COMPARING) {
             driver.endHold();
         }
         driver.settle(obstacle.isEmpty(), condition.nowMs);

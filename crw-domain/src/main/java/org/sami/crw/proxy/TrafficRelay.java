@@ -187,6 +187,7 @@ public final class TrafficRelay {
     private static NearbyBoat row(Seen other, long nowMs) {
         Sighting at = other.sighting;
         Optional<GeoPoint> to = other.boat.traffic().target();
+        boolean isGoing = to.isPresent();
         return new NearbyBoat(
                 other.boat.boatId(),
                 at.latDeg(),
@@ -195,7 +196,7 @@ public final class TrafficRelay {
                 at.speedMps(),
                 at.mode(),
                 Math.max(0, nowMs - at.atMs()),
-                to.map(GeoPoint::latDeg).orElse(Double.NaN),
-                to.map(GeoPoint::lonDeg).orElse(Double.NaN));
+                isGoing ? to.get().latDeg() : Double.NaN,
+                isGoing ? to.get().lonDeg() : Double.NaN);
     }
 }

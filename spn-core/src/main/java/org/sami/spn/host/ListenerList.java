@@ -66,8 +66,8 @@ public final class ListenerList<L> {
     @SuppressWarnings("CatchingUnchecked") // also what is thrown sneakily must not reach the caller
     public void each(Consumer<? super L> call, BiConsumer<? super L, Throwable> onFault) {
         List<Runnable> reports = List.of();
+        long begin = isTimed ? System.nanoTime() : 0;
         for (Entry<L> entry : entries) {
-            long begin = isTimed ? System.nanoTime() : 0;
             try {
                 call.accept(entry.listener);
             } catch (Exception | LinkageError | StackOverflowError | AssertionError fault) {
@@ -77,10 +77,14 @@ public final class ListenerList<L> {
                 reports.add(() -> onFault.accept(entry.listener, fault));
             }
             if (isTimed) {
-                reportIfSlow(entry, System.nanoTime() - begin);
+                long end = System.nanoTime();
+                reportIfSlow(entry, end - begin);
+                begin = end;
             }
         }
-        reports.forEach(Runnable::run);
+        if (!reports.isEmpty()) {
+            reports.forEach(Runnable::run);
+        }
     }
 
     private void reportIfSlow(Entry<L> entry, long nanos) {

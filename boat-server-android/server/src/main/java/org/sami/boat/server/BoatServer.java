@@ -21,6 +21,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
@@ -117,7 +118,10 @@ public final class BoatServer {
         if (modes.tick(nowMs)) {
             broadcast(modes.track().progress(), nowMs);
         }
-        modes.takeReport().ifPresent(report -> broadcast(report, nowMs));
+        Optional<PanoramaReport> report = modes.takeReport();
+        if (report.isPresent()) {
+            broadcast(report.get(), nowMs);
+        }
         tellMotion(nowMs);
         battery.tick(nowMs);
         if (battery.level() != reportedLevel) {
@@ -127,7 +131,9 @@ public final class BoatServer {
         for (ServerSession session : sessions) {
             session.tick(nowMs);
         }
-        sensors.tick(nowMs, reading -> broadcast(reading, nowMs)); // last: an instrument that fails stops nothing else
+        if (sensors.areDue(nowMs)) { // last: an instrument that fails stops nothing else
+            sensors.tick(nowMs, reading -> broadcast(reading, nowMs));
+        }
     }
 
     /** While it moves near others, the base is told often enough for them to give way. */

@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
@@ -20,10 +21,10 @@ final class DriftEstimate {
      *
      * @param eastM in metres of any frame that stays the same until {@link #reset}
      */
-    void see(double eastM, double northM, double headingRad, double seconds) {
+    void see(double eastM, double northM, Course heading, double seconds) {
         if (seconds > 0 && !Double.isNaN(lastEastM)) {
-            double starboardEast = StrictMath.cos(headingRad);
-            double starboardNorth = -StrictMath.sin(headingRad);
+            double starboardEast = heading.north();
+            double starboardNorth = -heading.east();
             double acrossMps = ((eastM - lastEastM) * starboardEast + (northM - lastNorthM) * starboardNorth) / seconds;
             double seenMps = Math.max(-MOST_MPS, Math.min(MOST_MPS, acrossMps));
             double knownMps = eastMps * starboardEast + northMps * starboardNorth;
@@ -51,9 +52,9 @@ final class DriftEstimate {
     }
 
     /** Heading in radians at which a vehicle of that speed through the water makes good a course; the course where it is too slow. */
-    double headingRad(double courseRad, double speedMps) {
-        double acrossMps = eastMps * StrictMath.cos(courseRad) - northMps * StrictMath.sin(courseRad); // to starboard
+    double headingRad(Course course, double speedMps) {
+        double acrossMps = eastMps * course.north() - northMps * course.east(); // to starboard
         double part = Math.max(-0.9, Math.min(0.9, acrossMps / Math.max(speedMps, 1e-3)));
-        return courseRad - StrictMath.asin(part);
+        return course.rad() - StrictMath.asin(part);
     }
 }

@@ -1,8 +1,10 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
+import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Vehicle;
 
@@ -73,15 +75,17 @@ final class PathFollower {
             drift.reset();
             return;
         }
-        drift.see(eastM, northM, headingRad, seconds);
+        Course heading = new Course(headingRad);
+        drift.see(eastM, northM, heading, seconds);
         double wantedMps = leg.speedMps(eastM, northM, speedMps, drift.speedMps());
         double courseRad = leg.courseRad(eastM, northM, wantedMps);
         CourseAndSpeed wanted = new CourseAndSpeed(courseRad, wantedMps);
-        CourseAndSpeed chosen = givingWay.choose(wanted, leg.line(eastM, northM, courseRad), true, nowMs, seconds);
+        LineAhead along = leg.line(eastM, northM, courseRad);
+        CourseAndSpeed chosen = givingWay.choose(wanted, heading, along, true, nowMs, seconds);
         if (waits(chosen)) {
             steering.holdAgainst(drift.againstRad(), drift.speedMps(), seconds);
         } else {
-            steering.steerAlong(heading(chosen), chosen.speedMps(), seconds);
+            steering.steerAlong(headingRad(chosen), chosen.speedMps(), seconds);
         }
     }
 
@@ -94,9 +98,9 @@ final class PathFollower {
                 && Math.abs(vehicle.speedMps()) < STANDING_MPS;
     }
 
-    private double heading(CourseAndSpeed chosen) {
+    private double headingRad(CourseAndSpeed chosen) {
         double chosenMps = chosen.speedMps();
-        return chosenMps > 0 ? drift.headingRad(chosen.courseRad(), chosenMps) : chosen.courseRad();
+        return chosenMps > 0 ? drift.headingRad(chosen.course(), chosenMps) : chosen.courseRad();
     }
 
     private double eastM() {

@@ -17,6 +17,16 @@ final class SensorWatch {
         vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
     }
 
+    /** Whether one of them is to be read. */
+    boolean areDue(long nowMs) {
+        for (Slot slot : slots) {
+            if (nowMs >= slot.dueMs) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Reads what is due. A sensor that fails is asked again when it is due again, and keeps no other from being read. */
     void tick(long nowMs, Consumer<SensorReport> reports) {
         RuntimeException failure = null;

@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import java.util.Optional;
+import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
 import org.sami.boat.server.traffic.LineAhead;
@@ -55,6 +56,7 @@ final class StationDrive {
         }
         CourseAndSpeed chosen = givingWay.choose(
                 new CourseAndSpeed(courseRad, speedMps),
+                new Course(vehicle.headingRad()),
                 LineAhead.straight(courseRad, steering.distanceM(to)),
                 false,
                 nowMs,

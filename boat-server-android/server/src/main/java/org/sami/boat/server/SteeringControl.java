@@ -82,14 +82,15 @@ final class SteeringControl {
             rest();
             return;
         }
-        double wantedMps = speedMps * Math.max(0, StrictMath.cos(error));
+        double ahead = Math.max(0, StrictMath.cos(error));
+        double wantedMps = speedMps * ahead;
         double lackMps = wantedMps - vehicle.speedMps();
         if (speedMps == 0 && !stands) {
             speed.forgetWhatKeepsUp(lackMps);
         }
         stands = speedMps == 0;
         double learningS = hadThrust && Math.abs(lackMps) < LEARNING_MPS ? seconds : 0;
-        double throughMps = wantedMps + driftMps * Math.max(0, StrictMath.cos(error));
+        double throughMps = wantedMps + driftMps * ahead;
         double thrust = throughMps / fullThrustSpeedMps + speed.effort(lackMps, learningS);
         drive(thrust, heading.effort(error, seconds));
     }

@@ -263,7 +263,7 @@ public final class CommandDriver {
 
     /** What the boat is to do now: a mission's command, else to hold its place. */
     private Optional<QueuedCommand> wanted() {
-        return queue.current().or(hold::station);
+        return queue.current().isPresent() ? queue.current() : hold.station();
     }
 
     private void begin(QueuedCommand queued, long nowMs) {
@@ -305,12 +305,17 @@ public final class CommandDriver {
     }
 
     private boolean isRunWanted() {
+        Optional<QueuedCommand> wanted = wanted();
         return run.isPresent()
-                && wanted().filter(one -> one == run.get().queued()).isPresent();
+                && wanted.isPresent()
+                && wanted.get() == run.get().queued();
     }
 
     /** Sends again what is due; gives up a command that stays unanswered, but never a stop. */
     public void tick(long nowMs) {
+        if (!requests.areWaiting()) {
+            return;
+        }
         for (CommandMessage unanswered : requests.tick(nowMs)) {
             if (run.isPresent()) {
                 String why = "the boat did not answer " + config.maxSends() + " requests";

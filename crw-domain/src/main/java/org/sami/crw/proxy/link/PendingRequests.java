@@ -50,9 +50,6 @@ public final class PendingRequests {
 
     /** Sends again what is due. Returns the requests that are given up. */
     public List<CommandMessage> tick(long nowMs) {
-        if (unanswered.isEmpty()) {
-            return List.of();
-        }
         List<CommandMessage> givenUp = new ArrayList<>();
         for (Pending pending : unanswered.values()) {
             if (nowMs < pending.dueMs) {

@@ -24,7 +24,7 @@ public final class DeferredNotifications {
 
     /** Tells the listener what was kept, in its order. */
     public void deliver() {
-        if (speaking) {
+        if (speaking || waiting.isEmpty()) {
             return;
         }
         speaking = true;

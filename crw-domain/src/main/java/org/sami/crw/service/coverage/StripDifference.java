@@ -15,7 +15,7 @@ import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
  * gets the same.
  */
 final class StripDifference {
-    private static final int SHAPES_OF_STRIP = 128;
+    private static final int SHAPES_OF_STRIP = 48;
     private static final int MOST_STRIPS = 8;
     private static final double ROUNDING_M = 1e-6;
     private static final GeometryFactory FACTORY = new GeometryFactory();

@@ -101,7 +101,9 @@ public final class VirtualClock implements VirtualScheduler {
         if (next.actions.isEmpty()) {
             moments.remove();
             byTime.remove(next.timeMs);
-            latest = Optional.empty();
+            if (latest.isPresent() && latest.get().timeMs == next.timeMs) {
+                latest = Optional.empty();
+            }
         }
         nowMs = next.timeMs;
         action.run();

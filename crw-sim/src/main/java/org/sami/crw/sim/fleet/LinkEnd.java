@@ -33,25 +33,31 @@ final class LinkEnd implements FrameSink {
 
     /** A tick is about to begin: what has arrived until now is the boat's. */
     void beginTick() {
-        List<Frame> emptied = arrived;
-        arrived = arriving;
-        arriving = emptied;
+        if (!arriving.isEmpty()) { // mostly nothing has: what one thread writes, the other one's core has to fetch
+            List<Frame> emptied = arrived;
+            arrived = arriving;
+            arriving = emptied;
+        }
     }
 
     /** The boat takes in what had arrived, on the thread that ticks it. */
     void takeIn(long nowMs) {
-        for (Frame frame : arrived) {
-            session.receive(frame, nowMs);
+        if (!arrived.isEmpty()) {
+            for (Frame frame : arrived) {
+                session.receive(frame, nowMs);
+            }
+            arrived.clear();
         }
-        arrived.clear();
     }
 
     /** The tick is over: what the boat said is sent, on the clock's thread. */
     void endTick() {
-        for (Frame frame : said) {
-            toBase.send(frame);
+        if (!said.isEmpty()) {
+            for (Frame frame : said) {
+                toBase.send(frame);
+            }
+            said.clear();
         }
-        said.clear();
     }
 
     @Override

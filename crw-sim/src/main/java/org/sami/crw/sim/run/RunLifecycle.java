@@ -70,10 +70,15 @@ public final class RunLifecycle {
         if (status.kind() == HostStatus.Kind.FAILED) {
             fail(status.reason());
         }
-        recorder.failure().ifPresent(this::fail);
-        return fault.isPresent()
-                ? Optional.of(RunOutcome.FAILED)
-                : recorder.outcome().map(this::over);
+        Optional<String> failure = recorder.failure();
+        if (failure.isPresent()) {
+            fail(failure.get());
+        }
+        Optional<Outcome> outcome = fault.isEmpty() ? recorder.outcome() : Optional.empty();
+        if (outcome.isPresent()) {
+            return Optional.of(over(outcome.get()));
+        }
+        return fault.isPresent() ? Optional.of(RunOutcome.FAILED) : Optional.empty();
     }
 
     private RunOutcome over(Outcome outcome) {

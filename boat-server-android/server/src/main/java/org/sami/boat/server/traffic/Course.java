@@ -3,13 +3,13 @@ package org.sami.boat.server.traffic;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /** A direction in which a boat may go, with its unit vector: sines are dear, and some are wanted dozens of times in one choice. */
-final class Course {
+public final class Course {
     private final double rad;
     private final double east;
     private final double north;
 
     /** A course in radians, clockwise from true north. */
-    Course(double rad) {
+    public Course(double rad) {
         this(rad, StrictMath.sin(rad), StrictMath.cos(rad));
     }
 
@@ -24,17 +24,17 @@ final class Course {
         return new Course(rad + by.rad, east * by.north + north * by.east, north * by.north - east * by.east);
     }
 
-    double rad() {
+    public double rad() {
         return rad;
     }
 
     /** East part of the unit vector along it. */
-    double east() {
+    public double east() {
         return east;
     }
 
     /** North part of that vector. */
-    double north() {
+    public double north() {
         return north;
     }
 

@@ -2,7 +2,7 @@ package org.sami.boat.server.traffic;
 
 /** Where a boat is to go now, and how fast. */
 public final class CourseAndSpeed {
-    private final double courseRad;
+    private final Course course;
     private final double speedMps;
 
     /**
@@ -12,13 +12,18 @@ public final class CourseAndSpeed {
      * @param speedMps m/s along it; negative is astern
      */
     public CourseAndSpeed(double courseRad, double speedMps) {
-        this.courseRad = courseRad;
+        this.course = new Course(courseRad);
         this.speedMps = speedMps;
+    }
+
+    /** The course. */
+    public Course course() {
+        return course;
     }
 
     /** The course in radians, clockwise from true north. */
     public double courseRad() {
-        return courseRad;
+        return course.rad();
     }
 
     /** The speed in m/s along the course; negative is astern. */

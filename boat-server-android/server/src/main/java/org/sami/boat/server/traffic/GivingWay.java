@@ -125,11 +125,13 @@ public final class GivingWay {
      * Where the boat goes now.
      *
      * @param wanted where it would go without others; not astern
+     * @param towards the vehicle's heading
      * @param along the line that it is to follow, clear of what it is not to enter
      * @param hasWay whether it is under way, so that others may have to give way to it
      * @param seconds since the last choice
      */
-    public CourseAndSpeed choose(CourseAndSpeed wanted, LineAhead along, boolean hasWay, long nowMs, double seconds) {
+    public CourseAndSpeed choose(
+            CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         if (hasWay) {
             goingBack.record(vehicle.latDeg(), vehicle.lonDeg());
         }
@@ -141,10 +143,10 @@ public final class GivingWay {
         }
         update(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
         if (!neighbours.isEmpty() || !border.isEmpty()) {
-            heading = new Course(vehicle.headingRad());
+            heading = towards;
             leastTurn.setHeading(heading);
             farthestTurn.setHeading(heading);
-            course = new Course(wanted.courseRad());
+            course = wanted.course();
             courseMps = wanted.speedMps();
         }
         boolean isRisky = neighbours.risk(course, courseMps, 0) > 0;
@@ -153,8 +155,7 @@ public final class GivingWay {
             measureStopping(along);
         }
         Optional<LineAhead> off = hasWay && !isOnLine ? border.off() : Optional.empty();
-        double tooNearM = off.map(LineAhead::aheadM).orElse(0.0);
-        goesOff = tooNearM > (goesOff ? OFF_M : OFF_M + border.keepM() * OFF_PART);
+        goesOff = off.isPresent() && off.get().aheadM() > (goesOff ? OFF_M : OFF_M + border.keepM() * OFF_PART);
         if (goesOff) {
             return goBack(off.get());
         }

@@ -63,9 +63,9 @@ final class GoingBack {
             double eastM, double northM, double wantedRad, double stoodS, boolean isBarred, long nowMs) {
         Optional<OtherBoat> coming = coming(eastM, northM, wantedRad, stoodS, nowMs);
         if (fromId.isEmpty()) {
-            makesRoom = coming.filter(other -> isToMakeRoom(other, stoodS)).isPresent();
+            makesRoom = coming.isPresent() && isToMakeRoom(coming.get(), stoodS);
         }
-        fromId = coming.map(OtherBoat::boatId).orElse("");
+        fromId = coming.isPresent() ? coming.get().boatId() : "";
         if (!coming.isPresent()) {
             makesRoom = false;
             returns = isBarred && (returns || stoodS >= STOOD_S);

@@ -69,8 +69,9 @@ final class Neighbours {
         allStopApart = true;
         for (int i = 0; i < others.size(); i++) {
             OtherBoat other = others.get(i);
-            double awayEastM = other.eastM(nowMs) - atEastM;
-            double awayNorthM = other.northM(nowMs) - atNorthM;
+            double sinceS = other.sinceS(nowMs);
+            double awayEastM = other.eastAfterM(sinceS) - atEastM;
+            double awayNorthM = other.northAfterM(sinceS) - atNorthM;
             double awayM = Math.sqrt(awayEastM * awayEastM + awayNorthM * awayNorthM);
             double spareM = awayM - ownM - other.stopsWithinM() - apartM;
             if (spareM < 0 || awayM - (fastestMps + Math.abs(other.speedMps())) * AHEAD_S < wideM) {

@@ -58,15 +58,25 @@ final class OtherBoat {
     }
 
     double eastM(long nowMs) {
-        return eastM + eastMps * sinceS(nowMs);
+        return eastAfterM(sinceS(nowMs));
     }
 
     double northM(long nowMs) {
-        return northM + northMps * sinceS(nowMs);
+        return northAfterM(sinceS(nowMs));
+    }
+
+    /** Where it is so many seconds after it was seen. */
+    double eastAfterM(double seconds) {
+        return eastM + eastMps * seconds;
+    }
+
+    /** Where it is so many seconds after it was seen. */
+    double northAfterM(double seconds) {
+        return northM + northMps * seconds;
     }
 
     /** For how long it goes on as it was seen, in seconds. */
-    private double sinceS(long nowMs) {
+    double sinceS(long nowMs) {
         return Math.max(0, Math.min(FORETOLD_MS, nowMs - seenMs)) / 1000.0;
     }
 

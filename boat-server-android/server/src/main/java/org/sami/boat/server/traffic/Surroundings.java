@@ -67,11 +67,14 @@ public final class Surroundings {
 
     /** The boat of that name; looked for after the one before, as a base mostly names them in the same order. */
     private OtherBoat known(String boatId) {
+        int at = nextTold;
         for (int i = 0; i < others.size(); i++) {
-            int at = (nextTold + i) % others.size();
-            if (others.get(at).boatId().equals(boatId)) {
-                nextTold = at + 1;
-                return others.get(at);
+            at = at < others.size() ? at : 0;
+            OtherBoat other = others.get(at);
+            at++;
+            if (other.boatId().equals(boatId)) {
+                nextTold = at;
+                return other;
             }
         }
         OtherBoat other = new OtherBoat(boatId);
