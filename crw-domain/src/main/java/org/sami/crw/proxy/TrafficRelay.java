@@ -3,9 +3,7 @@ package org.sami.crw.proxy;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
@@ -31,8 +29,8 @@ public final class TrafficRelay {
     private static final double METRES_PER_DEGREE = 111_320; // of latitude; coarse is enough to see who is near
     private static final Comparator<Seen> FROM_WEST = Comparator.comparingDouble(seen -> seen.eastM);
 
-    private final Map<String, Seen> byId = new HashMap<>();
-    private final List<Seen> fromWest = new ArrayList<>(); // the same boats; nearly in order from look to look
+    private final List<Seen> inOrder = new ArrayList<>(); // as the boats are given
+    private final List<Seen> fromWest = new ArrayList<>(); // the same ones; nearly in order from look to look
     private long lookedMs = Long.MIN_VALUE / 2;
 
     /** Metres east and north of where one of the boats is. */
@@ -115,25 +113,29 @@ public final class TrafficRelay {
     /** Where the boats are of which that is known; the others are forgotten. */
     private void look(Collection<BoatProxy> boats, long nowMs) {
         Plane plane = null; // of the first one
+        int count = 0;
         for (BoatProxy boat : boats) {
             Optional<Sighting> sighting = boat.traffic().sighting();
             if (sighting.isPresent() && nowMs - sighting.get().atMs() <= OLDEST_MS) {
                 plane = plane == null ? Plane.at(sighting.get()) : plane;
-                seen(boat).look(sighting.get(), plane, nowMs);
+                seen(boat, count).look(sighting.get(), plane, nowMs);
+                count++;
             }
         }
-        if (fromWest.removeIf(seen -> seen.atMs != nowMs)) {
-            byId.values().removeIf(seen -> seen.atMs != nowMs);
-        }
+        inOrder.subList(count, inOrder.size()).clear();
+        fromWest.removeIf(seen -> seen.atMs != nowMs);
     }
 
-    private Seen seen(BoatProxy boat) {
-        Seen known = byId.get(boat.boatId());
-        if (known != null && known.boat == boat) {
-            return known;
+    /** The boat, which so many of those that are known come before; it mostly is where it was at the last look. */
+    private Seen seen(BoatProxy boat, int before) {
+        for (int i = before; i < inOrder.size(); i++) {
+            if (inOrder.get(i).boat == boat) {
+                inOrder.subList(before, i).clear(); // they are gone
+                return inOrder.get(before);
+            }
         }
         Seen seen = new Seen(boat);
-        byId.put(boat.boatId(), seen);
+        inOrder.add(before, seen);
         fromWest.add(seen);
         return seen;
     }

@@ -20,7 +20,12 @@ class TickHelpers implements AutoCloseable {
     private static final int LOOKS = 2000; // some ten microseconds
     private static final long YIELD_NANOS = 20_000;
     private static final int LOST_CORE_PARKS = 10; // so many, and the helper's core has gone to another process
-    private static final int ALONE_TIMES = 500; // the caller then does all itself, before it tries again
+    // so many times the caller then does all itself: at first the former, and twice as many each time that it happens
+    // again before it has been
+    // forgotten, up to the latter
+    private static final int LEAST_ALONE_TIMES = 50;
+    private static final int MOST_ALONE_TIMES = 800;
+    private static final int FORGOTTEN_TIMES = 1000;
     // longer than what comes between two ticks of a run at full speed
     private static final long LOOKOUT_NANOS = 300_000;
 
@@ -28,6 +33,8 @@ class TickHelpers implements AutoCloseable {
     private volatile Work work = new Work(0, i -> {});
     private Optional<Work> begun = Optional.empty(); // and not awaited yet; for the caller
     private int aloneFor; // so many times more
+    private int aloneNext = LEAST_ALONE_TIMES;
+    private int sharedTimes = FORGOTTEN_TIMES; // since a helper lost its core
     private volatile boolean closed;
 
     /** Starts so many of them; with none, the caller does all itself. */
@@ -66,9 +73,17 @@ class TickHelpers implements AutoCloseable {
             begun = Optional.empty();
             awaited.takePart();
             if (awaited.await() > LOST_CORE_PARKS) {
-                aloneFor = ALONE_TIMES;
+                goOnAlone();
+            } else if (aloneFor == 0) {
+                sharedTimes++;
             }
         }
+    }
+
+    private void goOnAlone() {
+        aloneNext = sharedTimes < FORGOTTEN_TIMES ? Math.min(MOST_ALONE_TIMES, 2 * aloneNext) : LEAST_ALONE_TIMES;
+        aloneFor = aloneNext;
+        sharedTimes = 0;
     }
 
     @Override

@@ -79,27 +79,40 @@ class TickHelpersTest {
     }
 
     @Test
-    void callerDoesAllItselfForAWhileAfterAHelperLostItsCore() {
+    void callerDoesAllItselfForAWhileAfterAHelperLostItsCoreAndLongerWhereThatHappensAgain() {
         try (TickHelpers helpers = new TickHelpers(1)) {
             Thread helper = helperIn(helpers);
-            CountDownLatch helperIsAtWork = new CountDownLatch(1);
-            forEach(helpers, 100, i -> {
-                if (Thread.currentThread() != helper) {
-                    await(helperIsAtWork);
-                } else if (helperIsAtWork.getCount() > 0) {
-                    helperIsAtWork.countDown();
-                    standStill(50_000_000);
-                }
-            });
-            Set<Thread> threads = ConcurrentHashMap.newKeySet();
 
-            for (int i = 0; i < 500; i++) {
-                forEach(helpers, 100, at -> threads.add(Thread.currentThread()));
-            }
+            loseCore(helpers, helper);
+            assertThat(threadsOf(50, helpers)).containsExactly(Thread.currentThread());
+            assertThat(helperIn(helpers)).isSameAs(helper);
 
-            assertThat(threads).containsExactly(Thread.currentThread());
+            loseCore(helpers, helper); // again, and soon
+            assertThat(threadsOf(100, helpers)).containsExactly(Thread.currentThread());
             assertThat(helperIn(helpers)).isSameAs(helper);
         }
+    }
+
+    /** The helper loses its core in the middle of its work. */
+    private static void loseCore(TickHelpers helpers, Thread helper) {
+        CountDownLatch helperIsAtWork = new CountDownLatch(1);
+        forEach(helpers, 100, i -> {
+            if (Thread.currentThread() != helper) {
+                await(helperIsAtWork);
+            } else if (helperIsAtWork.getCount() > 0) {
+                helperIsAtWork.countDown();
+                standStill(50_000_000);
+            }
+        });
+    }
+
+    /** The threads that do what is to be done so many times. */
+    private static Set<Thread> threadsOf(int times, TickHelpers helpers) {
+        Set<Thread> threads = ConcurrentHashMap.newKeySet();
+        for (int i = 0; i < times; i++) {
+            forEach(helpers, 100, at -> threads.add(Thread.currentThread()));
+        }
+        return threads;
     }
 
     /** As a thread does whose core has gone to another process, for so many nanoseconds. */
