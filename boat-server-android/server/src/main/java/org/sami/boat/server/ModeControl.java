@@ -272,8 +272,9 @@ final class ModeControl {
         }
         double distanceM = steering.distanceM(target);
         boolean isTaken = stationGivingWay.isTaken(target, KEPT_NEAR_OTHERS_M / 2, nowMs);
-        double keptM = isTaken ? stationGivingWay.besideTakenM() + KEPT_NEAR_OTHERS_M : keptM(nowMs);
-        double enoughM = isTaken ? stationGivingWay.besideTakenM() : keptM / 2;
+        double besideM = stationGivingWay.besideTakenM();
+        double keptM = isTaken ? Math.max(besideM + KEPT_NEAR_OTHERS_M, config.holdRadiusM()) : keptM(nowMs);
+        double enoughM = isTaken ? Math.max(besideM, keptM / 2) : keptM / 2;
         if (drivingBack && distanceM < enoughM) {
             drivingBack = false;
             steering.rest();

@@ -105,6 +105,23 @@ class TrafficTest {
         assertThat(bench.vehicle.rudder()).as("it turns to its station").isPositive();
     }
 
+    @Test
+    void boatThatMayLieFarFromItsStationLiesThereAlsoWhereThatIsTaken() {
+        ServerTestBench wide = new ServerTestBench(config -> config.holdRadiusM(12));
+        ServerTestBench.Client client = wide.commander();
+        client.command(new HoldPosition("c1"));
+        wide.vehicle.eastM = -10;
+        client.say(traffic(boat("boat2", 0.2, 0, 0)));
+        wide.run(1, client);
+        assertThat(wide.vehicle.rudder()).isZero();
+        assertThat(wide.vehicle.thrust()).isZero();
+
+        wide.vehicle.eastM = -13;
+        wide.run(1, client);
+
+        assertThat(wide.vehicle.rudder()).as("it turns to its station").isPositive();
+    }
+
     @ParameterizedTest
     @CsvSource({"-0.9, 1", "0.9, -1"})
     void boatGoesAsideWhereNothingThatItIsNotToEnterLies(double edgeEastM, double rudder) {
