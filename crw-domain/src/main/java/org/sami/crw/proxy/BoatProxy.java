@@ -8,6 +8,7 @@ import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Motion;
 import org.sami.boat.link.Teleoperate;
 import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.explanation.BoatExplanation;
@@ -200,7 +201,9 @@ public final class BoatProxy {
         if (!condition.disconnected) {
             link.received(condition.nowMs);
             messages.take(frame);
-            settle();
+            if (!(frame.message() instanceof Motion)) { // no command depends on that, and it comes five times a second
+                settle();
+            }
         }
     }
 
