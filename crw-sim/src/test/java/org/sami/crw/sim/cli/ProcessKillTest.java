@@ -16,7 +16,6 @@ import java.util.TreeSet;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -148,8 +147,8 @@ class ProcessKillTest {
                 .start();
         try (BufferedReader lines =
                 new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
-            lines.readLine();
-            process.waitFor(700, TimeUnit.MILLISECONDS);
+            assertThat(lines.readLine()).contains("if this process dies: crw resume " + journal);
+            assertThat(lines.readLine()).startsWith("running clv");
             process.toHandle().destroy(); // the signal of an ordinary end, as Ctrl-C is
 
             assertThat(lines.lines()).anyMatch(line -> line.contains("crw resume " + journal));

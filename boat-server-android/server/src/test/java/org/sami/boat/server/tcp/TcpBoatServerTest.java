@@ -430,10 +430,10 @@ class TcpBoatServerTest {
             Client silent = bench.greet("half-open", Role.OBSERVER, 1);
             Client speaks = bench.greet("speaks", Role.OBSERVER, 10);
             bench.passMs(3000);
-            commander.say(new Heartbeat(1));
-            speaks.say(new Heartbeat(1));
+            commander.say(new Hello("boat1", "base", Role.COMMANDER, 10, ""));
+            commander.await(Welcome.class); // the boat has heard it
             speaks.say(new Hello("boat1", "speaks", Role.OBSERVER, 10, ""));
-            speaks.await(Welcome.class); // the boat has heard it
+            speaks.await(Welcome.class);
             bench.passMs(1000);
             Client next = bench.greet("next", Role.COMMANDER, 10);
 

@@ -357,8 +357,7 @@ final class Execution {
         }
     }
 
-    private int run(Mission mission, RunRecord record, Path journal) throws IOException {
-        RunSettings settings = record.settings();
+    private void tellSettings(RunSettings settings) {
         RunSettings.Fleet fleet = settings.fleet();
         err.printf(
                 Locale.ROOT,
@@ -377,10 +376,14 @@ final class Execution {
                     + Site.words(fleet.site().quayInProcess(fleet.areaM())));
         }
         err.flush();
+    }
+
+    private int run(Mission mission, RunRecord record, Path journal) throws IOException {
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         RunReport report;
         boolean told;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            tellSettings(record.settings()); // whoever reads them may interrupt it
             Consumer<String> lines = line -> {
                 progress.end();
                 err.println(line);
