@@ -2,10 +2,12 @@ package org.sami.dreamm.canvas;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.EventQueue;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -44,7 +46,19 @@ final class EditorScene implements AutoCloseable {
         view = new ModelView(context);
         view.setSize(1400, 900);
         layOut(view);
+        awaitEvents();
         view.net().fit();
+    }
+
+    /** That sizes were set is told on the event thread, and the view then shows all: it is over before the author begins. */
+    private static void awaitEvents() {
+        if (!EventQueue.isDispatchThread()) {
+            try {
+                EventQueue.invokeAndWait(() -> {});
+            } catch (InterruptedException | InvocationTargetException e) {
+                throw new AssertionError(e);
+            }
+        }
     }
 
     private static void layOut(Container container) {
