@@ -21,6 +21,7 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
 import org.sami.ui.look.StrongLabel;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -29,14 +30,19 @@ import org.sami.ui.table.RowTable;
 public final class PlansPanel extends JPanel {
     private static final int LEAST_ROWS = 3;
     private static final int LOW = 170;
+    private static final String BESIDE = "novisualpadding, hidemode 3, insets 8 8 4 8, gap 4 4, fillx";
+    private static final int ROUND_BUTTONS = 20; // insets above and below them, and gaps between three in a column
+    private static final String WITH_VALUES = "With values…";
 
     private final OperatorContext context;
     private final MissionStarter starter;
     private final JLabel title = new StrongLabel("");
     private final JLabel titleBeside = new StrongLabel("");
     private final CommandRow above = new CommandRow();
-    private final JPanel beside =
-            new JPanel(new MigLayout("novisualpadding, insets 8 8 4 8, gap 4 4, wrap 1, fillx", "[grow,fill]", "[]"));
+    private final MigLayout besideLayout = new MigLayout(BESIDE, "[grow,fill]", "[]");
+    private final JPanel beside = new JPanel(besideLayout);
+    private final CommandButton startBeside;
+    private final CommandButton startWithBeside;
     private final RowTable<Plan> table;
     private final Command start;
     private Optional<Project> project = Optional.empty();
@@ -76,10 +82,12 @@ public final class PlansPanel extends JPanel {
         above.left(title).right(CommandButton.primary(start, "play")).right(new CommandButton(startWith));
         LookColors.border(above, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         beside.add(titleBeside, "wmin 0");
-        beside.add(named(CommandButton.primary(start, "play")));
-        CommandButton shorter = named(new CommandButton(startWith));
-        shorter.setText("With values…");
-        beside.add(shorter);
+        startBeside = named(CommandButton.primary(start, "play"));
+        startWithBeside = named(new CommandButton(startWith));
+        startWithBeside.setText(WITH_VALUES);
+        startWithBeside.getAccessibleContext().setAccessibleName(startWith.title());
+        beside.add(startBeside);
+        beside.add(startWithBeside);
         add(above, BorderLayout.NORTH);
         add(beside, BorderLayout.EAST);
         arrange();
@@ -92,7 +100,10 @@ public final class PlansPanel extends JPanel {
         return button;
     }
 
-    /** Where buttons above the table would leave it too few rows, they stand beside it. */
+    /**
+     * Where buttons above the table would leave it too few rows, they stand beside it: in a column below the project's name; without the name,
+     * and then in a row, where the panel is lower still. In a row the second shows its words where they leave the table half of the width.
+     */
     @Override
     public void doLayout() {
         arrange();
@@ -103,6 +114,29 @@ public final class PlansPanel extends JPanel {
         boolean low = getHeight() < Look.px(LOW);
         above.setVisible(!low);
         beside.setVisible(low);
+        int buttons = height(startBeside) + height(startWithBeside) + Look.px(ROUND_BUTTONS);
+        boolean inColumn = buttons <= getHeight();
+        titleBeside.setVisible(buttons + height(titleBeside) <= getHeight());
+        String constraints = inColumn ? BESIDE + ", wrap 1" : BESIDE;
+        if (!constraints.equals(besideLayout.getLayoutConstraints())) {
+            besideLayout.setLayoutConstraints(constraints);
+            beside.invalidate(); // its size may stay
+        }
+        String words = inColumn || 2 * rowOfWords() <= getWidth() ? WITH_VALUES : "";
+        if (!words.equals(startWithBeside.getText())) {
+            startWithBeside.setText(words);
+        }
+    }
+
+    /** How wide a row of both buttons with all of their words is. */
+    private int rowOfWords() {
+        return startBeside.getPreferredSize().width
+                + startWithBeside.getFontMetrics(startWithBeside.getFont()).stringWidth(WITH_VALUES)
+                + 2 * Look.px(Spacing.HIT_TARGET_FIELD); // icon, margins, insets and gaps
+    }
+
+    private static int height(JComponent part) {
+        return part.getPreferredSize().height;
     }
 
     private static String about(Plan plan) {

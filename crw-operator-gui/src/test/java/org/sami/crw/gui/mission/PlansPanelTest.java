@@ -7,6 +7,7 @@ import static org.sami.crw.gui.SessionWorld.until;
 
 import java.awt.Rectangle;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JTable;
@@ -88,6 +89,38 @@ class PlansPanelTest {
                 assertThat(start.getText()).isEqualTo("Start mission");
                 assertThat(start.getWidth()).isGreaterThanOrEqualTo(start.getPreferredSize().width);
                 assertThat(plans.getBounds().contains(bounds(start))).isTrue();
+                return null;
+            });
+        }
+    }
+
+    /** The first is as low as in a replay's window of 1280 by 800. */
+    @ParameterizedTest
+    @CsvSource({"150, 608, 120", "150, 1000, 120", "150, 608, 150", "100, 608, 70"})
+    void bothButtonsAreWholeAndLeaveRoomForPlansWhereThePanelIsLow(int percent, int width, int height)
+            throws Exception {
+        apply(percent);
+        try (SessionWorld world = new SessionWorld(PROJECT)) {
+            PlansPanel plans = onEventThread(() -> new PlansPanel(
+                    world.context,
+                    new MissionStarter(
+                            world.context,
+                            new WindowSettings(folder.resolve("settings")),
+                            world.editors(),
+                            values -> {})));
+            JTable table = find(plans, "plans-table", JTable.class);
+            until("plans are listed", () -> table.getRowCount() == 8);
+            onEventThread(() -> {
+                Layout.layOut(plans, width, height);
+                for (String name : List.of("mission-start-beside", "mission-start-with-beside")) {
+                    CommandButton button = find(plans, name, CommandButton.class);
+                    assertThat(button.getHeight()).as(name).isGreaterThanOrEqualTo(button.getPreferredSize().height);
+                    assertThat(button.getWidth()).as(name).isGreaterThanOrEqualTo(button.getPreferredSize().width);
+                    assertThat(plans.getBounds().contains(bounds(button)))
+                            .as(name)
+                            .isTrue();
+                }
+                assertThat(table.getParent().getWidth()).isGreaterThanOrEqualTo(width * 2 / 5);
                 return null;
             });
         }
