@@ -29,7 +29,10 @@ import org.sami.ui.look.WidthTrackingPanel;
  * else can be done with it.
  */
 public final class BoatPanel extends JPanel {
-    private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3";
+    private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3, wrap 1";
+    private static final String LOW_HEAD = "insets 4 12 4 12, fillx, hidemode 3";
+    private static final String QUEUE = "hmin 96";
+    private static final String LOW_QUEUE = "hmin 60"; // a whole row below the titles of the columns
     private static final int LOW = 240;
 
     private final OperatorContext context;
@@ -43,8 +46,11 @@ public final class BoatPanel extends JPanel {
     private Optional<BoatTuning> tuning = Optional.empty();
     private Optional<String> tuned = Optional.empty();
     private boolean asking;
-    private final MigLayout headLayout = new MigLayout(HEAD + ", wrap 1", "[grow]", "[]4[]4[]");
+    private final MigLayout headLayout = new MigLayout(HEAD, "[grow]", "[]4[]4[]");
     private final JPanel head = new JPanel(headLayout);
+    private final MigLayout commandsLayout =
+            new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]");
+    private final JPanel commands = new JPanel(commandsLayout);
     private boolean isLow;
 
     /** The panel of whichever boat is selected first. */
@@ -64,7 +70,6 @@ public final class BoatPanel extends JPanel {
         head.add(facts, "wmin 0");
         JTabbedPane tabs = new JTabbedPane();
         tabs.setName("boat-tabs");
-        JPanel commands = new JPanel(new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]"));
         tabs.addTab("Commands", WidthTrackingPanel.fromLeastHeight(commands));
         tabs.addTab("Before launch", WidthTrackingPanel.fromLeastHeight(launch));
         tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
@@ -74,22 +79,25 @@ public final class BoatPanel extends JPanel {
         buttons.left(new CommandButton(queue.cancelCommand()));
         add(head, BorderLayout.NORTH);
         add(tabs);
-        commands.add(queue.table(), "hmin 96");
+        commands.add(queue.table(), QUEUE);
         commands.add(buttons);
         context.boats().addListener(this::refresh);
         refresh();
     }
 
-    /** A low panel has one line above its tabs, and says the facts in a tooltip. */
+    /** A low panel has one line above its tabs, and says the facts in a tooltip; of its commands it shows one at least. */
     @Override
     public void doLayout() {
         boolean low = getHeight() < Look.px(LOW);
         if (low != isLow) {
             isLow = low;
-            headLayout.setLayoutConstraints(HEAD + (low ? "" : ", wrap 1"));
+            headLayout.setLayoutConstraints(low ? LOW_HEAD : HEAD);
             headLayout.setColumnConstraints(low ? "[]16[grow]" : "[grow]");
             facts.setVisible(!low && !facts.getText().isEmpty());
             head.revalidate();
+            commandsLayout.setComponentConstraints(queue.table(), low ? LOW_QUEUE : QUEUE);
+            commands.revalidate();
+            byHand.setLow(low);
         }
         super.doLayout();
     }

@@ -8,23 +8,32 @@ import org.sami.ui.value.WrappedText;
 
 /** Drives the selected boat by a stick on the screen, and says how it is done with keys. */
 final class ByHandPanel extends JPanel {
+    private static final String STICK = "hmin 96";
+    private static final String LOW_STICK = "h 96!, top";
+
     private final Teleoperation teleoperation;
     private final WrappedText text = new WrappedText("");
     private final StickView stick;
 
     ByHandPanel(Teleoperation teleoperation) {
-        super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 16 8, fill", "[][grow,fill]", "[grow,center]"));
+        super(new MigLayout("novisualpadding, insets 4 12 4 12, gap 16 8, fill", "[][grow,fill]", "[grow]"));
         this.teleoperation = teleoperation;
         setName("boat-hand");
         stick = new StickView(teleoperation::steer, teleoperation::whyNot);
         text.setName("boat-hand-text");
         JPanel side = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 8, fillx, wrap 1", "[grow,fill]"));
-        side.add(text, "wmin 60");
         side.add(new CommandButton(teleoperation.command()), "growx 0");
-        add(stick, "hmin 96");
+        side.add(text, "wmin 60");
+        add(stick, STICK);
         add(side, "wmin 60");
         teleoperation.addListener(this::refresh);
         refresh();
+    }
+
+    /** In a low panel the stick is no higher than the view on it, whatever the text beside it needs. */
+    void setLow(boolean low) {
+        ((MigLayout) getLayout()).setComponentConstraints(stick, low ? LOW_STICK : STICK);
+        revalidate();
     }
 
     /** Says what can be done now. */

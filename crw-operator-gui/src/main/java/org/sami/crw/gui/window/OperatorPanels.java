@@ -48,14 +48,14 @@ public final class OperatorPanels implements AutoCloseable {
             Arrangement.of("map")
                     .right("missions", "map", 0.48)
                     .below("boats", "map", 0.38)
-                    .behind("boat", "boats")
                     .behind("communication", "boats")
                     .behind("alarms", "boats")
+                    .behind("log", "boats")
                     .below("decisions", "missions", 0.57)
+                    .behind("boat", "decisions") // the higher stack; the list of boats stays in sight
                     .behind("interrupts", "decisions")
                     .behind("messages", "decisions")
-                    .behind("allocation", "decisions")
-                    .behind("log", "decisions"),
+                    .behind("allocation", "decisions"),
             Arrangement.of("map")
                     .right("decisions", "map", 0.5)
                     .behind("missions", "map")

@@ -1,0 +1,97 @@
+package org.sami.crw.gui.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
+import static org.sami.crw.gui.SessionWorld.find;
+
+import java.awt.Rectangle;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.proxy.command.Stop;
+import org.sami.spn.protocol.Priority;
+import org.sami.ui.check.Layout;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** The panel of a boat as low as it is in a window of 1280 by 800 at 150 %. */
+@Isolated("the look is one for all windows of a process")
+@Timeout(120)
+class LowBoatPanelTest {
+    private static final int WIDTH = 604;
+    private static final int HEIGHT = 272;
+
+    @AfterEach
+    void back() {
+        apply(100);
+    }
+
+    private static void apply(int percent) {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            return null;
+        });
+    }
+
+    @Test
+    void aWholeCommandAndWhatIsDoneWithItAreSeen() throws Exception {
+        apply(150);
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+            BoatPanel panel = panel(world);
+            SessionWorld.get(world.session.fleet().ask(boats -> {
+                boats.find("anna").orElseThrow().commands().submit(new Stop("keep", 7, 7, Priority.LOW, true));
+                return null;
+            }));
+            JTable queue = find(panel, "boat-queue", JTable.class);
+            SessionWorld.until("it has a command", () -> {
+                panel.refresh();
+                return queue.getRowCount() > 0;
+            });
+
+            onEventThread(() -> {
+                Layout.layOut(panel, WIDTH, HEIGHT);
+                Rectangle row = queue.getCellRect(0, 0, true);
+                assertThat(queue.getVisibleRect().contains(0, row.y, 1, row.height))
+                        .isTrue();
+                assertWhole(find(panel, "boat-cancel-command", CommandButton.class));
+                return null;
+            });
+        }
+    }
+
+    @Test
+    void theStickThatDrivesItIsWhole() throws Exception {
+        apply(150);
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+            BoatPanel panel = panel(world);
+            onEventThread(() -> {
+                JTabbedPane tabs = find(panel, "boat-tabs", JTabbedPane.class);
+                tabs.setSelectedIndex(tabs.indexOfTab("By hand"));
+                Layout.layOut(panel, WIDTH, HEIGHT);
+                assertWhole(find(panel, "boat-stick", StickView.class));
+                return null;
+            });
+        }
+    }
+
+    private static void assertWhole(JComponent part) {
+        assertThat(part.getHeight()).isPositive();
+        assertThat(part.getVisibleRect()).isEqualTo(new Rectangle(part.getSize()));
+    }
+
+    private static BoatPanel panel(SessionWorld world) {
+        return onEventThread(() -> {
+            BoatPanel panel = new BoatPanel(world.context);
+            world.context.boats().select(List.of("anna"));
+            Layout.layOut(panel, WIDTH, HEIGHT);
+            return panel;
+        });
+    }
+}
