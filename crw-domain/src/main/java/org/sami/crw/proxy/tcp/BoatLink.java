@@ -131,12 +131,16 @@ final class BoatLink implements FrameSink {
             connection = Optional.of(next);
             next.start();
         } else if (open && nowMs - lastHeardMs > config.proxy().lostAfterMs()) {
-            connection
-                    .orElseThrow()
-                    .close("nothing has come for " + config.proxy().lostAfterMs() + " ms");
+            connection.orElseThrow().close(silence());
         }
         found.ifPresent(this::claim);
         proxy.ifPresent(known -> known.tick(nowMs));
+    }
+
+    private String silence() {
+        return proxy.isPresent() || understood
+                ? "nothing has come for " + config.proxy().lostAfterMs() + " ms"
+                : "something listens there, and says nothing that a boat would say";
     }
 
     void opened(BoatConnection from, long nowMs) {
