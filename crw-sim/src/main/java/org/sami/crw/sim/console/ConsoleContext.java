@@ -42,6 +42,7 @@ final class ConsoleContext implements AutoCloseable {
                 models.decisions().addListener(snapshot -> wake()),
                 models.missions().addListener(snapshot -> wake()),
                 models.allocation().addListener(snapshot -> wake()),
+                models.alarms().addListener(snapshot -> wake()),
                 models.fleet().addListener(snapshot -> wake()));
     }
 

@@ -54,10 +54,12 @@ final class SessionCommands {
                         "Loads a project beside the missions that run, which keep their plans.",
                         this::load),
                 ConsoleCommand.of(
-                        "wait decision|ended|tasks|boats N|SECONDS [within SECONDS]",
-                        "Waits until something is asked, no mission runs, boats have tasks, N boats are linked and tell where they are, or for a time.",
+                        "wait decision|alarm|ended|tasks|boats N|SECONDS [within SECONDS]",
+                        "Waits until something is asked, something is wrong, no mission runs, boats have tasks, N boats are linked and tell where they are, or for a time.",
                         this::await,
-                        words -> words.size() > 1 ? List.of("within") : List.of("decision", "ended", "tasks", "boats")),
+                        words -> words.size() > 1
+                                ? List.of("within")
+                                : List.of("decision", "alarm", "ended", "tasks", "boats")),
                 ConsoleCommand.of(
                         "help [COMMAND]",
                         "Lists the commands, or says more of one.",
@@ -150,6 +152,7 @@ final class SessionCommands {
         arguments.end();
         BooleanSupplier wanted = switch (what) {
             case "decision" -> () -> !context.models().decisions().pending().isEmpty();
+            case "alarm" -> () -> !context.models().alarms().snapshot().isEmpty();
             case "ended" -> this::noMissionRuns;
             case "tasks" ->
                 () -> !context.models().allocation().snapshot().queues().isEmpty();
@@ -175,7 +178,7 @@ final class SessionCommands {
             // said below
         }
         throw new ConsoleFault(
-                "waits for decision, ended, tasks, boats N, or 0 to 86400 seconds, not for '" + word + "'");
+                "waits for decision, alarm, ended, tasks, boats N, or 0 to 86400 seconds, not for '" + word + "'");
     }
 
     private boolean noMissionRuns() {

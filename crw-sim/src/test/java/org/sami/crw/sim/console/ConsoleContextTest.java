@@ -41,7 +41,7 @@ class ConsoleContextTest {
             session.begin();
             session.fleet().ask(boats -> await(fleetGoesOn));
             session.start("p", "p", Map.of());
-            assertThat(context.until(() -> hasEnded(session), 30)).isTrue();
+            assertThat(context.until(() -> hasEnded(session), 60)).isTrue();
             assertThat(session.models().messages().snapshot()).isEmpty();
 
             new Thread(fleetGoesOn::countDown, "test").start();
@@ -59,7 +59,7 @@ class ConsoleContextTest {
 
     private static boolean await(CountDownLatch latch) {
         try {
-            return latch.await(30, TimeUnit.SECONDS);
+            return latch.await(120, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return false;

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.cli.CommandResult;
@@ -67,7 +68,7 @@ class SessionCommandTest {
     private BoatOnTcp boat(String name) throws IOException {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         return new BoatOnTcp(
-                BoatSettings.of(name, anyPort, PIER, 1), SteadyClock.ofThisMachine(), TcpServerListener.NONE);
+                BoatSettings.of(name, anyPort, PIER, 1), new SteadyClock(ProcessClock::ms), TcpServerListener.NONE);
     }
 
     private static String address(BoatOnTcp boat) {
@@ -88,19 +89,19 @@ class SessionCommandTest {
             CommandResult ran = session(
                     List.of("--connect", address(anna)),
                     "connect " + address(bo) + " # while it runs",
-                    "wait boats 2 within 30",
+                    "wait boats 2 within 120",
                     "boats",
                     "start clv",
-                    "wait decision within 30",
+                    "wait decision within 120",
                     "decisions",
                     "answer all",
-                    "wait decision within 30",
+                    "wait decision within 120",
                     "answer " + NEAR,
-                    "wait decision within 30",
+                    "wait decision within 120",
                     "answer 1",
                     "missions",
                     "why 1",
-                    "wait ended within 90",
+                    "wait ended within 120",
                     "quit");
 
             assertThat(ran.out())
@@ -153,18 +154,18 @@ class SessionCommandTest {
         try (BoatOnTcp anna = boat("anna")) {
             CommandResult first = session(
                     List.of("station-keep", "--journal", journal, "--connect", address(anna)),
-                    "wait boats 1 within 30",
+                    "wait boats 1 within 120",
                     "start station-keep",
-                    "wait decision within 30");
+                    "wait decision within 120");
             assertThat(first.exitCode()).as(first.out() + first.err()).isZero();
 
             CommandResult second = session(
                     List.of("--journal", journal),
-                    "wait boats 1 within 30",
+                    "wait boats 1 within 120",
                     "missions",
                     "decisions",
                     "abort 1",
-                    "wait ended within 30");
+                    "wait ended within 120");
 
             assertThat(second.out())
                     .contains("going on with " + journal + ", with anna", "1  station-keep  runs since", "[1] ")
@@ -178,7 +179,7 @@ class SessionCommandTest {
         try (BoatOnTcp anna = boat("anna")) {
             CommandResult ran = session(
                     List.of("--connect", address(anna)),
-                    "wait boats 1 within 30",
+                    "wait boats 1 within 120",
                     "drive anna 0.5 0 1",
                     "back anna",
                     "stop all",
@@ -189,7 +190,6 @@ class SessionCommandTest {
                     "take anna",
                     "why anna",
                     "drop anna",
-                    "wait 0.5",
                     "boats");
 
             assertThat(ran.out())
@@ -216,7 +216,7 @@ class SessionCommandTest {
                 "save " + project,
                 "save " + folder.resolve("none.json"),
                 "abort all",
-                "wait ended within 30");
+                "wait ended within 120");
 
         assertThat(ran.out())
                 .contains("mission 1 of wait has begun", "mission 2 of wait has begun", "as project 2; ")
@@ -228,7 +228,7 @@ class SessionCommandTest {
 
     @Test
     void simulatedBoatsAreAdded() throws IOException {
-        CommandResult ran = session(List.of(), "add sim 45.4,10.9 2", "wait boats 2 within 30", "boats");
+        CommandResult ran = session(List.of(), "add sim 45.4,10.9 2", "wait boats 2 within 120", "boats");
 
         assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
         assertThat(ran.out()).contains("sim").contains("is linked");
@@ -240,10 +240,10 @@ class SessionCommandTest {
         CommandResult first = session(
                 List.of("station-keep", "--journal", journal),
                 "add sim 45.4,10.9",
-                "wait boats 1 within 30",
+                "wait boats 1 within 120",
                 "note weeds at 45.41,10.91",
                 "fence 45.5,10.9;45.5,11;45.6,11",
-                "wait 1",
+                "wait alarm within 120",
                 "alarms",
                 "ack a1",
                 "mute a1",
@@ -297,11 +297,11 @@ class SessionCommandTest {
                 BoatOnTcp bo = boat("bo")) {
             CommandResult ran = session(
                     List.of("measure", "--connect", address(anna) + "," + address(bo)),
-                    "wait boats 2 within 30",
+                    "wait boats 2 within 120",
                     "start measure make-tasks.taskClass=Temperature measuring.duration=5s",
-                    "wait decision within 30",
+                    "wait decision within 120",
                     "answer 45.401,10.901;45.4011,10.9011",
-                    "wait tasks within 30",
+                    "wait tasks within 120",
                     "allocation",
                     "move \"1/Temperature 1\" nowhere",
                     "move \"1/Temperature 9\" bo",
@@ -310,7 +310,7 @@ class SessionCommandTest {
                     "allocation",
                     "log",
                     "abort all",
-                    "wait ended within 30");
+                    "wait ended within 120");
 
             assertThat(ran.out())
                     .contains(
