@@ -117,7 +117,7 @@ class PlansOnBoatsTest {
             assertThat(problems()).isEmpty();
         } finally {
             thread.shutdown();
-            assertThat(thread.awaitTermination(10, TimeUnit.SECONDS)).isTrue();
+            assertThat(thread.awaitTermination(60, TimeUnit.SECONDS)).isTrue();
         }
     }
 

@@ -22,7 +22,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** The lock rule (docs/threads.md), with engine, models and fleet on threads of their own. */
-@Timeout(60)
+@Timeout(300)
 class LockRuleTest {
     private final ExecutorService owner = Executors.newSingleThreadExecutor();
     private final ExecutorService engine = Executors.newSingleThreadExecutor();
@@ -34,8 +34,8 @@ class LockRuleTest {
     void end() throws InterruptedException {
         owner.shutdownNow();
         engine.shutdownNow();
-        assertThat(owner.awaitTermination(10, TimeUnit.SECONDS)).isTrue();
-        assertThat(engine.awaitTermination(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(owner.awaitTermination(60, TimeUnit.SECONDS)).isTrue();
+        assertThat(engine.awaitTermination(60, TimeUnit.SECONDS)).isTrue();
     }
 
     @Test
@@ -45,14 +45,14 @@ class LockRuleTest {
             awaitQuietly(never);
         });
         world.host.post(ModelWorld.start("first"));
-        assertThat(blocked.await(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(blocked.await(60, TimeUnit.SECONDS)).isTrue();
 
         for (int i = 0; i < 1000; i++) {
             world.host.post(ModelWorld.start("more"));
         }
         int missions = 0;
         while (missions < 1001) { // the engine works on; else this test takes its whole time
-            missions = world.host.query(view -> view.missions().size()).get(30, TimeUnit.SECONDS);
+            missions = world.host.query(view -> view.missions().size()).get(60, TimeUnit.SECONDS);
         }
 
         BoatProxy boat = world.boat("anna"); // this thread is the fleet's
@@ -83,11 +83,11 @@ class LockRuleTest {
             both.countDown();
         });
         world.host.post(ModelWorld.start("first"));
-        world.host.query(view -> 0).get(10, TimeUnit.SECONDS);
-        owner.submit(() -> {}).get(10, TimeUnit.SECONDS);
+        world.host.query(view -> 0).get(60, TimeUnit.SECONDS);
+        owner.submit(() -> {}).get(60, TimeUnit.SECONDS);
         world.host.post(ModelWorld.start("second"));
 
-        assertThat(both.await(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(both.await(60, TimeUnit.SECONDS)).isTrue();
         assertThat(told.get(told.size() - 1).running())
                 .extracting(MissionSnapshot::name)
                 .contains("first", "second");
@@ -106,7 +106,7 @@ class LockRuleTest {
 
         world.models.tell(message("hello"));
 
-        assertThat(acknowledged.await(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(acknowledged.await(60, TimeUnit.SECONDS)).isTrue();
     }
 
     private static OperatorMessage message(String text) {
