@@ -337,6 +337,6 @@ final class AuthorRobot implements AutoCloseable {
             window.end();
             return null;
         });
-        ended.get(30, TimeUnit.SECONDS);
+        ended.get(60, TimeUnit.SECONDS);
     }
 }

@@ -89,7 +89,7 @@ public final class DreammScreenshotMain {
         }
         picture("try-it");
         act(window::end);
-        ended.get(30, TimeUnit.SECONDS);
+        ended.get(60, TimeUnit.SECONDS);
     }
 
     /** What is found where the events of the plan have lost what they read from variables. */

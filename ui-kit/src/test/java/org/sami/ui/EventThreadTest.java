@@ -18,7 +18,7 @@ class EventThreadTest {
         EventThread.later(() -> order.append('b'));
         EventThread.later(() -> there.complete(EventThread.isCurrent()));
 
-        assertThat(there.get(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(there.get(60, TimeUnit.SECONDS)).isTrue();
         assertThat(order).hasToString("ab");
     }
 
@@ -34,6 +34,6 @@ class EventThreadTest {
             assertThatCode(EventThread::require).doesNotThrowAnyException();
             checked.complete(null);
         });
-        checked.get(10, TimeUnit.SECONDS);
+        checked.get(60, TimeUnit.SECONDS);
     }
 }

@@ -61,7 +61,7 @@ class ExploreWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(30, TimeUnit.SECONDS);
+            ended.get(60, TimeUnit.SECONDS);
         }
     }
 

@@ -78,7 +78,7 @@ class KeyboardWindowTest {
                     window.end();
                     return null;
                 });
-                ended.get(30, TimeUnit.SECONDS);
+                ended.get(60, TimeUnit.SECONDS);
             }
             for (BoatServer boat : List.of(anna, bert)) {
                 assertThat(boat.log())

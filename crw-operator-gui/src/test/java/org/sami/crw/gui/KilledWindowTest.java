@@ -53,7 +53,7 @@ class KilledWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(30, TimeUnit.SECONDS);
+            ended.get(60, TimeUnit.SECONDS);
         }
     }
 

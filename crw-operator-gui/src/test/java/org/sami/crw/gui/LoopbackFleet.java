@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
@@ -31,7 +32,7 @@ final class LoopbackFleet implements AutoCloseable {
                     name,
                     new BoatOnTcp(
                             BoatSettings.of(name, anyPort, at, boats.size()),
-                            SteadyClock.ofThisMachine(),
+                            new SteadyClock(ProcessClock::ms),
                             TcpServerListener.NONE));
         }
     }

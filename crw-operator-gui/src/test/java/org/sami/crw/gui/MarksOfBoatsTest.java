@@ -9,7 +9,7 @@ import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.ShownSession;
 import org.sami.ui.look.IdentityMarks;
 
-@Timeout(120)
+@Timeout(300)
 class MarksOfBoatsTest {
     @Test
     void boatsHaveTheSameMarksWhetherAWindowSawThemJoinOrNot() throws Exception {

@@ -32,7 +32,7 @@ class OperatorGuiTest {
         } finally {
             program.descendants().forEach(ProcessHandle::destroy);
             program.destroy();
-            program.waitFor(20, TimeUnit.SECONDS);
+            program.waitFor(60, TimeUnit.SECONDS);
         }
     }
 

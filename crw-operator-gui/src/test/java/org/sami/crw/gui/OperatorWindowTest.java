@@ -89,7 +89,7 @@ class OperatorWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(30, TimeUnit.SECONDS);
+            ended.get(60, TimeUnit.SECONDS);
         }
     }
 
@@ -220,7 +220,7 @@ class OperatorWindowTest {
 
             window.session().start("communications-monitoring", "monitoring", Map.of());
 
-            Await.until("the engine starts the mission", 10, () -> steps.get() == 1);
+            Await.until("the engine starts the mission", () -> steps.get() == 1);
             untilReported(heard);
         } finally {
             unblocked.countDown();
@@ -284,7 +284,6 @@ class OperatorWindowTest {
     private static void untilReported(Map<String, Integer> heard) {
         Await.until(
                 "boats report for longer than a link is silent before it is lost",
-                20,
                 () -> heard.size() == 5 && heard.values().stream().allMatch(times -> times >= REPORTS));
     }
 

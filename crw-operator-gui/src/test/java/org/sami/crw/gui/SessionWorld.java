@@ -13,7 +13,9 @@ import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.text.JTextComponent;
+import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.value.SessionEditors;
@@ -39,7 +41,6 @@ public final class SessionWorld implements AutoCloseable {
     public static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
 
-    private static final double WITHIN_S = 30;
     /** Where boats lie. */
     public static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
 
@@ -49,7 +50,8 @@ public final class SessionWorld implements AutoCloseable {
 
     /** Opens the session, and waits until its boats have joined. */
     public SessionWorld(Project project, String... boats) throws Exception {
-        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
+        SessionRuntime runtime = SessionRuntime.RealTime.named(
+                        SessionRuntime.RealTime.newClientId(), new SteadyClock(ProcessClock::ms))
                 .withFront(EventThread.executor())
                 .withSimulatedBoats(simulated);
         session = Session.open(SessionSetup.of(LIBRARY.vocabulary(), project).with(runtime));
@@ -66,7 +68,6 @@ public final class SessionWorld implements AutoCloseable {
         get(session.fleet().connect(simulated.launch(boat, at)));
         Await.until(
                 boat + " has joined",
-                WITHIN_S,
                 () -> session.ask(view -> view.proxies().contains(boat))
                         .toCompletableFuture()
                         .join());
@@ -91,7 +92,7 @@ public final class SessionWorld implements AutoCloseable {
 
     /** What comes of something that the session was asked. */
     public static <T> T get(CompletionStage<T> stage) throws Exception {
-        return stage.toCompletableFuture().get(30, TimeUnit.SECONDS);
+        return stage.toCompletableFuture().get(60, TimeUnit.SECONDS);
     }
 
     /** Editors of values, with plain maps. */
@@ -113,7 +114,7 @@ public final class SessionWorld implements AutoCloseable {
 
     /** Waits until something is so on the event thread. */
     public static void until(String what, BooleanSupplier condition) {
-        Await.until(what, WITHIN_S, () -> onEventThread(condition::getAsBoolean));
+        Await.until(what, () -> onEventThread(condition::getAsBoolean));
     }
 
     /** The component of a name. */

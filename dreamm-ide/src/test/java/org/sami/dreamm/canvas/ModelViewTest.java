@@ -322,7 +322,7 @@ class ModelViewTest {
 
             EventThread.later(() -> scene.run(command));
 
-            assertThat(done.await(30, TimeUnit.SECONDS)).as(command).isTrue();
+            assertThat(done.await(60, TimeUnit.SECONDS)).as(command).isTrue();
             scene.context.document().removeListener(listener);
             assertThat(scene.plan().layout()).isNotEqualTo(before.layout());
             assertThat(scene.plan().withLayout(Map.of())).isEqualTo(before.withLayout(Map.of()));
@@ -346,7 +346,7 @@ class ModelViewTest {
             scene.key("ESCAPE");
         });
 
-        assertThat(told.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(told.await(60, TimeUnit.SECONDS)).isTrue();
         assertThat(scene.plan()).isEqualTo(before);
     }
 

@@ -177,9 +177,9 @@ class RunPanelsTest {
                     });
             panel[0].open(journal);
         });
-        assertThat(opened.await(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(opened.await(60, TimeUnit.SECONDS)).isTrue();
         onEventThread(() -> context.commands().get("replay-end").run());
-        assertThat(shown.await(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(shown.await(60, TimeUnit.SECONDS)).isTrue();
         onEventThread(() -> {
             Layout.layOut(panel[0], 786, 197);
             assertThat(isShown(panel[0], "time-line-panel")).isTrue();
@@ -273,7 +273,7 @@ class RunPanelsTest {
                 }
             });
         });
-        assertThat(checked.await(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(checked.await(60, TimeUnit.SECONDS)).isTrue();
         onEventThread(() -> {
             layOut(panel[0]);
             JTable table = table(panel[0], "issues-table");

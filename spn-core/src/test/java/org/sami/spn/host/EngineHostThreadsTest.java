@@ -24,7 +24,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 
 /** A host under real threads. */
-@Timeout(60)
+@Timeout(300)
 class EngineHostThreadsTest {
     private static final int THREADS = 8;
     private static final int EACH = 3000;
@@ -103,7 +103,7 @@ class EngineHostThreadsTest {
             host.post(start("Do"));
         }
 
-        assertThat(ended.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
         assertThat(journal.entries()).hasSize(2 * missions);
     }
 
@@ -122,7 +122,7 @@ class EngineHostThreadsTest {
         for (int i = 0; i < 200; i++) {
             host.post(List.of(start("Tell"), start("Tell")));
         }
-        assertThat(host.query(view -> view.missions().size()).get(30, TimeUnit.SECONDS) % 2)
+        assertThat(host.query(view -> view.missions().size()).get(60, TimeUnit.SECONDS) % 2)
                 .isZero();
         done.countDown();
 
@@ -139,22 +139,22 @@ class EngineHostThreadsTest {
         });
         host.post(start("timer"));
 
-        assertThat(ended.await(30, TimeUnit.SECONDS)).isTrue();
-        assertThat(journal.lastMillis()).isBetween(1000L, 20_000L);
+        assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+        assertThat(journal.lastMillis()).isGreaterThanOrEqualTo(1000L);
     }
 
     @Test
     void aClosedHostLeavesNoThreadOfItsOwn() throws Exception {
         host.post(start("timer"));
-        host.query(EngineView::missions).get(30, TimeUnit.SECONDS);
+        host.query(EngineView::missions).get(60, TimeUnit.SECONDS);
         host.close();
         clock.close();
         engineThread.shutdown();
 
-        assertThat(engineThread.awaitTermination(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(engineThread.awaitTermination(60, TimeUnit.SECONDS)).isTrue();
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
             if (thread.getName().equals("session-clock")) {
-                thread.join(30_000);
+                thread.join(60_000);
                 assertThat(thread.isAlive()).isFalse();
             }
         }

@@ -26,7 +26,7 @@ import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.MonotonicHostClock;
 
 /** A host with its journal on disk, under real threads. */
-@Timeout(120)
+@Timeout(300)
 class HostedJournalTest {
     private static final int THREADS = 8;
     private static final int EACH = 2000;

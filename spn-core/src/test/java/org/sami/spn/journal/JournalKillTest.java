@@ -17,7 +17,7 @@ import org.sami.spn.host.JournalEntry;
 import org.sami.spn.protocol.Input;
 
 /** Kills a process that writes a journal, and asks for everything that it had said to be durable. */
-@Timeout(120)
+@Timeout(300)
 class JournalKillTest {
     @TempDir
     Path folder;

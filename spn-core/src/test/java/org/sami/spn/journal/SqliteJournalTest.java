@@ -22,7 +22,7 @@ import org.sami.spn.host.Durability;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.JournalEntry;
 
-@Timeout(120)
+@Timeout(300)
 class SqliteJournalTest {
     private static final JournalOptions OPTIONS = JournalOptions.DEFAULT;
 

@@ -75,7 +75,7 @@ class BaseMapTest {
 
             map.openBaseMap(broken);
 
-            assertThat(problem.get(10, TimeUnit.SECONDS))
+            assertThat(problem.get(60, TimeUnit.SECONDS))
                     .contains(broken.toString())
                     .contains("[longitude, latitude]");
             assertThat(MapScenes.paint(map).getWidth()).isEqualTo(600);
@@ -132,11 +132,11 @@ class BaseMapTest {
         SlowTiles source = new SlowTiles();
         OfflineTiles tiles = tiles(source);
         paint(tiles, ZOOM, X, Y);
-        assertThat(source.asked.await(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(source.asked.await(60, TimeUnit.SECONDS)).isTrue();
 
         tiles.close();
 
-        assertThat(source.closed.await(10, TimeUnit.SECONDS))
+        assertThat(source.closed.await(60, TimeUnit.SECONDS))
                 .as("the source is closed, although a tile was being read")
                 .isTrue();
         assertThat(colour(paint(tiles, ZOOM, X + 1, Y))).isEqualTo(Color.BLACK);
@@ -195,7 +195,7 @@ class BaseMapTest {
     private Color paintedAfterReading(OfflineTiles tiles, int zoom, int x, int y) throws Exception {
         BufferedImage image = paint(tiles, zoom, x, y);
         while (colour(image).equals(Color.BLACK)) {
-            assertThat(repaints.poll(10, TimeUnit.SECONDS)).isEqualTo("repaint");
+            assertThat(repaints.poll(60, TimeUnit.SECONDS)).isEqualTo("repaint");
             image = paint(tiles, zoom, x, y);
         }
         return colour(image);

@@ -37,7 +37,7 @@ import org.sami.ui.EventThread;
 /** Drives windows as a person does: looks for components by their names, moves the pointer, clicks, types. */
 public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
-    private static final int PATIENCE_S = 30;
+    private static final int PATIENCE_S = 60;
     private static final int STEPS = 8;
 
     private final Robot robot;

@@ -23,7 +23,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
-@Timeout(120)
+@Timeout(300)
 class BoatsPanelTest {
     @Test
     void aBoatThatIsGoneIsSelectedNoLonger() throws Exception {

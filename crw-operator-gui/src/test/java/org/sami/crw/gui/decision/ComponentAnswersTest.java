@@ -46,7 +46,7 @@ import org.sami.ui.value.MapMaker;
  * Each component that Algorithms 4 to 6 may choose for an answer is answered once in the panel of decisions, by its own buttons and fields,
  * before a real session: the mission's variable has what was given then.
  */
-@Timeout(120)
+@Timeout(300)
 @TestInstance(Lifecycle.PER_CLASS)
 class ComponentAnswersTest {
     private static final ComponentChoice CHOICE = new ComponentChoice(

@@ -17,7 +17,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
 /** The panel before a real session with simulated boats: what is asked is answered by what it shows. */
-@Timeout(120)
+@Timeout(300)
 class DecisionsPanelTest {
     @Test
     void aMissionIsAskedThroughFromBoatsToTheChosenAllocation() throws Exception {

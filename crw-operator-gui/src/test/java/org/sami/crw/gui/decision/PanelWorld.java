@@ -9,7 +9,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import javax.swing.AbstractButton;
 import javax.swing.text.JTextComponent;
+import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.session.Session;
@@ -27,7 +29,6 @@ import org.sami.ui.window.Notices;
 
 /** A session with simulated boats behind loopback sockets, and the panel of its decisions, which is acted on on the event thread. */
 final class PanelWorld implements AutoCloseable {
-    private static final double WITHIN_S = 30;
     private static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
     private static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -38,7 +39,8 @@ final class PanelWorld implements AutoCloseable {
 
     PanelWorld(String plan, String... boats) throws Exception {
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1);
-        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
+        SessionRuntime runtime = SessionRuntime.RealTime.named(
+                        SessionRuntime.RealTime.newClientId(), new SteadyClock(ProcessClock::ms))
                 .withFront(EventThread.executor())
                 .withSimulatedBoats(simulated);
         session = Session.open(
@@ -53,20 +55,19 @@ final class PanelWorld implements AutoCloseable {
             session.fleet()
                     .connect(simulated.launch(boat, PIER))
                     .toCompletableFuture()
-                    .get(30, TimeUnit.SECONDS);
+                    .get(60, TimeUnit.SECONDS);
             Await.until(
                     boat + " has joined",
-                    WITHIN_S,
                     () -> session.ask(view -> view.proxies().contains(boat))
                             .toCompletableFuture()
                             .join());
         }
-        session.start(plan, plan, java.util.Map.of()).toCompletableFuture().get(30, TimeUnit.SECONDS);
+        session.start(plan, plan, java.util.Map.of()).toCompletableFuture().get(60, TimeUnit.SECONDS);
     }
 
     void until(String what, BooleanSupplier condition) {
         try {
-            Await.until(what, WITHIN_S, () -> onEventThread(condition::getAsBoolean));
+            Await.until(what, () -> onEventThread(condition::getAsBoolean));
         } catch (AssertionError late) {
             throw new AssertionError(late.getMessage() + "; shown is: " + texts(panel), late);
         }

@@ -1,8 +1,10 @@
 package org.sami.crw.gui.mission;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.operator.message.PendingDecision;
@@ -14,24 +16,25 @@ import org.sami.spn.value.Value;
 
 /** Starts the library's plan of measurements and answers what it asks until each boat has its tasks. */
 public final class DividedTasks {
-    private static final double WITHIN_S = 30;
-
     private DividedTasks() {}
 
     /** A task at each location, divided among the session's boats. */
     public static void of(Session session, ListValue locations) throws Exception {
-        session.start("measure", "measure", Map.of()).toCompletableFuture().get(30, TimeUnit.SECONDS);
+        session.start("measure", "measure", Map.of()).toCompletableFuture().get(60, TimeUnit.SECONDS);
+        Set<Long> answered = new HashSet<>();
         while (divided(session) < locations.items().size()) {
             Await.until(
                     "something is asked, or all is divided",
-                    WITHIN_S,
                     () -> !session.models().decisions().snapshot().isEmpty()
                             || divided(session) == locations.items().size());
             for (PendingDecision one : session.models().decisions().snapshot()) {
+                if (!answered.add(one.decision().id())) {
+                    continue; // it is shown for a moment longer
+                }
                 Answer answer = answer(one.decision().question(), locations);
                 session.answer(one.decision().id(), answer, "test")
                         .toCompletableFuture()
-                        .get(30, TimeUnit.SECONDS);
+                        .get(60, TimeUnit.SECONDS);
             }
         }
     }

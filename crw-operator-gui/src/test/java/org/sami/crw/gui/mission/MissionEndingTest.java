@@ -22,7 +22,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.ui.window.WindowSettings;
 
-@Timeout(120)
+@Timeout(300)
 class MissionEndingTest {
     @TempDir
     private Path folder;

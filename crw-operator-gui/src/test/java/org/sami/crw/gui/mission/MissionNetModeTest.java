@@ -13,7 +13,7 @@ import org.sami.crw.gui.SessionWorld;
 import org.sami.spn.model.Project;
 import org.sami.ui.net.NetMode;
 
-@Timeout(120)
+@Timeout(300)
 class MissionNetModeTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

@@ -28,7 +28,7 @@ import org.sami.ui.look.Theme;
 import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")
-@Timeout(120)
+@Timeout(300)
 class PlansPanelTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

@@ -25,10 +25,8 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
 /** The ways of an option are drawn in a replay as they were in the session. */
-@Timeout(120)
+@Timeout(300)
 class ReplayedWayTest {
-    private static final double WITHIN_S = 30;
-
     /** From the quay of Katara Beach a rock lies before it. */
     private static final GeoPoint BEHIND = GeoPoint.of(25.3615, 51.532);
 
@@ -44,7 +42,6 @@ class ReplayedWayTest {
             Path journal = data.unfinished().orElseThrow();
             Await.until(
                     "the journal has where anna is, and how far it may be beside its ways",
-                    WITHIN_S,
                     () -> replay(journal)
                             .start("anna")
                             .filter(start -> start.error().equals(CrossTrackError.CALM))
@@ -74,8 +71,6 @@ class ReplayedWayTest {
     }
 
     private static <T> T soon(CompletionStage<T> stage) {
-        return stage.toCompletableFuture()
-                .orTimeout((long) WITHIN_S, TimeUnit.SECONDS)
-                .join();
+        return stage.toCompletableFuture().orTimeout(60, TimeUnit.SECONDS).join();
     }
 }

@@ -18,10 +18,8 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
-@Timeout(120)
+@Timeout(300)
 class SessionOpenerTest {
-    private static final double WITHIN_S = 30;
-
     @TempDir
     private Path folder;
 
@@ -60,7 +58,7 @@ class SessionOpenerTest {
     private static List<GeoPoint> wayOf(String boat, GeoPath path, Session session) {
         return session.way(Ids.NONE, boat, path)
                 .toCompletableFuture()
-                .orTimeout(30, TimeUnit.SECONDS)
+                .orTimeout(60, TimeUnit.SECONDS)
                 .join()
                 .orElseThrow();
     }
@@ -68,7 +66,7 @@ class SessionOpenerTest {
     /** What a boat says of itself. */
     private static CrossTrackError errorOf(String boat, Session session) throws Exception {
         session.begin();
-        Await.until(boat + " says it", WITHIN_S, () -> ask(boat, session).isPresent());
+        Await.until(boat + " says it", () -> ask(boat, session).isPresent());
         return ask(boat, session).orElseThrow();
     }
 
@@ -76,7 +74,7 @@ class SessionOpenerTest {
         return session.fleet()
                 .ask(boats -> boats.find(boat).flatMap(BoatProxy::error))
                 .toCompletableFuture()
-                .orTimeout(30, TimeUnit.SECONDS)
+                .orTimeout(60, TimeUnit.SECONDS)
                 .join();
     }
 }

@@ -21,7 +21,7 @@ import org.sami.ui.look.Theme;
 import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")
-@Timeout(120)
+@Timeout(300)
 class PanelColorsTest {
     @TempDir
     private Path folder;

@@ -41,7 +41,6 @@ class ClearWaysOverTcpTest {
             base.connect(boat.address(), "anna");
             Await.until(
                     "it has said its errors",
-                    10,
                     () -> base.ask("anna", BoatProxy::error).equals(Optional.of(CrossTrackError.CALM)));
             Water water = Water.of(TcpTestFleet.PIER, List.of(ROCK), Optional.empty());
             List<GeoPoint> driven = new ArrayList<>();
@@ -51,7 +50,7 @@ class ClearWaysOverTcpTest {
                     FollowPath.of("m1", 1, 1, List.of(at(0, 10)), Priority.MEDIUM)
                             .atSpeed(3)
                             .in(water.drivenWith(CrossTrackError.CALM)));
-            Await.until("it has arrived", 60, () -> {
+            Await.until("it has arrived", () -> {
                 base.status("anna").pose().map(BoatPose::position).ifPresent(driven::add);
                 return base.count("anna completed m1") == 1;
             });

@@ -32,7 +32,7 @@ import org.sami.crw.sim.boat.TestRelay.Where;
 
 /** Links that are cut before, in and after each message of connecting, uploading, starting and cancelling. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(60)
+@Timeout(300)
 class CutLinkTest {
     @TempDir
     private Path logs;
@@ -70,10 +70,9 @@ class CutLinkTest {
             }
             base.submit("anna", TcpTestFleet.path("new", 1, 1000));
             if (message != StopMotors.class) {
-                Await.until("the cut", 30, () -> !relay.isArmed());
+                Await.until("the cut", () -> !relay.isArmed());
                 Await.until(
                         "the base says which",
-                        10,
                         () -> base.ask(
                                 "anna",
                                 proxy -> proxy.commands()
@@ -81,11 +80,11 @@ class CutLinkTest {
                                         .orElseThrow()
                                         .equals(lastUploaded(fleet, oldList))));
             }
-            Await.until("the new list is started", 30, () -> isStarted(base, fleet));
+            Await.until("the new list is started", () -> isStarted(base, fleet));
             assertThat(base.heldListId("anna")).contains(lastUploaded(fleet, oldList));
 
             base.ask("anna", proxy -> proxy.commands().withdraw(1));
-            Await.until("it is cancelled", 30, () -> isCancelled(base, fleet, message == StopMotors.class));
+            Await.until("it is cancelled", () -> isCancelled(base, fleet, message == StopMotors.class));
 
             assertThat(relay.isArmed()).isFalse();
             assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();

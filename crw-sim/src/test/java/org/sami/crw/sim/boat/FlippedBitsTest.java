@@ -20,7 +20,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A link that bends a fifth of its frames, either way: what the boat executes is what the base has sent. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(120)
+@Timeout(300)
 class FlippedBitsTest {
     @TempDir
     private Path logs;
@@ -37,7 +37,7 @@ class FlippedBitsTest {
             for (int i = 1; i <= 12; i++) {
                 String id = "p" + i;
                 base.submit("anna", TcpTestFleet.path(id, 1, 1000 + i, 2000 + i, 3000 + i, 4000 + i));
-                Await.until(id + " is started", 60, () -> fleet.executedOf("anna", "start") > 0 && starts(fleet, id));
+                Await.until(id + " is started", () -> fleet.executedOf("anna", "start") > 0 && starts(fleet, id));
             }
 
             Set<String> sent =

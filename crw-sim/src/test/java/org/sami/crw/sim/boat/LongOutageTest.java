@@ -17,13 +17,14 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
-/** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the wall's. */
+/** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the process. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(120)
+@Timeout(300)
 class LongOutageTest {
     private static final int FAST = 5;
 
@@ -67,10 +68,9 @@ class LongOutageTest {
         long off = clockMs();
         Await.until(
                 "all lost",
-                10,
                 () -> names.stream().allMatch(name -> base.status(name).link() == LinkState.LOST));
-        assertThat(clockMs() - off).as("ms").isBetween(3000L, 5000L);
-        Await.until("a minute", 30, () -> clockMs() - off > 60_000);
+        assertThat(clockMs() - off).as("ms").isGreaterThanOrEqualTo(3000L);
+        Await.until("a minute", () -> clockMs() - off > 60_000);
         assertThat(names).allMatch(name -> base.status(name).link() == LinkState.LOST);
         assertThat(base.explanation("boat7")).contains("the link has been lost for");
         routers.forEach(router -> router.setSwallows(false));
@@ -95,24 +95,23 @@ class LongOutageTest {
 
         relay.setDelayMs(30_000 / FAST);
         base.submit("anna", TcpTestFleet.path("second", 1, 1000));
-        Await.until("lost", 30, () -> base.status("anna").link() == LinkState.LOST);
+        Await.until("lost", () -> base.status("anna").link() == LinkState.LOST);
         assertThat(base.explanation("anna")).contains("one command waits");
-        Await.until("late frames have come", 30, () -> relay.deliveredLate() > 0);
+        Await.until("late frames have come", () -> relay.deliveredLate() > 0);
         base.submit("anna", TcpTestFleet.path("third", 1, 2000));
         relay.setDelayMs(0);
 
-        Await.until("the newest is driven", 30, () -> drives(base, "third#"));
-        // On a machine that stands still for 0.15 s the link is lost meanwhile, and the boat keeps its station until it
-        // is back.
+        Await.until("the newest is driven", () -> drives(base, "third#"));
+        // On a busy machine the link is lost meanwhile, and the boat keeps its station until it is back.
         Await.holds("no earlier one comes back", 1.5, () -> holdsNoOther(base, "third#"));
-        Await.until("the newest is driven still", 30, () -> drives(base, "third#"));
+        Await.until("the newest is driven still", () -> drives(base, "third#"));
         assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
         assertThat(base.heldListId("anna")).isEqualTo(base.upload("anna").map(Upload::listId));
         assertThat(base.failures).isEmpty();
     }
 
     private static long clockMs() {
-        return FAST * System.nanoTime() / 1_000_000;
+        return FAST * ProcessClock.ms();
     }
 
     private static boolean holdsNoOther(Base base, String list) {

@@ -14,7 +14,7 @@ import org.sami.crw.sim.cli.CommandResult;
 
 /** {@code crw stop} against real boats on loopback. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(60)
+@Timeout(300)
 class StopCommandTest {
     @TempDir
     private Path logs;

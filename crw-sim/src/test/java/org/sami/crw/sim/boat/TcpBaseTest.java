@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.ProxyConfig;
@@ -36,7 +37,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(90)
+@Timeout(300)
 class TcpBaseTest {
     @TempDir
     private Path logs;
@@ -64,7 +65,6 @@ class TcpBaseTest {
 
         Await.until(
                 "both are done",
-                30,
                 () -> base.count("anna completed m1-anna") == 1 && base.count("berta completed m1-berta") == 1);
         assertThat(base.links())
                 .extracting(LinkReport::boatId)
@@ -83,18 +83,17 @@ class TcpBaseTest {
         TestRelay relay = fleet.relay(boat);
         try (TcpBase base = new TcpBase(
                 TcpBaseConfig.of(ProxyConfig.DEFAULT.withTelemetryHz(10), 5),
-                SteadyClock.ofThisMachine(),
+                new SteadyClock(ProcessClock::ms),
                 new FailingListener())) {
             base.connect(relay.address());
             Await.until(
                     "anna is linked",
-                    15,
                     () -> base.query(boats -> boats.find("anna")
                                     .filter(found -> found.status().link() == LinkState.LINKED)
                                     .isPresent())
                             .join());
             relay.setSwallows(true);
-            Await.until("the loss of the link is told", 15, () -> link(base) == LinkState.LOST);
+            Await.until("the loss of the link is told", () -> link(base) == LinkState.LOST);
             relay.setSwallows(false);
             base.query(boats -> {
                         boats.find("anna").orElseThrow().commands().submit(TcpTestFleet.path("m1-anna", 1, 2));
@@ -104,7 +103,6 @@ class TcpBaseTest {
 
             Await.until(
                     "anna is done",
-                    30,
                     () -> base.query(boats -> boats.find("anna").orElseThrow().isAtRest())
                             .join());
         }
@@ -147,14 +145,12 @@ class TcpBaseTest {
         base.awaitMode("anna", BoatMode.PATH);
         relay.cut();
 
-        assertThat(Await.until("shown", 30, () -> base.count("anna LOST") == 1))
+        assertThat(Await.until("shown", () -> base.count("anna LOST") == 1))
                 .as("ms; a silent one is lost after 3500")
-                .isLessThan(3000);
+                .isLessThan(3000L);
         base.linked("anna");
         Await.until(
-                "it goes on",
-                10,
-                () -> uploads("start") == 2 && base.mode("anna").equals(Optional.of(BoatMode.PATH)));
+                "it goes on", () -> uploads("start") == 2 && base.mode("anna").equals(Optional.of(BoatMode.PATH)));
         assertThat(uploads("upload")).isEqualTo(1);
         assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
@@ -171,7 +167,7 @@ class TcpBaseTest {
             return true;
         });
 
-        Await.until("the boat is alone", 30, () -> !base.links().get(0).connected());
+        Await.until("the boat is alone", () -> !base.links().get(0).connected());
         assertThat(base.ask("anna", BoatProxy::isDisconnected)).isTrue();
         long connections = base.links().get(0).connections();
         base.ask("anna", proxy -> {
@@ -179,7 +175,7 @@ class TcpBaseTest {
             return true;
         });
         base.awaitMode("anna", BoatMode.PATH);
-        Await.until("it goes on", 30, () -> base.links().get(0).connected() && uploads("start") == 2);
+        Await.until("it goes on", () -> base.links().get(0).connected() && uploads("start") == 2);
         assertThat(base.links().get(0).connections()).isEqualTo(connections + 1);
         assertThat(uploads("upload")).isEqualTo(1);
         assertThat(base.failures).isEmpty();
@@ -202,7 +198,7 @@ class TcpBaseTest {
         AtomicLong backMs = new AtomicLong();
         BoatOnTcp boat = fleet.boat("anna");
         TestRelay relay = fleet.relay(boat);
-        Base base = fleet.base("base", () -> System.nanoTime() / 1_000_000 - backMs.get());
+        Base base = fleet.base("base", () -> ProcessClock.ms() - backMs.get());
         base.connect(relay.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
@@ -212,14 +208,14 @@ class TcpBaseTest {
         relay.setSwallows(true);
         backMs.set(3_600_000); // and somebody sets the clock back
 
-        double shownMs = Await.until("lost", 30, () -> base.status("anna").link() == LinkState.LOST);
-        assertThat(shownMs).as("ms; FleetLinksTest says it exactly").isBetween(3300.0, 8000.0);
-        Await.until("the boat holds", 30, () -> watching.mode("anna").equals(Optional.of(BoatMode.HOLD)));
+        long shownMs = Await.until("lost", () -> base.status("anna").link() == LinkState.LOST);
+        assertThat(shownMs).as("ms; FleetLinksTest says it exactly").isBetween(3300L, 8000L);
+        Await.until("the boat holds", () -> watching.mode("anna").equals(Optional.of(BoatMode.HOLD)));
         Await.holds("lost", 1, () -> base.status("anna").link() == LinkState.LOST);
         relay.setSwallows(false);
 
         base.linked("anna");
-        Await.until("it goes on", 30, () -> base.mode("anna").equals(Optional.of(BoatMode.PATH)));
+        Await.until("it goes on", () -> base.mode("anna").equals(Optional.of(BoatMode.PATH)));
         assertThat(uploads("upload")).isEqualTo(1);
         assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
@@ -238,11 +234,11 @@ class TcpBaseTest {
         for (int i = 1; i <= 100; i++) {
             int times = i;
             relay.cut();
-            Await.until("lost again", 30, () -> base.count("cutboat LOST") == times);
-            Await.until("linked again", 30, () -> base.count("cutboat LINKED") == times + 1);
+            Await.until("lost again", () -> base.count("cutboat LOST") == times);
+            Await.until("linked again", () -> base.count("cutboat LINKED") == times + 1);
         }
 
-        Await.until("no thread is left", 30, () -> Await.threads("cutting-") + Await.threads("cutboat-") == threads);
+        Await.until("no thread is left", () -> Await.threads("cutting-") + Await.threads("cutboat-") == threads);
         assertThat(base.count("berta LINKED")).isEqualTo(1);
         assertThat(base.count("berta LOST")).isZero();
         assertThat(fleet.executed("berta", "upload")).isEqualTo(1);
@@ -257,7 +253,7 @@ class TcpBaseTest {
         base.tcp.connect(TcpTestFleet.port(1)); // nobody there
         base.close();
 
-        Await.until("no thread is left", 30, () -> Await.threads("closing-") == 0);
+        Await.until("no thread is left", () -> Await.threads("closing-") == 0);
     }
 
     @Test
@@ -270,7 +266,7 @@ class TcpBaseTest {
         base.awaitMode("anna", BoatMode.PATH);
         base.tcp.connect(second.address());
 
-        Await.until("several tries", 30, () -> base.links().get(1).connections() >= 4);
+        Await.until("several tries", () -> base.links().get(1).connections() >= 4);
         assertThat(base.alarms).singleElement().satisfies(alarm -> {
             assertThat(alarm.kind()).isEqualTo(LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID);
             assertThat(alarm.text()).contains(":" + second.address().getPort() + ";");
@@ -290,7 +286,7 @@ class TcpBaseTest {
         base.connect(boat.address(), "anna");
         base.tcp.connect(fleet.relay(boat).address());
 
-        Await.until("an alarm", 30, () -> !base.alarms.isEmpty());
+        Await.until("an alarm", () -> !base.alarms.isEmpty());
         assertThat(base.alarms)
                 .singleElement()
                 .extracting(LinkAlarm::kind)
@@ -315,11 +311,11 @@ class TcpBaseTest {
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         boat.close();
-        Await.until("lost", 30, () -> base.count("anna LOST") == 1);
+        Await.until("lost", () -> base.count("anna LOST") == 1);
         BoatOnTcp again = fleet.boat("anna", port, logFolder);
         assertThat(again.restored() > 0).isEqualTo(logFolder.equals(logs));
 
-        Await.until("the operator is asked", 30, () -> base.count("anna restarted") == 1);
+        Await.until("the operator is asked", () -> base.count("anna restarted") == 1);
         base.awaitMode("anna", BoatMode.STOPPED);
         Await.holds("it rests", 1.5, () -> base.mode("anna").equals(Optional.of(BoatMode.STOPPED)));
         assertThat(base.explanation("anna")).contains("started anew");
@@ -342,28 +338,28 @@ class TcpBaseTest {
         first.awaitMode("anna", BoatMode.PATH);
         Base second = fleet.base("second");
         second.connect(boat.address(), "anna");
-        Await.until("it observes", 30, () -> !second.ask("anna", BoatProxy::isCommanding));
+        Await.until("it observes", () -> !second.ask("anna", BoatProxy::isCommanding));
         second.ask("anna", proxy -> {
             proxy.handOver().takeCommand();
             return true;
         });
 
-        Await.until("the first is told", 30, () -> first.count("anna observed") == 1);
-        Await.until("the second is told", 30, () -> second.count("anna commanded") == 1);
+        Await.until("the first is told", () -> first.count("anna observed") == 1);
+        Await.until("the second is told", () -> second.count("anna commanded") == 1);
         assertThat(first.explanation("anna")).contains("another client commands");
         second.submit("anna", TcpTestFleet.path("m2", 2));
-        Await.until("it does what the second wants", 30, () -> uploads("upload") == 2 && uploads("start") == 2);
+        Await.until("it does what the second wants", () -> uploads("upload") == 2 && uploads("start") == 2);
 
         first.ask("anna", proxy -> {
             proxy.handOver().askForCommand();
             return true;
         });
-        Await.until("the second is asked", 30, () -> second.count("anna asked for by first") == 1);
+        Await.until("the second is asked", () -> second.count("anna asked for by first") == 1);
         second.ask("anna", proxy -> {
             proxy.handOver().grantCommand("first");
             return true;
         });
-        Await.until("the first goes on", 30, () -> uploads("start") == 3);
+        Await.until("the first goes on", () -> uploads("start") == 3);
         Await.holds("nobody grabs it back", 1.5, () -> first.ask("anna", BoatProxy::isCommanding));
         assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
@@ -387,11 +383,10 @@ class TcpBaseTest {
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
         routers.forEach(router -> router.setSwallows(true));
 
-        double shownMs = Await.until(
+        long shownMs = Await.until(
                 "all lost",
-                20,
                 () -> names.stream().allMatch(name -> base.status(name).link() == LinkState.LOST));
-        assertThat(shownMs).isBetween(3000.0, 10_000.0);
+        assertThat(shownMs).isBetween(3000L, 10_000L);
         routers.forEach(router -> router.setSwallows(false));
         names.forEach(base::linked);
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
@@ -417,7 +412,6 @@ class TcpBaseTest {
 
         Await.until(
                 "read back equal and started, or failed",
-                60,
                 () -> failed(base)
                         || (base.mode("anna").equals(Optional.of(BoatMode.PATH))
                                 && base.upload("anna")
@@ -444,9 +438,8 @@ class TcpBaseTest {
         }
         base.submit("anna", TcpTestFleet.path("m1", 1, northM));
 
-        double ms = Await.until(
+        long ms = Await.until(
                 "read back equal",
-                60,
                 () -> base.upload("anna")
                         .filter(upload -> upload.state() == Upload.State.READ_BACK_EQUAL)
                         .isPresent());
@@ -464,16 +457,16 @@ class TcpBaseTest {
         base.connect(berta.address(), "berta");
         try (UnreadingPeer stuck = new UnreadingPeer("anna", bytesPerSecond)) {
             base.connect(stuck.address(), "anna");
-            List<Double> startedMs = new ArrayList<>();
+            List<Long> startedMs = new ArrayList<>();
             for (int i = 1; i <= 5; i++) {
                 int times = i;
                 base.submit("anna", TcpTestFleet.path("a" + i, i, new double[10_000]));
                 base.submit("berta", TcpTestFleet.path("b" + i, 1));
-                startedMs.add(Await.until("berta starts", 30, () -> executed("berta", "start") == times));
+                startedMs.add(Await.until("berta starts", () -> executed("berta", "start") == times));
             }
 
             assertThat(startedMs).as("ms").allMatch(ms -> ms < 5000);
-            Await.until("the stuck one is dropped", 30, () -> base.count("anna LOST") >= 1);
+            Await.until("the stuck one is dropped", () -> base.count("anna LOST") >= 1);
             assertThat(base.links().get(0).connections()).isEqualTo(1);
         }
     }

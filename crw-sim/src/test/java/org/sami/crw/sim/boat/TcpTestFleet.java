@@ -19,6 +19,7 @@ import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
@@ -44,7 +45,7 @@ final class TcpTestFleet implements AutoCloseable {
     private final List<AutoCloseable> opened = new ArrayList<>();
 
     TcpTestFleet(Path logs) {
-        this(logs, () -> System.nanoTime() / 1_000_000);
+        this(logs, ProcessClock::ms);
     }
 
     /** A fleet whose boats and bases live on a clock of milliseconds. */
@@ -92,7 +93,7 @@ final class TcpTestFleet implements AutoCloseable {
     /** A base that sends again after so many ms what stays unanswered. */
     Base impatientBase(String clientId, long resendMs) {
         ProxyConfig proxy = new ProxyConfig(clientId, 0, 1.5, 20, 3500, resendMs, 20);
-        return keep(new Base(proxy, SteadyClock.ofThisMachine()));
+        return keep(new Base(proxy, new SteadyClock(clockMs)));
     }
 
     private <C extends AutoCloseable> C keep(C closeable) {
@@ -166,7 +167,7 @@ final class TcpTestFleet implements AutoCloseable {
         }
 
         void linked(String boatId) {
-            Await.until(boatId + " is linked", 15, () -> status(boatId).link() == LinkState.LINKED);
+            Await.until(boatId + " is linked", () -> status(boatId).link() == LinkState.LINKED);
         }
 
         BoatStatus status(String boatId) {
@@ -178,7 +179,7 @@ final class TcpTestFleet implements AutoCloseable {
         }
 
         void awaitMode(String boatId, BoatMode mode) {
-            Await.until(boatId + " is at " + mode, 15, () -> mode(boatId).equals(Optional.of(mode)));
+            Await.until(boatId + " is at " + mode, () -> mode(boatId).equals(Optional.of(mode)));
         }
 
         <T> T ask(String boatId, Function<BoatProxy, T> question) {

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -28,6 +29,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.link.ProxyConfig;
@@ -42,7 +44,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Real processes of {@code crw boat}, ended in order and by {@code kill -9}, and a base that commands them. */
 @Tag("process")
-@Timeout(120)
+@Timeout(300)
 class BoatProcessTest {
     @TempDir
     private Path folder;
@@ -50,8 +52,6 @@ class BoatProcessTest {
     private final List<CrwProcess> started = new ArrayList<>();
     private final AtomicReference<BoatStatus> status = new AtomicReference<>(BoatStatus.unknown("anna"));
     private final AtomicInteger restarts = new AtomicInteger();
-
-    private volatile Consumer<BoatProxy> whenFound = proxy -> {};
 
     /** A process of the command, and the port that it printed. */
     private record Boat(CrwProcess process, int port) {}
@@ -71,14 +71,13 @@ class BoatProcessTest {
     }
 
     private TcpBase base(int port) {
-        return base(port, proxy -> {});
+        return base("base", port, new Recorder());
     }
 
-    private TcpBase base(int port, Consumer<BoatProxy> onFound) {
-        whenFound = onFound;
+    private static TcpBase base(String clientId, int port, BaseListener listener) {
         TcpBaseConfig config = new TcpBaseConfig(
-                ProxyConfig.DEFAULT.withClientId("base").withTelemetryHz(20), 1, 50, 1000, 20, 200, 256, 4 << 20);
-        TcpBase base = new TcpBase(config, SteadyClock.ofThisMachine(), new Recorder());
+                ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20), 1, 50, 1000, 20, 200, 256, 4 << 20);
+        TcpBase base = new TcpBase(config, new SteadyClock(ProcessClock::ms), listener);
         base.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
         return base;
     }
@@ -106,12 +105,13 @@ class BoatProcessTest {
         return ids;
     }
 
-    private double northOf(double latDeg) {
-        return status.get().pose().orElseThrow().position().latDeg() - latDeg;
-    }
-
     private boolean is(BoatMode mode) {
         return status.get().link() == LinkState.LINKED && status.get().mode().equals(Optional.of(mode));
+    }
+
+    /** Whatever its link, which a machine that stands still may lose. */
+    private boolean isNothingBut(BoatMode mode) {
+        return status.get().mode().filter(other -> other != mode).isEmpty();
     }
 
     @Test
@@ -137,7 +137,7 @@ class BoatProcessTest {
             boat(boat.port, "--log", (withItsState ? folder : folder.resolve("new")).toString());
             until("the operator is asked", () -> restarts.get() == 1);
             until("it rests", () -> is(BoatMode.STOPPED));
-            Await.holds("it rests", 1.5, () -> is(BoatMode.STOPPED));
+            Await.holds("it rests", 1.5, () -> isNothingBut(BoatMode.STOPPED));
             tell(base, BoatProxy::confirmRestart);
             until("under way again", () -> is(BoatMode.PATH));
             assertThat(executed()).doesNotHaveDuplicates();
@@ -173,17 +173,19 @@ class BoatProcessTest {
     }
 
     @Test
-    void processThatStandsStillIsShownAsLostInTimeAndGoesOnOnceItIsHeardAgain() throws Exception {
+    void processThatStandsStillIsShownAsLostAndGoesOnOnceItIsHeardAgain() throws Exception {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
             tell(base, proxy -> proxy.commands().submit(farAway(50)));
             until("under way", () -> is(BoatMode.PATH));
+            long stoppedMs = ProcessClock.ms();
             signal(boat, "STOP"); // its socket stays open, and what is sent to it waits
-            long stopped = System.nanoTime();
             until("lost", () -> status.get().link() == LinkState.LOST);
-            assertThat((System.nanoTime() - stopped) / 1e6).as("ms").isBetween(3300.0, 5900.0);
-            until("it has been still for longer", () -> System.nanoTime() - stopped > 6_000_000_000L);
+            assertThat(ProcessClock.ms() - stoppedMs)
+                    .as("ms; FleetLinksTest says it exactly")
+                    .isGreaterThan(3300);
+            until("it has been still for longer", () -> ProcessClock.ms() - stoppedMs > 6_000);
 
             signal(boat, "CONT");
             until("under way again", () -> is(BoatMode.PATH));
@@ -213,7 +215,7 @@ class BoatProcessTest {
             until("the operator is asked", () -> restarts.get() == 1);
             tell(base, BoatProxy::confirmRestart);
             until("it is still stopped", () -> is(BoatMode.FLEET_STOP));
-            Await.holds("it is still stopped", 1.5, () -> is(BoatMode.FLEET_STOP));
+            Await.holds("it is still stopped", 1.5, () -> isNothingBut(BoatMode.FLEET_STOP));
             tell(base, BoatProxy::fleetRelease);
             until("under way", () -> is(BoatMode.PATH));
             assertThat(executed()).doesNotHaveDuplicates();
@@ -224,14 +226,23 @@ class BoatProcessTest {
     @CsvSource({"return, RETURN", "CONTINUE, PATH", "drift, STOPPED"})
     void doesWhatItsOptionSaysWhenTheBaseIsGone(String action, BoatMode doing) throws Exception {
         Boat boat = boat(0, "--lost-link", action);
-        try (TcpBase base = base(boat.port)) {
-            until("linked", () -> status.get().link() == LinkState.LINKED);
-            tell(base, proxy -> proxy.commands().submit(farAway(50)));
-            until("under way", () -> is(BoatMode.PATH));
-            until("some 8 m from home", () -> northOf(45.4) > 8 / 111_000.0);
-        }
-        try (TcpBase watching = base(boat.port, proxy -> proxy.handOver().observe())) {
-            until("it does what the option says", () -> is(doing));
+        Watcher watcher = new Watcher();
+        try (TcpBase watching = base("watching", boat.port, watcher)) {
+            until("it is watched", () -> !watcher.modes.isEmpty());
+            try (TcpBase base = base(boat.port)) {
+                until("linked", () -> status.get().link() == LinkState.LINKED);
+                tell(base, proxy -> proxy.commands().submit(farAway(50)));
+                until("under way", () -> is(BoatMode.PATH));
+                until("some 8 m from home", () -> watcher.northOf(45.4) > 8 / 111_000.0);
+            }
+            boat.process.awaitErr("it has closed the link");
+
+            double fromDeg = watcher.northOf(45.4);
+            until(
+                    "it does what the option says",
+                    () -> watcher.sinceItWasUnderWay().contains(doing)
+                            && (doing != BoatMode.PATH || watcher.northOf(45.4) > fromDeg + 8 / 111_000.0));
+            assertThat(watcher.sinceItWasUnderWay()).startsWith(BoatMode.PATH);
             assertThat(watching.links().join()).hasSize(1);
         }
     }
@@ -289,7 +300,7 @@ class BoatProcessTest {
                 .start();
         try {
             process.getOutputStream().close();
-            assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
         } finally {
             process.destroyForcibly();
         }
@@ -313,7 +324,7 @@ class BoatProcessTest {
     }
 
     private static void until(String what, BooleanSupplier condition) {
-        Await.until(what, 30, condition);
+        Await.until(what, condition);
     }
 
     /** Keeps the latest of what the base is told. */
@@ -321,11 +332,6 @@ class BoatProcessTest {
         @Override
         public BoatListener found(String boatId) {
             return this;
-        }
-
-        @Override
-        public void onBoat(BoatProxy proxy) {
-            whenFound.accept(proxy);
         }
 
         @Override
@@ -341,6 +347,39 @@ class BoatProcessTest {
         @Override
         public void onRestarted(BoatStatus news) {
             restarts.incrementAndGet();
+        }
+    }
+
+    /** Only watches the boat, and keeps its modes in their order. */
+    private static final class Watcher implements BaseListener, BoatListener {
+        private final List<BoatMode> modes = new CopyOnWriteArrayList<>();
+        private volatile double latDeg;
+
+        @Override
+        public BoatListener found(String boatId) {
+            return this;
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            proxy.handOver().observe();
+        }
+
+        @Override
+        public void onStatus(BoatStatus news) {
+            news.pose().ifPresent(pose -> latDeg = pose.position().latDeg());
+            news.mode()
+                    .filter(mode -> modes.isEmpty() || modes.get(modes.size() - 1) != mode)
+                    .ifPresent(modes::add);
+        }
+
+        double northOf(double otherDeg) {
+            return latDeg - otherDeg;
+        }
+
+        List<BoatMode> sinceItWasUnderWay() {
+            List<BoatMode> until = List.copyOf(modes);
+            return until.subList(Math.max(0, until.indexOf(BoatMode.PATH)), until.size());
         }
     }
 }

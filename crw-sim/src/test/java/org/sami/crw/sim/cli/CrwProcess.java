@@ -18,8 +18,6 @@ public final class CrwProcess implements AutoCloseable {
     /** Where the build has installed the command; its archive of classes makes a process start in a third of the time. */
     static final Path INSTALLED = Path.of(System.getProperty("crw.installed"));
 
-    private static final double START_S = 60;
-
     private final Process process;
     private final Path out;
     private final Path err;
@@ -88,13 +86,13 @@ public final class CrwProcess implements AutoCloseable {
 
     /** Waits until it has said something on standard error. */
     public void awaitErr(String words) {
-        Await.until("it says '" + words + "'", START_S, () -> err().contains(words) || !isAlive());
+        Await.until("it says '" + words + "'", () -> err().contains(words) || !isAlive());
         assertThat(err()).contains(words);
     }
 
     /** Waits until it has said a line that begins so on standard output; returns the rest of the line. */
     public String awaitOut(String beginning) {
-        Await.until("a line", START_S, () -> out().contains("\n") || !isAlive());
+        Await.until("a line", () -> out().contains("\n") || !isAlive());
         String line = out().lines().findFirst().orElse("");
         assertThat(line).as(err()).startsWith(beginning);
         return line.substring(beginning.length());
@@ -113,11 +111,6 @@ public final class CrwProcess implements AutoCloseable {
     /** Tells it to end, as {@code kill} and the system's shutdown do. */
     public void terminate() {
         process.toHandle().destroy();
-    }
-
-    /** Waits so long for its end; returns whether it came. */
-    public boolean endsWithin(long millis) throws InterruptedException {
-        return process.waitFor(millis, TimeUnit.MILLISECONDS);
     }
 
     /** Waits for its end; returns its exit code. */

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Runs whose disk is full at some moment, and has room again when they are taken up. */
-@Timeout(240)
+@Timeout(300)
 @Tag("process")
 class FullDiskTest {
     private static final List<String> MISSION =

@@ -19,10 +19,7 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.boat.server.testing.Await;
 import org.sami.crw.sim.run.TestRuns;
-import org.sami.spn.journal.JournalException;
-import org.sami.spn.journal.JournalReader;
 
 /** Real processes of {@code crw run}, killed as by {@code kill -9}, and what the next process makes of their journals. */
 @Tag("process")
@@ -40,9 +37,6 @@ class ProcessKillTest {
 
     /** A kill counts where less than this share of the journal was written after the place it was meant for. */
     private static final double LATE_SHARE = 0.25;
-
-    /** Until it is given up that a run gets on. */
-    private static final double AT_MOST_S = 300;
 
     @TempDir
     Path folder;
@@ -67,7 +61,7 @@ class ProcessKillTest {
         Path wholeJournal = folder.resolve("whole");
         String whole = hash(
                 CommandResult.crw(with(mission, "--speed", "max", "--json", "--journal", wholeJournal.toString())));
-        long entries = entries(wholeJournal);
+        long entries = JournalEntries.in(wholeJournal);
         Random random = new Random(9);
         ExecutorService lanes = Executors.newFixedThreadPool(LANES);
         try {
@@ -102,8 +96,7 @@ class ProcessKillTest {
             try (CrwProcess run = CrwProcess.start(
                     place, List.of(with(mission, "--speed", "" + speed, "--journal", journal.toString())))) {
                 run.awaitErr("journal");
-                Await.until("entry " + from, AT_MOST_S, () -> entries(journal) >= from || !run.isAlive());
-                run.kill();
+                JournalEntries.killAt(from, journal, run);
             }
 
             CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--speed", "max", "--json");
@@ -118,15 +111,6 @@ class ProcessKillTest {
             if (died < tooLate) {
                 return died;
             }
-        }
-    }
-
-    /** How many entries are in a journal, also in one that is being written; 0 while it cannot be read. */
-    private static long entries(Path journal) {
-        try (JournalReader reader = JournalReader.open(journal)) {
-            return reader.lastIndex();
-        } catch (JournalException beginsOrEnds) {
-            return 0;
         }
     }
 

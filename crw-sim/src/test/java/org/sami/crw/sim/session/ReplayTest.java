@@ -42,7 +42,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 
 /** A replay shows what lay before the operator of a real session, whose boats were reached over TCP. */
-@Timeout(120)
+@Timeout(300)
 class ReplayTest {
     @TempDir
     private Path folder;
@@ -108,16 +108,12 @@ class ReplayTest {
         OperatorModels models = session.models();
         Await.until(
                 "missions say what blocks them",
-                TestSession.WITHIN_S,
                 () -> models.missions().snapshot().running().stream()
                         .allMatch(mission -> !mission.details().blocked().isEmpty()));
-        Await.until("boats are shown as they are", TestSession.WITHIN_S, this::areBoatsShown);
+        Await.until("boats are shown as they are", this::areBoatsShown);
         TestSession.get(models.shown());
         Shown shown = Shown.of(session.scheduler().nowMs(), models);
-        Await.until(
-                "what happens next happens later",
-                TestSession.WITHIN_S,
-                () -> session.scheduler().nowMs() > shown.atMillis());
+        Await.until("what happens next happens later", () -> session.scheduler().nowMs() > shown.atMillis());
         return shown;
     }
 
@@ -160,7 +156,6 @@ class ReplayTest {
         answer("OperatorAllocationOptions", new Answer.Option(0));
         Await.until(
                 "anna is under way",
-                TestSession.WITHIN_S,
                 () -> Geodesy.distanceM(
                                 TestSession.PIER, anna().pose().orElseThrow().position())
                         > 4);
@@ -197,7 +192,7 @@ class ReplayTest {
     void showsTheTurnsAroundWhatABoatIsToAvoid() throws Exception {
         BoatOnTcp boat = world.boat("anna");
         TestSession.get(session.fleet().connect(TestSession.address(boat)));
-        Await.until("anna lies somewhere", TestSession.WITHIN_S, this::areBoatsShown);
+        Await.until("anna lies somewhere", this::areBoatsShown);
         GeoPoint behind = Geodesy.offset(TestSession.PIER, 0, 120);
         Water water = Water.of(TestSession.PIER, List.of(rock()), Optional.empty());
         TestSession.get(session.fleet()
@@ -207,7 +202,7 @@ class ReplayTest {
                                     .in(water));
                     return anna;
                 })));
-        Await.until("she is under way", TestSession.WITHIN_S, () -> anna().why().shouldMove());
+        Await.until("she is under way", () -> anna().why().shouldMove());
         List<GeoPoint> driven = session.models().map().snapshot().paths().get(0).points();
         long atMillis = shown().atMillis();
         over();

@@ -43,7 +43,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /** What a session takes up from the journal of an earlier one, on boats that are reached over TCP. */
-@Timeout(120)
+@Timeout(300)
 @Execution(ExecutionMode.CONCURRENT)
 class SessionResumeTest {
     @TempDir
@@ -87,12 +87,10 @@ class SessionResumeTest {
         assertThat(meeting).contains(TestSession.PIER);
         Await.until(
                 "anna is watched",
-                TestSession.WITHIN_S,
                 () -> TestSession.get(again.fleet().why("anna")).text().contains("another client commands the boat"));
         TestSession.get(again.fleet().takeCommand("anna"));
         Await.until(
                 "anna is commanded",
-                TestSession.WITHIN_S,
                 () -> TestSession.get(again.fleet()
                         .ask(boats -> boats.find("anna").orElseThrow().isCommanding())));
         Decision asked = TestSession.decision(again, "OperatorApprove");
@@ -116,7 +114,7 @@ class SessionResumeTest {
         session.begin();
         BoatOnTcp anna = world.boat("anna", SensorSetting.parse("oxygen@5"));
         TestSession.get(session.fleet().connect(TestSession.address(anna)));
-        Await.until("anna's pose is in the journal", TestSession.WITHIN_S, () -> hasPose(journal));
+        Await.until("anna's pose is in the journal", () -> hasPose(journal));
         SensorLayer measured = heatMap(session);
         session.close();
 
@@ -127,7 +125,6 @@ class SessionResumeTest {
         assertThat(restored.grid().least()).isCloseTo(measured.grid().least(), within(0.1));
         Await.until(
                 "the track is back, without the boat",
-                TestSession.WITHIN_S,
                 () -> !again.models().map().snapshot().tracks().isEmpty());
 
         ShownTrack track = again.models().map().snapshot().tracks().get(0);
@@ -140,15 +137,9 @@ class SessionResumeTest {
     /** What was measured first, as it is drawn. */
     private static SensorLayer heatMap(Session session) {
         MapModel map = session.models().map();
-        Await.until(
-                "something was measured",
-                TestSession.WITHIN_S,
-                () -> !map.snapshot().channels().isEmpty());
+        Await.until("something was measured", () -> !map.snapshot().channels().isEmpty());
         map.showData(map.snapshot().channels().get(0), Optional.of(Visualization.HEATMAP));
-        Await.until(
-                "it is drawn",
-                TestSession.WITHIN_S,
-                () -> !map.snapshot().data().isEmpty());
+        Await.until("it is drawn", () -> !map.snapshot().data().isEmpty());
         return map.snapshot().data().get(0);
     }
 
@@ -215,7 +206,6 @@ class SessionResumeTest {
     private static GeoPoint awaitPosition(Session session, String boat, Predicate<GeoPoint> wanted) {
         Await.until(
                 boat + " is there",
-                TestSession.WITHIN_S,
                 () -> session.fleet().history().last(boat).map(FleetHistory.Told::position).stream()
                         .anyMatch(wanted));
         return session.fleet().history().last(boat).orElseThrow().position();
@@ -240,7 +230,7 @@ class SessionResumeTest {
             });
             again.reconnect();
 
-            Await.until("it is told", TestSession.WITHIN_S, () -> !notices.isEmpty());
+            Await.until("it is told", () -> !notices.isEmpty());
             assertThat(notices)
                     .containsExactly(
                             "sim was simulated by an earlier process and is missing: this session has nobody who "

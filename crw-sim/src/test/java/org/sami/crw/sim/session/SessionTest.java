@@ -35,7 +35,7 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
 
 /** What a window, a console and a run do with a session, on boats that are reached over TCP. */
-@Timeout(120)
+@Timeout(300)
 @Execution(ExecutionMode.CONCURRENT)
 class SessionTest {
     private static final String SELECT = "OperatorSelectBoatList";
@@ -64,7 +64,6 @@ class SessionTest {
     private static void awaitMode(Session session, String boat, BoatMode mode) {
         Await.until(
                 boat + " is in mode " + mode,
-                TestSession.WITHIN_S,
                 () -> TestSession.get(session.fleet().boats()).stream()
                         .anyMatch(status ->
                                 status.boatId().equals(boat) && status.mode().equals(Optional.of(mode))));

@@ -16,6 +16,7 @@ import java.util.function.Predicate;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionJournal;
@@ -40,7 +41,6 @@ import org.sami.spn.value.GeoPoint;
 /** Sessions over real sockets on the loopback address, and boats for them; all closed together. */
 final class TestSession implements AutoCloseable {
     static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
-    static final double WITHIN_S = 30;
 
     private static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -113,7 +113,12 @@ final class TestSession implements AutoCloseable {
     }
 
     private static SessionRuntime runtime() {
-        return SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(new SimulatedBoatsOnTcp(1));
+        return SessionRuntime.RealTime.named(SessionRuntime.RealTime.newClientId(), clock())
+                .withSimulatedBoats(new SimulatedBoatsOnTcp(1));
+    }
+
+    private static SteadyClock clock() {
+        return new SteadyClock(ProcessClock::ms);
     }
 
     /** A boat that logs into the folder. */
@@ -122,7 +127,7 @@ final class TestSession implements AutoCloseable {
         Conditions water = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(sensors));
         BoatSettings settings =
                 BoatSettings.of(name, anyPort, PIER, 1).on(water).loggingTo(folder);
-        return keep(new BoatOnTcp(settings, SteadyClock.ofThisMachine(), TcpServerListener.NONE));
+        return keep(new BoatOnTcp(settings, clock(), TcpServerListener.NONE));
     }
 
     static BoatAddress address(BoatOnTcp boat) {
@@ -143,7 +148,7 @@ final class TestSession implements AutoCloseable {
     /** What a stage gives, soon. */
     static <T> T get(CompletionStage<T> stage) {
         try {
-            return stage.toCompletableFuture().get((long) WITHIN_S, TimeUnit.SECONDS);
+            return stage.toCompletableFuture().get((long) Await.AT_MOST_S, TimeUnit.SECONDS);
         } catch (ExecutionException failed) {
             throw new CompletionException(failed.getCause());
         } catch (InterruptedException | TimeoutException late) {
@@ -153,7 +158,7 @@ final class TestSession implements AutoCloseable {
 
     /** Waits until the engine's state is so. */
     static void until(String what, Session session, Predicate<EngineView> state) {
-        Await.until(what, WITHIN_S, () -> session.host().ask(state::test));
+        Await.until(what, () -> session.host().ask(state::test));
     }
 
     /** The decision of that type, when it is asked. */

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.boat.BoatOnTcp;
@@ -35,7 +36,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 
 /** A run over TCP whose plan connects to one boat more. */
-@Timeout(60)
+@Timeout(300)
 class BoatsOfPlansTest {
     private static final long WITHIN_MS = 20_000;
     private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
@@ -49,7 +50,7 @@ class BoatsOfPlansTest {
     private BoatOnTcp boat(String name, TcpServerListener listener) throws IOException {
         BoatSettings settings =
                 BoatSettings.of(name, ANY_PORT, GeoPoint.of(45.4, 10.9), 1).loggingTo(folder);
-        return new BoatOnTcp(settings, SteadyClock.ofThisMachine(), listener);
+        return new BoatOnTcp(settings, new SteadyClock(ProcessClock::ms), listener);
     }
 
     private static BoatAddress address(BoatOnTcp boat) {
@@ -67,7 +68,7 @@ class BoatsOfPlansTest {
 
     private RunOutcome run(RunPlan plan, RunSettings settings, ConnectedJournal journal, BooleanSupplier stop)
             throws IOException {
-        RunProcess process = new RunProcess(SteadyClock.ofThisMachine(), "base" + connections, WITHIN_MS);
+        RunProcess process = new RunProcess(new SteadyClock(ProcessClock::ms), "base" + connections, WITHIN_MS);
         return new TcpRun(plan, settings, AnswersFile.EMPTY, journal, process, line -> {})
                 .run(new RunObserver(now -> progress = now, stop))
                 .result()

@@ -27,7 +27,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** A run over TCP around a rock, killed and taken up: in still water with exact instruments, so that what boats tell of themselves is the truth. */
 @Tag("process")
-@Timeout(240)
+@Timeout(300)
 class ClearWaysTakenUpTest {
     private static final String ALLOCATION = "\"fields\": {\"locations\": {\"variable\": \"@locations\"}}";
     private static final GeoPoint QUAY = GeoPoint.of(BoatProcesses.latDeg(), 10.9);
@@ -86,7 +86,6 @@ class ClearWaysTakenUpTest {
             for (String boat : List.of("anna", "bert")) {
                 Await.until(
                         boat + " is under way",
-                        60,
                         () -> fleet.log(boat).stream().anyMatch(entry -> entry.command() instanceof StartWaypoints));
             }
             run.kill();

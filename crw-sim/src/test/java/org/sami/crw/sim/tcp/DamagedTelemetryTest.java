@@ -30,6 +30,7 @@ import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.cli.CommandResult;
@@ -40,7 +41,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Journals of real runs whose telemetry is damaged on the disk: what the engine knows is what matters, and the mission goes on. */
 @Tag("process")
-@Timeout(240)
+@Timeout(300)
 class DamagedTelemetryTest {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int PAGE = JournalOptions.DEFAULT.pageBytes();
@@ -125,7 +126,7 @@ class DamagedTelemetryTest {
         try (BoatOnTcp anna = boat("anna", 10.9);
                 BoatOnTcp bert = boat("bert", 10.9001)) {
             try (CrwProcess run = CrwProcess.start(folder, mission(journal, List.of(anna, bert)))) {
-                Await.until("anna is under way", 60, this::isAnnaUnderWay);
+                Await.until("anna is under way", this::isAnnaUnderWay);
                 run.kill();
             }
             SqliteJournal.open(journal, JournalOptions.DEFAULT).close(); // folds its log into one file
@@ -157,7 +158,7 @@ class DamagedTelemetryTest {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         BoatSettings settings =
                 BoatSettings.of(name, anyPort, GeoPoint.of(45.4, lonDeg), 1).loggingTo(folder);
-        return new BoatOnTcp(settings, SteadyClock.ofThisMachine(), TcpServerListener.NONE);
+        return new BoatOnTcp(settings, new SteadyClock(ProcessClock::ms), TcpServerListener.NONE);
     }
 
     private static List<String> mission(Path journal, List<BoatOnTcp> boats) {

@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -22,10 +21,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.cli.CommandResult;
 import org.sami.crw.sim.cli.CrwProcess;
+import org.sami.crw.sim.cli.JournalEntries;
 import org.sami.spn.value.GeoPoint;
 
 /** Interrupts in missions on boats behind TCP, whose process may die before, in and after them. */
@@ -34,8 +35,8 @@ import org.sami.spn.value.GeoPoint;
 class InterruptOverTcpTest {
     private static final int LOCATIONS = 5;
 
-    /** The press comes after three seconds; the boat is away for some ten. */
-    private static final List<Long> DEATHS_MILLIS = List.of(1_500L, 4_500L, 9_000L);
+    /** Entries of the journal: both boats are under way, the button has been pressed, and the boat has come to where it is recharged. */
+    private static final List<Long> DEATHS = List.of(19L, 23L, 27L);
 
     @TempDir
     private Path folder;
@@ -58,25 +59,25 @@ class InterruptOverTcpTest {
 
     @Test
     void runThatIsKilledBeforeInOrAfterAnInterruptIsTakenUpAndTheBoatComesBack() throws Exception {
-        ExecutorService lanes = Executors.newFixedThreadPool(DEATHS_MILLIS.size());
+        ExecutorService lanes = Executors.newFixedThreadPool(DEATHS.size());
         try {
             List<Future<?>> fates = new ArrayList<>();
-            for (long afterMillis : DEATHS_MILLIS) {
-                Path place = Files.createDirectory(folder.resolve("killed" + afterMillis));
+            for (long entry : DEATHS) {
+                Path place = Files.createDirectory(folder.resolve("killed" + entry));
                 fates.add(lanes.submit(() -> {
-                    killAndTakeUp(place, afterMillis);
+                    killAndTakeUp(place, entry);
                     return null;
                 }));
             }
             for (Future<?> fate : fates) {
-                fate.get(300, TimeUnit.SECONDS);
+                fate.get();
             }
         } finally {
             lanes.shutdownNow();
         }
     }
 
-    private static void killAndTakeUp(Path place, long afterMillis) throws Exception {
+    private static void killAndTakeUp(Path place, long entry) throws Exception {
         try (BoatOnTcp anna = boat("anna", place, 10.9, 100);
                 BoatOnTcp bert = boat("bert", place, 10.90006, 100)) {
             Path journal = place.resolve("journal");
@@ -84,20 +85,19 @@ class InterruptOverTcpTest {
             mission.addAll(List.of("--journal", journal.toString()));
             try (CrwProcess run = CrwProcess.start(place, mission)) {
                 run.awaitErr("boats at ");
-                run.endsWithin(afterMillis);
-                run.kill();
+                JournalEntries.killAt(entry, journal, run);
             }
 
             CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--json");
 
-            String what = "killed after " + afterMillis + " ms: " + resumed.err();
+            String what = "killed at entry " + entry + ": " + resumed.err();
             assertThat(resumed.exitCode()).as(what).isZero();
             assertTaken(new ObjectMapper().readTree(resumed.out()), "anna", what);
             for (String boat : List.of("anna", "bert")) {
                 List<String> ids = new ArrayList<>();
                 LogLines.read(
                         place.resolve(boat + ".log"),
-                        entry -> ids.add(entry.command().commandId()));
+                        done -> ids.add(done.command().commandId()));
                 assertThat(ids).as(what).doesNotHaveDuplicates();
             }
         }
@@ -120,7 +120,7 @@ class InterruptOverTcpTest {
         BoatSettings settings = BoatSettings.of(name, anyPort, GeoPoint.of(45.4, lonDeg), 1)
                 .withBatteryPercent(batteryPercent)
                 .loggingTo(logs);
-        return new BoatOnTcp(settings, SteadyClock.ofThisMachine(), TcpServerListener.NONE);
+        return new BoatOnTcp(settings, new SteadyClock(ProcessClock::ms), TcpServerListener.NONE);
     }
 
     private static List<String> mission(List<BoatOnTcp> boats, String interrupt, String variable) {

@@ -27,9 +27,9 @@ import org.sami.crw.sim.cli.CrwProcess;
 
 /** Boats of a running mission that are killed as by {@code kill -9} and started again, with and without what they knew. */
 @Tag("process")
-@Timeout(240)
+@Timeout(300)
 class KilledBoatTest {
-    private static final long END_S = 120;
+    private static final long END_S = 280;
 
     @TempDir
     private Path folder;
@@ -43,13 +43,13 @@ class KilledBoatTest {
                         "--connect",
                         addresses,
                         "--area",
-                        "24",
+                        "40",
                         "--locations",
                         "4",
                         "--answer-after",
                         "2",
                         "--for",
-                        "120",
+                        "270",
                         "--json",
                         "--report",
                         folder.resolve("report").toString()));
@@ -65,7 +65,7 @@ class KilledBoatTest {
     void killedInMidPathItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
         try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert");
                 CrwProcess run = run(fleet.addresses())) {
-            Await.until("bert is under way", 60, () -> executed(fleet, "bert", StartWaypoints.class) > 0);
+            Await.until("bert is under way", () -> executed(fleet, "bert", StartWaypoints.class) > 0);
             run.awaitErr("visited 1/4");
             fleet.kill("bert");
             run.awaitErr("The link to bert is lost; its commands wait");
@@ -86,7 +86,7 @@ class KilledBoatTest {
             relay.arm(new TestRelay.Cut(UploadWaypoints.class, TestRelay.Where.MIDDLE));
             try (CrwProcess run = run("127.0.0.1:" + fleet.port("anna") + ",127.0.0.1:"
                     + relay.address().getPort())) {
-                Await.until("half an upload has gone", 60, () -> !relay.isArmed());
+                Await.until("half an upload has gone", () -> !relay.isArmed());
                 fleet.kill("bert");
                 assertThat(executed(fleet, "bert", UploadWaypoints.class)).isZero();
                 run.awaitErr("The link to bert is lost; its commands wait");

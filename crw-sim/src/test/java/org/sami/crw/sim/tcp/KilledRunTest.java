@@ -10,11 +10,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -23,10 +25,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.cli.CommandResult;
 import org.sami.crw.sim.cli.CrwProcess;
+import org.sami.crw.sim.cli.JournalEntries;
 import org.sami.spn.value.GeoPoint;
 
 /** Real processes of {@code crw run --connect}, killed as by {@code kill -9}, and what the next process makes of their journals. */
@@ -38,59 +42,63 @@ class KilledRunTest {
     /** Each lane has its own boats and kills one run after another. */
     private static final int LANES = 4;
 
-    /** The mission begins within the first second and takes some ten. */
-    private static final double EARLIEST_S = 0.2;
+    /** Entries and telemetry; a run writes some more. */
+    private static final long ROWS = 110;
 
-    private static final double LATEST_S = 9;
     private static final int LOCATIONS = 4;
 
     @TempDir
     private Path folder;
-
-    /** What became of one run. */
-    private record Fate(boolean killed, long resumedFrom) {}
 
     @Test
     void killedAnywhereItIsTakenUpVisitsEverythingAndNoCommandIsExecutedTwice() throws Exception {
         Random random = new Random(59);
         ExecutorService lanes = Executors.newFixedThreadPool(LANES);
         try {
-            List<Future<Fate>> fates = new ArrayList<>();
+            List<Future<Long>> deaths = new ArrayList<>();
             for (int i = 0; i < KILLS; i++) {
                 Path place = Files.createDirectory(folder.resolve("kill" + i));
-                double afterS = EARLIEST_S + (LATEST_S - EARLIEST_S) * (i + random.nextDouble()) / KILLS;
+                long row = 1 + (long) (ROWS * (i + random.nextDouble()) / KILLS);
                 long seed = 100L + i;
-                fates.add(lanes.submit(() -> killedAndTakenUp(place, seed, afterS)));
+                deaths.add(lanes.submit(() -> killedAndTakenUp(place, seed, row)));
             }
-            List<Fate> all = new ArrayList<>();
-            for (Future<Fate> fate : fates) {
-                all.add(fate.get(300, TimeUnit.SECONDS));
+            Set<Long> resumedFrom = new TreeSet<>();
+            for (Future<Long> death : deaths) {
+                resumedFrom.add(death.get());
             }
-            assertThat(all.stream().filter(Fate::killed).count())
-                    .as("runs that were still alive")
-                    .isGreaterThanOrEqualTo(KILLS * 3 / 4);
-            assertThat(all.stream().map(Fate::resumedFrom).collect(Collectors.toSet()))
-                    .as("different places of death")
-                    .hasSizeGreaterThanOrEqualTo(KILLS / 4);
+            assertThat(resumedFrom).as("different places of death").hasSizeGreaterThanOrEqualTo(KILLS / 4);
         } finally {
             lanes.shutdownNow();
         }
     }
 
-    private static Fate killedAndTakenUp(Path place, long seed, double afterS) throws Exception {
+    /**
+     * Kills a run once its journal has so many rows, and takes it up; where it was over before it could be killed, another one.
+     *
+     * @return after which entry it died
+     */
+    private static long killedAndTakenUp(Path place, long seed, long row) throws Exception {
+        for (int i = 1; ; i++) {
+            Path tried = Files.createDirectory(place.resolve("run" + i));
+            OptionalLong died = killedAndTakenUpWhereItWasAlive(tried, seed, row);
+            if (died.isPresent()) {
+                return died.getAsLong();
+            }
+        }
+    }
+
+    private static OptionalLong killedAndTakenUpWhereItWasAlive(Path place, long seed, long row) throws Exception {
         try (BoatOnTcp anna = boat("anna", place, 10.9);
                 BoatOnTcp bert = boat("bert", place, 10.9001)) {
             Path journal = place.resolve("journal");
-            boolean killed;
             try (CrwProcess run = CrwProcess.start(place, mission(journal, seed, List.of(anna, bert)))) {
                 run.awaitErr("boats at ");
-                killed = !isOver(run, afterS);
-                run.kill();
+                JournalEntries.killOnce(() -> JournalEntries.withTelemetryIn(journal) >= row, run);
             }
 
             CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--json");
 
-            String what = "killed after " + afterS + " s: " + resumed.err();
+            String what = "killed at row " + row + ": " + resumed.err();
             assertThat(resumed.exitCode()).as(what).isZero();
             JsonNode report = new ObjectMapper().readTree(resumed.out());
             assertThat(report.path("outcome").asText()).as(what).isEqualTo("ended");
@@ -98,19 +106,17 @@ class KilledRunTest {
             for (String boat : List.of("anna", "bert")) {
                 assertThat(executedIds(place, boat)).as(what).doesNotHaveDuplicates();
             }
-            return new Fate(killed, report.path("resumedFrom").asLong());
+            return resumed.err().contains("this run was over already")
+                    ? OptionalLong.empty()
+                    : OptionalLong.of(report.path("resumedFrom").asLong());
         }
-    }
-
-    private static boolean isOver(CrwProcess run, double withinS) throws InterruptedException {
-        return run.endsWithin((long) (withinS * 1000));
     }
 
     private static BoatOnTcp boat(String name, Path logs, double lonDeg) throws Exception {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         BoatSettings settings =
                 BoatSettings.of(name, anyPort, GeoPoint.of(45.4, lonDeg), 1).loggingTo(logs);
-        return new BoatOnTcp(settings, SteadyClock.ofThisMachine(), TcpServerListener.NONE);
+        return new BoatOnTcp(settings, new SteadyClock(ProcessClock::ms), TcpServerListener.NONE);
     }
 
     private static List<String> mission(Path journal, long seed, List<BoatOnTcp> boats) {

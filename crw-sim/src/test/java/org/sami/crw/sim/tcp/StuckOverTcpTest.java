@@ -15,7 +15,7 @@ import org.sami.crw.sim.run.TestRuns;
 
 /** A run over TCP in which nothing can happen any longer ends and says why. */
 @Tag("process")
-@Timeout(120)
+@Timeout(300)
 class StuckOverTcpTest {
     @TempDir
     private Path folder;

@@ -20,7 +20,7 @@ import org.sami.crw.sim.cli.CrwProcess;
 
 /** Runs over TCP that are taken up when not everything is as it was. */
 @Tag("process")
-@Timeout(240)
+@Timeout(300)
 class TakenUpRunTest {
     private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -86,7 +86,6 @@ class TakenUpRunTest {
                         journal))) {
             Await.until(
                     "bert is under way",
-                    60,
                     () -> fleet.log("bert").stream().anyMatch(entry -> entry.command() instanceof StartWaypoints));
             run.kill();
         }

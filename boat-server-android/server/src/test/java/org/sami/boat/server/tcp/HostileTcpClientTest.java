@@ -57,7 +57,7 @@ import org.sami.boat.server.tcp.TcpBench.Client;
 import org.sami.boat.server.testing.Await;
 
 /** Streams that are cut, bent, doubled or never were frames: the boat stays whole, and serves the next client. */
-@Timeout(60)
+@Timeout(300)
 class HostileTcpClientTest {
     private static final List<Waypoint> OLD = List.of(new Waypoint(45.1, 10, 1));
     private static final List<Waypoint> NEW = List.of(new Waypoint(45.2, 10, 1), new Waypoint(45.3, 10, 1));
@@ -127,7 +127,7 @@ class HostileTcpClientTest {
 
     /** A commander in a boat that may still have to learn that its last one has gone. */
     private Client commander() throws Exception {
-        Await.until("the last client is gone", 30, () -> bench.server.clientCount() == 0);
+        Await.until("the last client is gone", () -> bench.server.clientCount() == 0);
         return bench.greet("base", Role.COMMANDER, 10);
     }
 
@@ -336,7 +336,7 @@ class HostileTcpClientTest {
         for (int i = 0; i < 10; i++) {
             bench.connect().send(declared);
         }
-        Await.until("all are connected", 30, () -> bench.server.clientCount() == 11);
+        Await.until("all are connected", () -> bench.server.clientCount() == 11);
         for (int i = 0; i < 10; i++) {
             watching.await(Telemetry.class); // the bytes are there by now
         }
@@ -355,14 +355,14 @@ class HostileTcpClientTest {
             AtomicInteger sent = new AtomicInteger();
             Thread sender = new Thread(() -> sendMany(client, frame, 200, sent), busy.name + "-sender");
             sender.start();
-            Await.untilStill("it has to wait", 0.5, 20, sent::get);
+            Await.untilStill("it has to wait", 0.5, sent::get);
 
             assertThat(sent.get() * (long) frame.length)
                     .as("bytes in two frames, and in the sockets")
                     .isLessThan(32 << 20)
                     .isLessThan(200L * frame.length);
             goOn.countDown();
-            sender.join(30_000);
+            sender.join(60_000);
             assertThat(sent.get()).isEqualTo(200);
             client.say(new StopMotors("x"));
             while (!client.await(Ack.class).commandId().equals("x")) {}

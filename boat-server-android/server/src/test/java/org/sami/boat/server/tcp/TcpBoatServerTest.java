@@ -41,10 +41,12 @@ import org.sami.boat.server.FrameBytes;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.tcp.TcpBench.Client;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 
-@Timeout(60)
+@Timeout(300)
 class TcpBoatServerTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.1, 10, 1.5), new Waypoint(45.2, 10, 1.6));
+    private static final String SILENT = "it has been silent for too long";
     private static final UnaryOperator<TcpServerConfig> AS_IT_IS = UnaryOperator.identity();
     private static final UnaryOperator<ServerConfig.Builder> AS_IS = UnaryOperator.identity();
 
@@ -95,25 +97,25 @@ class TcpBoatServerTest {
             Client other = bench.greet("other", Role.OBSERVER, 50);
             Client slow = bench.greet("slow", Role.COMMANDER, 50);
             slow.say(new UploadWaypoints("u", "l", Collections.nCopies(5000, PATH.get(0))));
-            List<Double> answeredMs = new ArrayList<>();
+            List<Long> answeredMs = new ArrayList<>();
             for (int i = 0; bench.goodbyes.isEmpty() && i < 2000; i++) {
                 try {
                     slow.say(new ReadBack("r" + i)); // 100 kB for each of these, never read
                 } catch (IOException e) {
                     break; // dropped
                 }
-                long asked = System.nanoTime();
+                long askedMs = ProcessClock.ms();
                 other.say(new Hello("boat1", "other", Role.OBSERVER, 50, ""));
                 other.await(Welcome.class);
-                answeredMs.add((System.nanoTime() - asked) / 1e6);
+                answeredMs.add(ProcessClock.ms() - askedMs);
             }
-            Await.until("the slow client is dropped", 30, () -> bench.server.clientCount() == 1);
+            Await.until("the slow client is dropped", () -> bench.server.clientCount() == 1);
 
             assertThat(bench.goodbyes).first().asString().contains("does not take");
             Collections.sort(answeredMs);
             assertThat(answeredMs.get(answeredMs.size() / 2))
                     .as("usual time of an answer to the other, ms")
-                    .isLessThan(1000);
+                    .isLessThan(1000L);
             other.say(new Hello("boat1", "other", Role.COMMANDER, 1, ""));
             assertThat(other.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
             assertThat(bench.failures).isEmpty();
@@ -230,7 +232,7 @@ class TcpBoatServerTest {
             startPath(commander);
             while (bench.nextOf(observer).mode() != BoatMode.PATH) {}
             commander.close();
-            Await.until("the boat sees it", 30, () -> bench.goodbyes.contains("it has closed the link"));
+            Await.until("the boat sees it", () -> bench.goodbyes.contains("it has closed the link"));
             long closedMs = bench.timeMs();
 
             Telemetry last = bench.nextOf(observer);
@@ -273,7 +275,7 @@ class TcpBoatServerTest {
                         .close();
             }
 
-            Await.until("their threads end", 30, () -> Await.threads(bench.name) == before);
+            Await.until("their threads end", () -> Await.threads(bench.name) == before);
             assertThat(bench.server.clientCount()).isEqualTo(1);
             watching.await(Telemetry.class);
             assertThat(bench.failures).isEmpty();
@@ -288,7 +290,7 @@ class TcpBoatServerTest {
         bench.server.close();
 
         assertThat(client.isClosedByTheBoat()).isTrue();
-        Await.until("all threads end", 30, () -> Await.threads(bench.name) == 0);
+        Await.until("all threads end", () -> Await.threads(bench.name) == 0);
         try (ServerSocket again = new ServerSocket()) {
             again.setReuseAddress(true);
             again.bind(new java.net.InetSocketAddress(java.net.InetAddress.getLoopbackAddress(), port));
@@ -314,7 +316,7 @@ class TcpBoatServerTest {
             Client silent = bench.connect();
 
             assertThat(silent.isClosedByTheBoat()).isTrue();
-            Await.until("it is said why", 30, () -> bench.goodbyes.contains("it does not say who it is"));
+            Await.until("it is said why", () -> bench.goodbyes.contains("it does not say who it is"));
         }
     }
 
@@ -326,7 +328,7 @@ class TcpBoatServerTest {
             bench.duringTick = () -> Await.latch(goOn); // or the boat may say first that it reads nothing
 
             assertThat(halfOpen.isClosedByTheBoat()).isTrue();
-            Await.until("it is said why", 30, () -> bench.goodbyes.contains("it has been silent for too long"));
+            Await.until("it is said why", () -> bench.goodbyes.contains(SILENT));
             goOn.countDown();
         }
     }
@@ -334,20 +336,27 @@ class TcpBoatServerTest {
     @Test
     void clientWhoseFrameNeverEndsIsDropped() throws Exception {
         try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(600_000, 3000))) {
-            Client mumbling = bench.greet("base", Role.COMMANDER, 10);
-            mumbling.send(
-                    ByteBuffer.allocate(4).putInt(LinkCodec.DEFAULT_MAX_BYTES).array()); // a flipped bit in a length
-            Await.until("it is dropped", 30, () -> {
-                try {
-                    mumbling.send(new byte[] {2});
-                } catch (IOException e) {
-                    return true;
-                }
-                return !bench.goodbyes.isEmpty();
-            });
+            do {
+                bench.goodbyes.clear();
+                mumble(bench);
+            } while (bench.goodbyes.contains(SILENT)); // on a machine that stood still meanwhile
 
             assertThat(bench.goodbyes).containsExactly("it says nothing that can be read");
         }
+    }
+
+    /** Says a byte of a long frame now and then until it is dropped. */
+    private static void mumble(TcpBench bench) throws Exception {
+        Client mumbling = bench.greet("base", Role.COMMANDER, 10);
+        mumbling.send(ByteBuffer.allocate(4).putInt(LinkCodec.DEFAULT_MAX_BYTES).array()); // a flipped bit in a length
+        Await.until("it is dropped", () -> {
+            try {
+                mumbling.send(new byte[] {2});
+            } catch (IOException dropped) {
+                // and it is said why
+            }
+            return !bench.goodbyes.isEmpty();
+        });
     }
 
     @Test
@@ -361,7 +370,7 @@ class TcpBoatServerTest {
             assertThat(third.isClosedByTheBoat()).isTrue();
             first.await(Telemetry.class);
             first.close();
-            Await.until("there is room", 30, () -> bench.server.clientCount() == 1);
+            Await.until("there is room", () -> bench.server.clientCount() == 1);
             bench.greet("d", Role.OBSERVER, 10);
         }
     }
@@ -383,7 +392,7 @@ class TcpBoatServerTest {
                 base.say(new StopMotors("s" + i));
                 assertThat(base.await(Ack.class).commandId()).isEqualTo("s" + i);
                 base.close();
-                Await.until("nobody commands", 30, () -> bench.goodbyes.contains("it has closed the link"));
+                Await.until("nobody commands", () -> bench.goodbyes.contains("it has closed the link"));
                 bench.goodbyes.clear();
             }
             Client base = bench.greet("base", Role.COMMANDER, 10);
@@ -463,9 +472,7 @@ class TcpBoatServerTest {
             assertThat(yesterday.await(Goodbye.class).reason()).contains("bring both to the same version");
             assertThat(yesterday.isClosedByTheBoat()).isTrue();
             Await.until(
-                    "it is said why",
-                    5,
-                    () -> bench.goodbyes.contains("it speaks link version 1, this boat version 2"));
+                    "it is said why", () -> bench.goodbyes.contains("it speaks link version 1, this boat version 2"));
             assertThat(bench.executed).isEmpty();
         }
     }

@@ -5,28 +5,36 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntSupplier;
 
-/** Waits for what happens on other threads, for a bounded time. */
+/** Waits for what happens on other threads and in other processes, in the time of the {@link ProcessClock}. */
 public final class Await {
+    /** Until it is given up; long, for a machine that has much else to do. */
+    public static final double AT_MOST_S = 60;
+
     private static final long PAUSE_NANOS = 3_000_000;
 
     private Await() {}
 
-    /** Returns after how many ms the condition held; fails after the time. */
-    public static double until(String what, double seconds, BooleanSupplier condition) {
-        long start = System.nanoTime();
+    /** Returns after how many ms the condition held; fails after {@link #AT_MOST_S}. */
+    public static long until(String what, BooleanSupplier condition) {
+        return until(what, AT_MOST_S, condition);
+    }
+
+    /** The same for what takes longer on any machine. */
+    public static long until(String what, double seconds, BooleanSupplier condition) {
+        long startMs = ProcessClock.ms();
         while (!condition.getAsBoolean()) {
-            if (System.nanoTime() - start > seconds * 1e9) {
+            if (ProcessClock.ms() - startMs > seconds * 1000) {
                 throw new AssertionError("not within " + seconds + " s: " + what);
             }
             LockSupport.parkNanos(PAUSE_NANOS);
         }
-        return (System.nanoTime() - start) / 1e6;
+        return ProcessClock.ms() - startMs;
     }
 
     /** Fails if the condition ceases to hold within the time. */
     public static void holds(String what, double seconds, BooleanSupplier condition) {
-        long start = System.nanoTime();
-        while (System.nanoTime() - start < seconds * 1e9) {
+        long startMs = ProcessClock.ms();
+        while (ProcessClock.ms() - startMs < seconds * 1000) {
             if (!condition.getAsBoolean()) {
                 throw new AssertionError("not for " + seconds + " s: " + what);
             }
@@ -34,16 +42,16 @@ public final class Await {
         }
     }
 
-    /** Returns once a number has not changed for a while; fails after the longer time. */
-    public static void untilStill(String what, double forSeconds, double seconds, IntSupplier number) {
+    /** Returns once a number has not changed for a while; fails after {@link #AT_MOST_S}. */
+    public static void untilStill(String what, double forSeconds, IntSupplier number) {
         int[] last = {number.getAsInt()};
-        long[] since = {System.nanoTime()};
-        until(what, seconds, () -> {
+        long[] sinceMs = {ProcessClock.ms()};
+        until(what, () -> {
             if (number.getAsInt() != last[0]) {
                 last[0] = number.getAsInt();
-                since[0] = System.nanoTime();
+                sinceMs[0] = ProcessClock.ms();
             }
-            return System.nanoTime() - since[0] > forSeconds * 1e9;
+            return ProcessClock.ms() - sinceMs[0] > forSeconds * 1000;
         });
     }
 
