@@ -16,11 +16,13 @@ import org.sami.ui.look.SemanticColor;
 final class MissionHead {
     private static final List<String> ENDING = List.of("mission-complete", "mission-abort");
     private static final String CLOSING = "mission-close";
+    private static final String PART = "mission-part";
 
     private final JLabel state = new JLabel();
     private final CommandRow line = new CommandRow();
     private final JPanel icons =
-            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "push[][][]"));
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "push[][][][]"));
+    private final CommandButton part;
 
     MissionHead(CommandRegistry commands) {
         state.setName("mission-state");
@@ -28,9 +30,12 @@ final class MissionHead {
         ENDING.forEach(id -> line.right(new CommandButton(commands.get(id))));
         line.right(new CommandButton(commands.get(CLOSING)));
         icons.setOpaque(false);
+        part = icon(commands, PART);
+        icons.add(part);
         ENDING.forEach(id -> icons.add(icon(commands, id)));
         icons.add(icon(commands, CLOSING));
         setLow(false);
+        needPart(false);
     }
 
     private static CommandButton icon(CommandRegistry commands, String id) {
@@ -53,6 +58,11 @@ final class MissionHead {
         icons.setVisible(low);
     }
 
+    /** Whether the icons begin with the one that lets a sub-mission be chosen. */
+    void needPart(boolean needed) {
+        part.setVisible(needed);
+    }
+
     /** Says what the mission does. */
     void show(String text, boolean ended) {
         state.setText(text);
@@ -61,7 +71,7 @@ final class MissionHead {
         LookColors.foreground(state, ended ? SemanticColor.MUTED : SemanticColor.OK);
         for (JComponent part : List.of(line, icons)) {
             for (var child : part.getComponents()) {
-                if (child instanceof CommandButton button) {
+                if (child instanceof CommandButton button && button != part) {
                     button.setVisible(button.getName().startsWith(CLOSING) == ended);
                 }
             }

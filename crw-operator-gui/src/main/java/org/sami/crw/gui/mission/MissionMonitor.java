@@ -99,12 +99,27 @@ public final class MissionMonitor extends JPanel {
                         .unless(() -> shown().map(view -> view.hasEnded()).orElse(false)
                                 ? Optional.empty()
                                 : Optional.of("only the tab of an ended mission can be closed")));
+        context.commands()
+                .add(new Command(
+                                "mission-part", "Show a sub-mission…", () -> shown().ifPresent(MissionView::choosePart))
+                        .withKey("ctrl P")
+                        .withIcon("layers")
+                        .unless(() ->
+                                shown().filter(MissionView::hasSubMissions).isPresent()
+                                        ? Optional.empty()
+                                        : Optional.of("the mission that is shown has no sub-mission now")));
         NetView.commands(() -> shown().map(MissionView::net)).forEach(context.commands()::add);
         tabs.addChangeListener(e -> tabChanged());
     }
 
     private void refreshCommands() {
-        List.of("mission-abort", "mission-complete", "mission-end-confirm", "mission-end-leave", "mission-close")
+        List.of(
+                        "mission-abort",
+                        "mission-complete",
+                        "mission-end-confirm",
+                        "mission-end-leave",
+                        "mission-close",
+                        "mission-part")
                 .forEach(id -> context.commands().get(id).refresh());
     }
 

@@ -10,6 +10,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JRadioButtonMenuItem;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.EngineText;
@@ -43,8 +45,10 @@ final class MissionNet extends JPanel {
     private MissionsSnapshot missions;
     private long drawn = Ids.NONE;
     private Optional<Plan> plan = Optional.empty();
+    private Runnable lowListener = () -> {};
     private boolean filling;
     private boolean modeChosen;
+    private boolean low;
 
     /** A mission in the list of those that can be shown. */
     private record Shown(long mission, String title) {
@@ -100,12 +104,53 @@ final class MissionNet extends JPanel {
         show(missions);
     }
 
-    /** Where there is hardly room for the net, the modes are left to their key. */
+    /** Where there is hardly room for the net it has all of it: modes are left to their key, sub-missions to a menu. */
     @Override
     public void doLayout() {
-        mode.setVisible(getHeight() >= Look.px(LOW));
-        head.setVisible(mode.isVisible() || which.isVisible());
+        boolean before = low;
+        low = getHeight() < Look.px(LOW);
+        head.setVisible(!low);
         super.doLayout();
+        if (before != low) {
+            lowListener.run();
+        }
+    }
+
+    /** Is told when {@link #needsMenu} may have changed. */
+    void onNeedOfMenu(Runnable listener) {
+        lowListener = listener;
+    }
+
+    /** Whether there are sub-missions to choose from, and no room for their list. */
+    boolean needsMenu() {
+        return low && hasSubMissions();
+    }
+
+    /** Whether anything but the mission itself can be shown. */
+    boolean hasSubMissions() {
+        return which.getItemCount() > 1;
+    }
+
+    /** Lets the operator choose what is shown: in the list, or, where it has no room, in a menu. */
+    void choose() {
+        if (low) {
+            menu().show(this, 0, 0);
+        } else {
+            which.requestFocusInWindow();
+            which.showPopup();
+        }
+    }
+
+    private JPopupMenu menu() {
+        JPopupMenu menu = new JPopupMenu();
+        menu.setName("mission-part-menu");
+        for (int i = 0; i < which.getItemCount(); i++) {
+            Shown shown = which.getItemAt(i);
+            JRadioButtonMenuItem item = new JRadioButtonMenuItem(shown.title(), shown.equals(which.getSelectedItem()));
+            item.addActionListener(e -> which.setSelectedItem(shown));
+            menu.add(item);
+        }
+        return menu;
     }
 
     /** The net itself. */
@@ -133,8 +178,9 @@ final class MissionNet extends JPanel {
             which.removeAllItems();
             wanted.forEach(which::addItem);
             which.setSelectedItem(wanted.contains(before) ? before : wanted.isEmpty() ? null : wanted.get(0));
-            which.setVisible(wanted.size() > 1);
+            which.setVisible(hasSubMissions());
             filling = false;
+            lowListener.run();
         }
     }
 

@@ -65,6 +65,8 @@ final class MissionView extends JPanel {
         JScrollPane scrolledPhases = new JScrollPane(phases);
         scrolledPhases.setBorder(BorderFactory.createEmptyBorder());
         net = new MissionNet(context, all, mission);
+        net.onNeedOfMenu(() -> head.needPart(net.needsMenu()));
+        head.needPart(net.needsMenu());
         parts.addTab("Net", net);
         parts.addTab("Waits", places);
         parts.addTab("Phases", scrolledPhases);
@@ -79,6 +81,17 @@ final class MissionView extends JPanel {
     /** Its net. */
     NetView net() {
         return net.view();
+    }
+
+    /** Whether it has sub-missions whose nets can be shown. */
+    boolean hasSubMissions() {
+        return net.hasSubMissions();
+    }
+
+    /** Lets the operator choose whose net is shown. */
+    void choosePart() {
+        parts.setSelectedComponent(net);
+        net.choose();
     }
 
     EndingPanel ending() {

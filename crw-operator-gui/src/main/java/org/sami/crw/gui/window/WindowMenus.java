@@ -33,7 +33,9 @@ public final class WindowMenus {
                 "mission-abort",
                 "mission-end-confirm",
                 "mission-end-leave",
-                "mission-close"));
+                "mission-close",
+                "",
+                "mission-part"));
         bar.add(menus.menu(
                 "Boats",
                 'B',
