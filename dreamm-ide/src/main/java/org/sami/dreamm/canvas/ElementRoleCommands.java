@@ -33,7 +33,8 @@ final class ElementRoleCommands {
                 "net-set-start",
                 "Start here",
                 () -> applyToVertex((plan, id) -> new VertexEdit.SetStart(plan, id)),
-                this::whyNotPlace);
+                this::whyNotPlace,
+                "S");
         commands.add(
                 "net-set-end",
                 "End here, or not",
@@ -41,17 +42,20 @@ final class ElementRoleCommands {
                     boolean end = net.plan().place(id).orElseThrow().end();
                     return new VertexEdit.SetEnd(plan, id, !end, false);
                 }),
-                this::whyNotPlace);
+                this::whyNotPlace,
+                "shift S");
         commands.add(
                 "net-mark-recovery",
                 "Make it a recovery part",
                 () -> mark(Mode.RECOVERY),
-                commands.selected("net-mark-recovery"));
+                commands.selected("net-mark-recovery"),
+                "Y");
         commands.add(
                 "net-mark-nominal",
                 "Make it a nominal part",
                 () -> mark(Mode.NOMINAL),
-                commands.selected("net-mark-nominal"));
+                commands.selected("net-mark-nominal"),
+                "shift Y");
         commands.add(
                 "net-extract",
                 "Extract to a sub-mission",

@@ -54,6 +54,7 @@ final class LayoutCommands {
         add("net-layout-forces", "Lay out by forces", "shift L", ForceLayout::of);
         context.commands()
                 .add(new Command("net-layout-cancel", "Cancel the layout", this::cancel)
+                        .withKey("ctrl shift L")
                         .unless(() -> underWay.isPresent() ? Optional.empty() : Optional.of("no layout is under way")));
     }
 

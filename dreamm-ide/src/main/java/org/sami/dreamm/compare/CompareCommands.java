@@ -29,6 +29,7 @@ final class CompareCommands {
         this.compare = compare;
         saved = context.commands()
                 .add(new Command("plan-compare-saved", "Compare with what was saved", this::compareWithSaved)
+                        .withKey("ctrl shift K")
                         .withIcon("compare")
                         .unless(() -> whyNot().or(
                                         () -> context.document().file().isPresent()
@@ -36,6 +37,7 @@ final class CompareCommands {
                                                 : Optional.of("the project is not saved in a file yet"))));
         file = context.commands()
                 .add(new Command("plan-compare-file", "Compare with a file…", this::compareWithFile)
+                        .withKey("alt shift K")
                         .withIcon("file")
                         .unless(this::whyNot));
     }

@@ -34,11 +34,20 @@ public final class ExportCommands {
                                     "plan-export-" + format.suffix(),
                                     "Export the plan as " + format.label() + "…",
                                     () -> commands.choose(format))
+                            .withKey(key(format))
                             .withIcon("export")
                             .unless(() -> context.editor().plan().isPresent()
                                     ? Optional.empty()
                                     : Optional.of("no plan is open")));
         }
+    }
+
+    private static String key(PictureFormat format) {
+        return switch (format) {
+            case PNG -> "alt shift I";
+            case SVG -> "alt shift V";
+            case PDF -> "alt shift D";
+        };
     }
 
     private void choose(PictureFormat format) {

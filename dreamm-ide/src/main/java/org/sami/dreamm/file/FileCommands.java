@@ -43,13 +43,15 @@ public final class FileCommands implements AutoCloseable {
         add(new Command("project-open", "Open a project…", () -> unsaved.guard(this::choose))
                 .withKey("ctrl O")
                 .withIcon("folder"));
-        add(new Command("library-open", "Open the library of plans", () -> unsaved.guard(this::openLibrary)));
+        add(new Command("library-open", "Open the library of plans", () -> unsaved.guard(this::openLibrary))
+                .withKey("ctrl shift O"));
         add(new Command("project-save", "Save", () -> save(() -> {}))
                 .withKey("ctrl S")
                 .withIcon("file")
                 .unless(this::whyNotSave));
         add(new Command("project-save-as", "Save as a file…", () -> saveAs(() -> {})).withKey("ctrl shift S"));
-        add(new Command("project-save-folder", "Save as a folder, one file for each plan…", this::saveAsFolder));
+        add(new Command("project-save-folder", "Save as a folder, one file for each plan…", this::saveAsFolder)
+                .withKey("alt shift S"));
         new ImportCommands(context, file, dialogs, unsaved).register();
     }
 

@@ -29,10 +29,11 @@ final class ImportCommands {
         GeometryImport geometry = new GeometryImport(context);
         context.commands()
                 .add(new Command(
-                        "import-geometry",
-                        "Import locations, paths or areas as a variable…",
-                        () -> dialogs.open("Import a text file of positions", "Text files", "txt")
-                                .ifPresent(geometry::read)));
+                                "import-geometry",
+                                "Import locations, paths or areas as a variable…",
+                                () -> dialogs.open("Import a text file of positions", "Text files", "txt")
+                                        .ifPresent(geometry::read))
+                        .withKey("alt shift G"));
         context.commands()
                 .add(new Command(
                                 "import-legacy",
@@ -40,6 +41,7 @@ final class ImportCommands {
                                 () -> unsaved.guard(() -> dialogs.open(
                                                 "Import an export of the earlier system", "Exported projects", "json")
                                         .ifPresent(this::readLegacy)))
+                        .withKey("alt shift O")
                         .unless(() -> context.source().hasLegacyTable()
                                 ? Optional.empty()
                                 : Optional.of("this domain has no legacy.json, which says what the classes meant")));

@@ -1,10 +1,12 @@
 package org.sami.dreamm.issues;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import javax.swing.KeyStroke;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.analysis.space.DeepCheck;
 import org.sami.spn.analysis.space.DeepRequest;
@@ -14,6 +16,11 @@ import org.sami.ui.command.Command;
 /** What can be done with issues: go through them, show, mend, play, and search deeper. */
 public final class IssueCommands {
     private static final int MOST_STATES = 5_000;
+
+    /** The key that shows a row, while the list has the focus. */
+    static final KeyStroke SHOW = KeyStroke.getKeyStroke("ENTER");
+
+    private static final List<String> DEEP_KEYS = List.of("ctrl F8", "ctrl shift F8");
 
     private final DreammContext context;
     private final IssueList issues;
@@ -38,7 +45,8 @@ public final class IssueCommands {
         this.deep = deep;
         add("issue-next", "Next issue", "F8", "down", () -> issues.step(true), this::whyNone);
         add("issue-previous", "Previous issue", "shift F8", "up", () -> issues.step(false), this::whyNone);
-        add("issue-show", "Show the issue on the net", "", "fit", this::show, this::whyNotChosen);
+        add("issue-show", "Show the issue on the net", "", "fit", this::show, this::whyNotChosen)
+                .withFocusKeys(List.of(SHOW));
         add("issue-fix", "Mend the issue", "alt ENTER", "check", this::fix, this::whyNoFix);
         add(
                 "issue-play",
@@ -47,11 +55,12 @@ public final class IssueCommands {
                 "play",
                 () -> issues.current().flatMap(Issue::witness).ifPresent(player),
                 this::whyNoWitness);
+        Iterator<String> keys = DEEP_KEYS.iterator();
         for (DeepCheck check : DeepCheck.ALL) {
             deepCommands.add(add(
                     "deep-" + check.id(),
                     check.title(),
-                    "",
+                    keys.hasNext() ? keys.next() : "",
                     "search",
                     () -> run(check, robots.get()),
                     this::whyNotDeep));
@@ -59,7 +68,7 @@ public final class IssueCommands {
         stop = add(
                 "deep-stop",
                 "Stop the search",
-                "",
+                "ctrl F2",
                 "stop",
                 deep::cancel,
                 () -> deep.isRunning() ? Optional.empty() : Optional.of("no search runs"));

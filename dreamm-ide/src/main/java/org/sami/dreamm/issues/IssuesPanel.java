@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Insets;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
-import java.awt.event.KeyEvent;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -20,7 +19,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
-import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
@@ -152,9 +150,7 @@ public final class IssuesPanel extends JPanel {
     private void bindTable() {
         table.table().getAccessibleContext().setAccessibleName("Issues");
         table.addSelectionListener(() -> table.selected().ifPresent(issues::lookAt));
-        table.table()
-                .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-                .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "issue-show");
+        table.table().getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(IssueCommands.SHOW, "issue-show");
         table.table().getActionMap().put("issue-show", context.commands().get("issue-show"));
     }
 

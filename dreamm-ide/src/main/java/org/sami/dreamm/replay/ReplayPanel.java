@@ -91,6 +91,7 @@ public final class ReplayPanel extends JPanel {
                 .withKey("ctrl shift J")
                 .withIcon("folder");
         Command close = new Command("replay-close", "Close the journal", this::closeJournal)
+                .withKey("ctrl shift W")
                 .withIcon("close")
                 .unless(() -> replay.isPresent() ? Optional.empty() : Optional.of("no journal is open"));
         context.commands().add(open);

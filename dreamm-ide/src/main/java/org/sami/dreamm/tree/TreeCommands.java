@@ -23,6 +23,7 @@ import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.ui.canvas.CanvasKey;
 import org.sami.ui.command.Command;
 
 /** What can be done with lines of the mission tree, and with names everywhere. On the event thread. */
@@ -55,7 +56,7 @@ final class TreeCommands {
         add(new Command("plan-new", "New plan…", this::newPlan)
                 .withKey("ctrl shift N")
                 .withIcon("plus"));
-        add(new Command("folder-new", "New folder in the mission tree…", this::newFolder));
+        add(new Command("folder-new", "New folder in the mission tree…", this::newFolder).withKey("alt shift N"));
         add(new Command("rename", "Rename everywhere…", this::rename)
                 .withKey("shift F6")
                 .withIcon("edit"));
@@ -63,6 +64,7 @@ final class TreeCommands {
                 .withKey("ctrl shift D")
                 .unless(() -> unless(plan().isPresent(), "no plan is open")));
         add(new Command("tree-delete", "Delete from the mission tree", this::delete)
+                .withFocusKeys(CanvasKey.strokes("DELETE"))
                 .unless(() -> unless(
                         selected()
                                 .filter(i -> i.kind() != Kind.PROJECT && i.kind() != Kind.VARIABLES)
@@ -77,6 +79,7 @@ final class TreeCommands {
                 .withIcon("down")
                 .unless(() -> unless(movable().isPresent(), "no plan or folder is selected in the mission tree")));
         add(new Command("tree-open", "Open the plan that a sub-mission runs", this::open)
+                .withFocusKeys(CanvasKey.strokes("ENTER"))
                 .unless(() -> unless(
                         selected().filter(i -> i.kind() == Kind.SUB_MISSION).isPresent(),
                         "no sub-mission is selected in the mission tree")));

@@ -45,12 +45,12 @@ public final class TryOutCommands {
                 this::breakpoint,
                 this::whyNoVertex);
         add("try-why", "Why is it not enabled?", "ctrl F6", "help", this::why, this::whyNoTransition);
-        add("try-start-at", "Start from the marking", "", "go-to", this::startAt, this::whyNoMarking);
+        add("try-start-at", "Start from the marking", "alt F5", "go-to", this::startAt, this::whyNoMarking);
         add("try-cases", "Run all saved cases", "ctrl F11", "check", cases::runAll, cases::whyNotRun);
         add(
                 "try-coverage",
                 "Show what no case visits",
-                "",
+                "ctrl shift F11",
                 "layers",
                 () -> overlay.setCoverage(!overlay.isCoverage()),
                 () -> cases.coverage().isPresent() ? Optional.empty() : Optional.of("run the saved cases first"));

@@ -21,8 +21,10 @@ public final class ViewCommands {
     public ViewCommands(CommandRegistry commands, JFrame frame, WindowSettings settings) {
         this.commands = commands;
         this.settings = settings;
+        int digit = 1;
         for (Theme theme : Theme.values()) {
             add(new Command("theme-" + theme.id(), "Theme: " + theme.title(), () -> look(theme, Look.scalePercent()))
+                    .withKey("ctrl shift " + digit++)
                     .withIcon("theme"));
         }
         add(new Command("scale-larger", "Larger text", () -> look(Look.theme(), Look.nextScale(true)))
@@ -36,6 +38,7 @@ public final class ViewCommands {
                     Look.setHighRows(!Look.hasHighRows());
                     look(Look.theme(), Look.scalePercent());
                 })
+                .withKey("ctrl shift " + digit)
                 .withIcon("hand"));
         add(new Command("command-search", "Find a command…", () -> CommandSearch.open(frame, commands))
                 .withKey("ctrl shift P")
@@ -63,6 +66,8 @@ public final class ViewCommands {
                     .withKey((number > DIGITS ? "alt shift " : "alt ") + number % DIGITS));
             number++;
         }
-        add(new Command("panels-reset", "Put all panels back", dock::reset).withIcon("layout"));
+        add(new Command("panels-reset", "Put all panels back", dock::reset)
+                .withKey("alt HOME")
+                .withIcon("layout"));
     }
 }

@@ -22,8 +22,14 @@ final class BoatControl {
         add("boat-stop", "Stop", "ctrl shift S", "stop", Fleet::stop, "is stopped until it is released");
         add("boat-release", "Release", "ctrl shift R", "release", Fleet::release, "goes on");
         commands.add(teleoperation.command());
-        add("boat-take", "Take command", "", "plus", Fleet::takeCommand, "is asked to obey this base");
-        add("boat-hand-over", "Only watch", "", "connect", Fleet::handOver, "is watched; another base may command it");
+        add("boat-take", "Take command", "ctrl T", "plus", Fleet::takeCommand, "is asked to obey this base");
+        add(
+                "boat-hand-over",
+                "Only watch",
+                "ctrl shift W",
+                "connect",
+                Fleet::handOver,
+                "is watched; another base may command it");
         add("boat-resend", "Send path again", "ctrl shift U", "resend", BoatControl::resend, "gets its path again");
         add(
                 "boat-clear-block",
@@ -32,7 +38,7 @@ final class BoatControl {
                 "clear",
                 Fleet::clearBlock,
                 "is free for other missions");
-        add("boat-disconnect", "Disconnect", "", "link-lost", Fleet::disconnect, "is disconnected");
+        add("boat-disconnect", "Disconnect", "ctrl shift X", "link-lost", Fleet::disconnect, "is disconnected");
         context.boats().addListener(() -> commands.forEach(Command::refresh));
     }
 
@@ -62,11 +68,9 @@ final class BoatControl {
                         id,
                         title,
                         () -> forSelected(boat -> action.apply(context.session().fleet(), boat), done))
+                .withKey(key)
                 .withIcon(icon)
                 .unless(this::whyNot);
-        if (!key.isEmpty()) {
-            command.withKey(key);
-        }
         commands.add(context.commands().add(command));
     }
 

@@ -19,8 +19,9 @@ final class DecisionCommands {
                 .withKey("alt ENTER")
                 .withIcon("check")
                 .unless(panel::whyNot));
-        refuse = registry.add(
-                new Command("decision-refuse", "None of these", panel::refuse).unless(panel::whyNotRefuse));
+        refuse = registry.add(new Command("decision-refuse", "None of these", panel::refuse)
+                .withKey("alt BACK_SPACE")
+                .unless(panel::whyNotRefuse));
         draw = registry.add(new Command("decision-draw", "Draw on the map", panel::drawOnMap)
                 .withKey("alt D")
                 .withIcon("map")

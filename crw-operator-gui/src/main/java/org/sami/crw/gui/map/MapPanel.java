@@ -138,7 +138,9 @@ public final class MapPanel extends JPanel {
                 .withKey("ctrl L")
                 .withIcon("layers");
         tools.right(new CommandButton(context.commands().add(layers)));
-        Command base = new Command("map-base", "Base map…", this::openBaseMap).withIcon("map");
+        Command base = new Command("map-base", "Base map…", this::openBaseMap)
+                .withKey("alt shift B")
+                .withIcon("map");
         tools.right(new CommandButton(context.commands().add(base)));
         context.commands().add(view.stopReading());
         context.commands().add(new SimulatedBoatAdder(context, this::middle).command());

@@ -22,6 +22,9 @@ import org.sami.ui.value.WrappedText;
 
 /** Says what an abort or a completion will do, in place, and has it done or left. Not seen while nothing is proposed. */
 final class EndingPanel extends JPanel {
+    /** The key that lets the mission run, while the panel has the focus. */
+    static final KeyStroke LEAVE = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
+
     private static final int MOST_HIGH = 96;
 
     private final WrappedText title = WrappedText.heading("");
@@ -57,8 +60,7 @@ final class EndingPanel extends JPanel {
         scroll.setOpaque(false);
         scroll.getViewport().setOpaque(false);
         add(scroll, "span, growx, wmin 60, hmin 24, hmax " + Look.px(MOST_HIGH));
-        getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-                .put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "leave");
+        getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(LEAVE, "leave");
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                 .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "confirm");
         getActionMap().put("leave", commands.get("mission-end-leave"));

@@ -19,6 +19,7 @@ public final class InterruptsPanel extends JPanel {
     private static final int MOST_NAMED = 2; // the tooltip has all of them
 
     private final OperatorContext context;
+    private final InterruptCommands commands;
     private final ScrolledPanel column = new ScrolledPanel(new MigLayout("insets 8, wrap 1, fillx", "[grow]", ""));
     private Optional<Shown> shown = Optional.empty();
 
@@ -26,6 +27,7 @@ public final class InterruptsPanel extends JPanel {
     public InterruptsPanel(OperatorContext context) {
         super(new BorderLayout());
         this.context = context;
+        commands = new InterruptCommands(context);
         add(column.inPane());
         context.models().interrupts().addListener(this::show);
         context.boats().addListener(() -> show(context.models().interrupts().snapshot()));
@@ -37,6 +39,7 @@ public final class InterruptsPanel extends JPanel {
 
     /** Nothing happens where all is as it was: a button that is rebuilt has no focus any longer, and no finger on it. */
     private void show(List<InterruptChoice> choices) {
+        commands.show(choices);
         Shown now = new Shown(choices, context.boats().boats());
         if (shown.equals(Optional.of(now))) {
             return;
@@ -72,10 +75,12 @@ public final class InterruptsPanel extends JPanel {
         Optional<String> whyNot =
                 context.whyNotAct().or(() -> choice.isEnabled() ? Optional.empty() : Optional.of(choice.whyNot()));
         button.setEnabled(whyNot.isEmpty());
+        String key = commands.keyText(choice.name());
         button.setToolTipText(whyNot.orElse(
-                boats.isEmpty() && choice.asksForBoats()
-                        ? "Press " + choice.name() + "; you are asked for which boats"
-                        : "Press " + choice.name() + whom));
+                        boats.isEmpty() && choice.asksForBoats()
+                                ? "Press " + choice.name() + "; you are asked for which boats"
+                                : "Press " + choice.name() + whom)
+                + (key.isEmpty() ? "" : " (" + key + ")"));
         button.addActionListener(e -> context.tell(
                 context.session().press(choice.name(), choice.mission(), boats), "Pressed " + choice.name() + whom));
         return button;

@@ -90,6 +90,7 @@ public final class MissionMonitor extends JPanel {
                         .unless(this::whyNothingProposed));
         context.commands()
                 .add(new Command("mission-end-leave", "Let it run", () -> ending().ifPresent(EndingPanel::leave))
+                        .withFocusKeys(List.of(EndingPanel.LEAVE))
                         .withIcon("close")
                         .unless(this::whyNothingProposed));
         context.commands()

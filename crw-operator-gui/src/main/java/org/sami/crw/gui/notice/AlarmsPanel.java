@@ -48,6 +48,7 @@ public final class AlarmsPanel extends JPanel {
                         .unless(this::whyNotAcknowledge));
         mute = context.commands()
                 .add(new Command("alarm-mute", "Mute or unmute", this::muteSelected)
+                        .withKey("ctrl U")
                         .withIcon("mute")
                         .unless(() -> table.selected().isPresent()
                                 ? Optional.empty()
