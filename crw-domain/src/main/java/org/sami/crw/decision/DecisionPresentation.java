@@ -18,6 +18,8 @@ import org.sami.spn.value.ProxyValue;
  * ask by this alone (docs/decisions-model.md). Immutable; made by {@link DecisionPresenter}.
  *
  * @param decision with the question as it is asked
+ * @param boats whom it is about: the boats of the activation that asks or is asked about, or the boat that the domain asks about; none where it
+ *     is about none, or that is not known
  * @param description lines that the author added, and the names of plan, vertex and event where the markup Description shows them
  * @param options what is offered, filtered and sorted; empty for yes or no and where values are asked for
  * @param format how options are laid out (markup Selection Options)
@@ -28,6 +30,7 @@ import org.sami.spn.value.ProxyValue;
 public record DecisionPresentation(
         Decision decision,
         Asker asker,
+        List<String> boats,
         List<String> description,
         List<OfferedOption> options,
         OptionsFormat format,
@@ -56,6 +59,7 @@ public record DecisionPresentation(
     public DecisionPresentation {
         Objects.requireNonNull(decision, "decision");
         Objects.requireNonNull(asker, "asker");
+        boats = List.copyOf(boats);
         description = List.copyOf(description);
         options = List.copyOf(options);
         Objects.requireNonNull(format, "format");
@@ -120,6 +124,7 @@ public record DecisionPresentation(
         return new DecisionPresentation(
                 changed,
                 asker,
+                boats,
                 description,
                 options,
                 format,

@@ -38,7 +38,11 @@ public final class DecisionPresenter {
                 asker(mission, asking, view),
                 markups,
                 choices,
-                asking.map(Activation::proxies).orElse(List.of()),
+                asking.map(Activation::proxies)
+                        .orElseGet(() -> view.subject(decision.id())
+                                .filter(all::contains)
+                                .map(List::of)
+                                .orElse(List.of())),
                 all);
     }
 
@@ -55,6 +59,7 @@ public final class DecisionPresenter {
         return new DecisionPresentation(
                 decision,
                 asker,
+                relevant,
                 description(markups, asker),
                 choices,
                 markups.constant("SelectionOptions", "format", OptionsFormat.class)

@@ -14,11 +14,11 @@ final class BoatsInText {
     /**
      * Those that are named, in the order of their names.
      *
-     * @param fleet the names of all boats
+     * @param boats those that it can name
      */
-    static Set<String> of(String text, Collection<String> fleet) {
+    static Set<String> of(String text, Collection<String> boats) {
         Set<String> named = new TreeSet<>();
-        for (String boat : fleet) {
+        for (String boat : boats) {
             String word = "(?<!" + NO_PART_OF_A_NAME + ")" + Pattern.quote(boat) + "(?!" + NO_PART_OF_A_NAME + ")";
             if (Pattern.compile(word).matcher(text).find()) {
                 named.add(boat);

@@ -1,13 +1,14 @@
 package org.sami.crw.gui.map;
 
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Supplier;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.DecisionMap;
@@ -22,13 +23,12 @@ import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
 
 /**
- * What the shown decision speaks of, on the main map: its boats and those that the question names stand out, what is chosen or filled in is drawn above
+ * What the shown decision speaks of, on the main map: the boats that it is about stand out, what is chosen or filled in is drawn above
  * all else, and the places that the question names are marked.
  */
 final class DecisionOverlay implements DecisionMap {
     private final MapView view;
     private final SessionWays ways;
-    private final Supplier<List<String>> fleet;
     private final PlacesOnMap places;
     private final NamedPlaces named;
     private long drawnFor;
@@ -39,10 +39,8 @@ final class DecisionOverlay implements DecisionMap {
      * Adds its layers to a map.
      *
      * @param ways of boats: the paths of an option are drawn as they would be driven
-     * @param fleet the names of all boats
      */
-    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways, Supplier<List<String>> fleet) {
-        this.fleet = fleet;
+    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways) {
         this.view = view;
         this.ways = ways;
         places = new PlacesOnMap(view, "decision", marks::of);
@@ -79,7 +77,7 @@ final class DecisionOverlay implements DecisionMap {
         String prompt = decision.decision().prompt();
         Set<String> here = named.show(PlacesInText.of(prompt));
         Set<String> lit = new HashSet<>(places.ids());
-        lit.addAll(BoatsInText.of(prompt, fleet.get()));
+        lit.addAll(boats(decision));
         if (decision.question() instanceof Question.ChooseProxies asked) {
             lit.addAll(asked.proxies());
         }
@@ -88,6 +86,20 @@ final class DecisionOverlay implements DecisionMap {
             lit.addAll(here); // a place alone dims nothing
         }
         view.highlight(lit);
+    }
+
+    /**
+     * Whom it is about. Of all that an activation sends a question about ways is about some: those whose paths are known; in a replay, which has
+     * no paths, those that the question names.
+     */
+    private Collection<String> boats(DecisionPresentation decision) {
+        boolean aboutWays = DomainQuestion.of(decision.decision().type())
+                .filter(DomainQuestion::isAboutWays)
+                .isPresent();
+        return aboutWays
+                ? doubted.<Collection<String>>map(paths -> paths.byBoat().keySet())
+                        .orElseGet(() -> BoatsInText.of(decision.decision().prompt(), decision.boats()))
+                : decision.boats();
     }
 
     private static Value value(DoubtedPaths paths) {

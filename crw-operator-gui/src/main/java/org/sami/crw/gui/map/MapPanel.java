@@ -19,7 +19,6 @@ import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
-import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.PlacesInText;
@@ -293,13 +292,7 @@ public final class MapPanel extends JPanel {
 
     /** Where the shown decision is seen on this map; to be asked for once. */
     public DecisionMap decisionMap() {
-        return new DecisionOverlay(
-                view,
-                context.marks(),
-                new SessionWays(context),
-                () -> context.models().fleet().snapshot().stream()
-                        .map(BoatSnapshot::boat)
-                        .toList());
+        return new DecisionOverlay(view, context.marks(), new SessionWays(context));
     }
 
     /** Gives up its files. */

@@ -85,6 +85,7 @@ class DecisionWordsTest {
         return new DecisionPresentation(
                 decision,
                 asker,
+                plain.boats(),
                 plain.description(),
                 plain.options(),
                 plain.format(),

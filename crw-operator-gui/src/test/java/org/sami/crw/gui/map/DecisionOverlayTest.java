@@ -39,8 +39,7 @@ class DecisionOverlayTest {
         try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
             DecisionOverlay overlay = onEventThread(() -> {
                 Layout.layOut(map, 400, 300);
-                return new DecisionOverlay(
-                        map, new IdentityMarks(), new SessionWays(world.context), () -> List.of("anna"));
+                return new DecisionOverlay(map, new IdentityMarks(), new SessionWays(world.context));
             });
             world.start("far");
             until(
