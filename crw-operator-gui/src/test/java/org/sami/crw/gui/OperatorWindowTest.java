@@ -226,7 +226,7 @@ class OperatorWindowTest {
             unblocked.countDown();
         }
         robot.untilSaid("missions-count", "1 mission");
-        assertThat(boats()).extracting(BoatSnapshot::link).containsOnly(LinkState.LINKED);
+        robot.until("all are linked", () -> boats().stream().allMatch(boat -> boat.link() == LinkState.LINKED));
         robot.untilSaid("links-count", "links fresh");
         window.session().abortAll();
         robot.untilSaid("missions-count", "0 missions");

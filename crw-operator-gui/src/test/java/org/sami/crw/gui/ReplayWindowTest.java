@@ -37,6 +37,7 @@ import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Session;
+import org.sami.spn.journal.JournalReader;
 import org.sami.spn.protocol.Answer;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
@@ -68,6 +69,7 @@ class ReplayWindowTest {
     private Path folder;
 
     private long askedMillis;
+    private double waitingShare; // in the middle of the time in which the decision waits, in parts of the session
     private WindowRobot robot;
     private Component bar;
     private JLabel time;
@@ -131,12 +133,17 @@ class ReplayWindowTest {
             long decision = pending.decision().id();
             askedMillis = pending.openedAtMillis();
             Await.until("some time has passed", () -> session.scheduler().nowMs() > askedMillis + BETWEEN_MILLIS);
+            long answeredMillis = session.scheduler().nowMs();
             session.answer(decision, new Answer.YesNo(true), "test")
                     .toCompletableFuture()
                     .get(60, TimeUnit.SECONDS);
             Await.until(
                     "it is over", () -> session.models().messages().snapshot().size() == 2);
-            return data.unfinished().orElseThrow();
+            Path journal = data.unfinished().orElseThrow();
+            try (JournalReader reader = JournalReader.open(journal)) {
+                waitingShare = (askedMillis + answeredMillis) / 2.0 / reader.lastMillis();
+            }
+            return journal;
         }
     }
 
@@ -169,7 +176,7 @@ class ReplayWindowTest {
                 () -> net.drawing().vertices().size() == 3
                         && !net.marking().at("ask").isEmpty());
 
-        robot.clickAt(bar, bar.getWidth() * 3 / 4, bar.getHeight() - 2);
+        robot.clickAt(bar, (int) (bar.getWidth() * waitingShare), bar.getHeight() - 2);
         robot.untilShown("value-decision-yes");
         robot.press(VK_J, VK_ALT);
         robot.until(

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.Geodesy;
@@ -24,6 +25,9 @@ class GivingWayOverTcpTest {
     /** 3 m, less what boats go between two looks of the base on a busy machine; without being told of each other they meet. */
     private static final double APART_M = 2;
 
+    /** Boats live so many times slower than the process runs, whose threads a busy machine holds up. */
+    private static final int SLOWER = 2;
+
     @TempDir
     Path logs;
 
@@ -37,7 +41,7 @@ class GivingWayOverTcpTest {
 
     @Test
     void boatsThatMeetHeadOnPassEachOtherByWhatTheirBaseRelays() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER)) {
             BoatOnTcp anna = fleet.boat("anna", north(0));
             BoatOnTcp bert = fleet.boat("bert", north(16));
             Base base = fleet.base("base");
@@ -47,7 +51,7 @@ class GivingWayOverTcpTest {
 
             base.submit("anna", way("m1", 16));
             base.submit("bert", way("m2", 0));
-            Await.until("both have passed", 90, () -> {
+            Await.until("both have passed", 300, () -> {
                 leastM[0] = Math.min(leastM[0], distanceM(base));
                 return base.count("anna completed m1") == 1 && base.count("bert completed m2") == 1;
             });
@@ -62,7 +66,7 @@ class GivingWayOverTcpTest {
         List<GeoPoint> rock = List.of(at(-6, -10), at(-0.9, -10), at(-0.9, 30), at(-6, 30)); // west of both ways
         Water water = Water.of(TcpTestFleet.PIER, List.of(new GeoArea(rock, List.of())), Optional.empty())
                 .drivenWith(CrossTrackError.CALM);
-        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER)) {
             BoatOnTcp anna = fleet.boat("anna", north(0));
             BoatOnTcp bert = fleet.boat("bert", north(16));
             Base base = fleet.base("base");
@@ -72,7 +76,7 @@ class GivingWayOverTcpTest {
 
             base.submit("anna", way("m1", 16).in(water));
             base.submit("bert", way("m2", 0).in(water));
-            Await.until("they have passed each other", 90, () -> {
+            Await.until("they have passed each other", 300, () -> {
                 Optional<GeoPoint> first = base.status("anna").pose().map(BoatPose::position);
                 Optional<GeoPoint> second = base.status("bert").pose().map(BoatPose::position);
                 second.ifPresent(driven::add);
