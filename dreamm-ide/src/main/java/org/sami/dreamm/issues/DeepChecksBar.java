@@ -1,21 +1,20 @@
 package org.sami.dreamm.issues;
 
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.WrappedText;
 
 /** Begins deep checks and stops the one that runs; a label beside it says how that is doing. On the event thread. */
 final class DeepChecksBar extends JPanel {
     private static final String WORDS = "Search deeper";
 
     private final transient IssueCommands commands;
-    private final JLabel status = new JLabel();
+    private final WrappedText status = new WrappedText("");
     private final JButton begin = new JButton(WORDS);
     private final CommandButton stop;
 
@@ -23,6 +22,7 @@ final class DeepChecksBar extends JPanel {
         super(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][]", "[]"));
         this.commands = commands;
         setOpaque(false);
+        status.setColor(SemanticColor.MUTED);
         status.setName("deep-check-status");
         begin.setName("deep-checks");
         begin.setToolTipText("Search deeper: run the open plan to find what the drawing alone does not show");
@@ -46,7 +46,7 @@ final class DeepChecksBar extends JPanel {
     }
 
     /** What the last search has found, or how the one that runs is doing; to be put beside the bar. Not visible where there was none. */
-    JLabel status() {
+    WrappedText status() {
         return status;
     }
 
@@ -55,8 +55,6 @@ final class DeepChecksBar extends JPanel {
         String words = commands.deep().status();
         status.setText(words);
         status.setVisible(!words.isEmpty());
-        status.setToolTipText(words.isEmpty() ? null : words);
-        LookColors.foreground(status, SemanticColor.MUTED);
         begin.setIcon(Icons.normal("search"));
         begin.setVisible(!runs);
         stop.setVisible(runs);

@@ -46,13 +46,13 @@ public final class IssuesPanel extends JPanel {
 
     private static final int NARROW = 640;
     private static final int TWO_ROWS = 420;
-    private static final String ONE_ROW = "[][][]16[][grow][][]";
+    private static final String ONE_ROW = "[][][]16[][grow][]";
     private static final String ROWS = "[][][]16[grow]";
     private static final String FILTER = "cell 4 0, growx, wmin 80, wmax 320, hmin 32";
     private static final String FILTER_BELOW = "cell 0 1 4 1, growx, wmin 80, hmin 32";
-    private static final String SEARCHED = "cell 5 0, wmin 0";
+    private static final String SEARCHED = "cell 0 1 6 1, growx, wmin 0";
     private static final String SEARCHED_BELOW = "cell 0 2 4 1, growx, wmin 0";
-    private static final String SEARCH = "cell 6 0";
+    private static final String SEARCH = "cell 5 0";
     private static final String SEARCH_BELOW = "cell 0 1 4 1";
     private static final String FIXES = "novisualpadding, insets 0, gap 8";
     private static final String FIXES_BESIDE = FIXES + ", wrap 1";
@@ -194,7 +194,7 @@ public final class IssuesPanel extends JPanel {
             }
         });
         bar.add(text, FILTER);
-        bar.add(deep.status(), SEARCHED); // its words shrink, the button beside it does not
+        bar.add(deep.status(), SEARCHED); // a line of its own: what it says is read whole
         bar.add(deep, SEARCH);
         return bar;
     }

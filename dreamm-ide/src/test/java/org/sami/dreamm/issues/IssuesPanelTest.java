@@ -8,15 +8,17 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.dreamm.OnEventThread;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
@@ -101,12 +103,17 @@ class IssuesPanelTest {
                 .isGreaterThan(SwingUtilities.convertPoint(table.getParent(), 0, 0, panel).y);
     }
 
-    @Test
-    void inANarrowPanelASearchSaysInALineOfItsOwnHowItIsDoing() {
+    /** As in windows of 1280 by 800 and of 1280 by 1000 pixels. */
+    @ParameterizedTest
+    @CsvSource({"150, 785, 208", "200, 625, 545", "100, 785, 300"})
+    void aSearchSaysInWholeWordsHowItIsDoing(int percent, int width, int height) {
         context.commands().get("deep-stuck-states").run();
-        show(200, 625, 545);
+        show(percent, width, height);
 
-        assertThat(find("deep-check-status", JLabel.class).getWidth()).isGreaterThan(560);
+        JTextComponent status = find("deep-check-status", JTextComponent.class);
+        assertThat(status.getText()).startsWith("Stuck states: ");
+        assertIsSeenWhole("deep-check-status", JTextComponent.class);
+        assertThat(status.getHeight()).isGreaterThanOrEqualTo(status.getPreferredSize().height);
         assertIsSeenWhole("deep-stop", AbstractButton.class);
         assertThat(find("deep-stop", AbstractButton.class).getToolTipText()).startsWith("Stop the search");
     }
@@ -114,7 +121,10 @@ class IssuesPanelTest {
     private void assertIsSeenWhole(String name, Class<? extends Component> type) {
         Component part = find(name, type);
         assertThat(part.isVisible()).as(name).isTrue();
-        assertThat(part.getWidth()).as(name).isGreaterThanOrEqualTo(part.getPreferredSize().width);
+        assertThat(part.getWidth())
+                .as(name)
+                .isGreaterThanOrEqualTo(
+                        part instanceof JTextComponent ? part.getMinimumSize().width : part.getPreferredSize().width);
         Rectangle seen = SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), panel);
         assertThat(new Rectangle(panel.getSize()).contains(seen))
                 .as(name + " in " + seen)
