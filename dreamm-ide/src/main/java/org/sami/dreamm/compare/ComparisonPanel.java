@@ -49,6 +49,7 @@ public final class ComparisonPanel extends JPanel {
     private final JPanel empty =
             new JPanel(new MigLayout("novisualpadding, fill, insets " + Spacing.WIDE, "[grow, fill]", "[]"));
     private transient Optional<Compared> compared = Optional.empty();
+    private transient Optional<PlanComparison> comparison = Optional.empty();
 
     /** With which version of which plan the open one is compared. */
     private record Compared(Plan before, String name) {}
@@ -69,11 +70,8 @@ public final class ComparisonPanel extends JPanel {
         row.right(new CommandButton(commands.file()));
         list.setName("comparison-differences");
         list.getAccessibleContext().setAccessibleName("What differs");
-        list.addListSelectionListener(e -> view.highlight(Optional.ofNullable(list.getSelectedValue())
-                .map(Difference::elements)
-                .orElse(Set.of())));
+        list.addListSelectionListener(e -> showChosen());
         view.setName("comparison-net");
-        view.setMode(NetMode.ALL);
         JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, view, new JScrollPane(list));
         split.setResizeWeight(0.7);
         split.setBorder(BorderFactory.createEmptyBorder());
@@ -103,35 +101,49 @@ public final class ComparisonPanel extends JPanel {
         }
     }
 
+    /** Marks what the chosen line is about, and shows it as large as words are read. */
+    private void showChosen() {
+        Set<String> elements = Optional.ofNullable(list.getSelectedValue())
+                .map(Difference::elements)
+                .orElse(Set.of());
+        view.highlight(elements);
+        comparison.ifPresent(shown -> view.revealReadable(shown.vertices(elements)));
+    }
+
     private void showDifferences(boolean anew) {
         Optional<Plan> after =
                 compared.flatMap(c -> context.document().plan(c.before().id()));
         if (after.isEmpty()) {
             title.setText(NOTHING);
+            comparison = Optional.empty();
             rows.clear();
             cards.show(deck, EMPTY);
             return;
         }
         cards.show(deck, BOTH);
-        PlanComparison comparison = PlanComparison.of(compared.get().before(), after.get(), context.vocabulary());
+        PlanComparison now = PlanComparison.of(compared.get().before(), after.get(), context.vocabulary());
+        comparison = Optional.of(now);
         view.show(
-                comparison.both(),
+                now.both(),
                 context.vocabulary(),
                 NetLayout.edited(
-                        comparison.both(),
+                        now.both(),
                         context.vocabulary(),
                         NetView::textWidth,
                         NetDetail.READER,
                         anew
                                 ? OptionalDouble.empty()
                                 : OptionalDouble.of(view.drawing().scale())));
-        view.setChanges(comparison.changes());
+        view.setChanges(now.changes());
+        if (anew || !now.isNominal()) {
+            view.setMode(now.isNominal() ? NetMode.NOMINAL : NetMode.ALL);
+        }
         if (anew) {
             view.fit();
         }
         rows.clear();
-        rows.addAll(comparison.differences());
-        int count = comparison.differences().size();
+        rows.addAll(now.differences());
+        int count = now.differences().size();
         String differs = count == 0
                 ? "is equal to"
                 : (count == 1 ? "has one difference" : "has " + count + " differences") + " from";

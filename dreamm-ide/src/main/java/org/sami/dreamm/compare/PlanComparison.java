@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -38,6 +40,32 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
     /** Whether both say the same, wherever their vertices lie. */
     public boolean isEmpty() {
         return differences.isEmpty();
+    }
+
+    /** Whether all vertices and edges that differ are drawn in the nominal plan. */
+    boolean isNominal() {
+        return Stream.of(
+                        both.places().stream().map(p -> Map.entry(p.id(), p.mode())),
+                        both.transitions().stream().map(t -> Map.entry(t.id(), t.mode())),
+                        both.inEdges().stream().map(e -> Map.entry(e.id(), e.mode())),
+                        both.outEdges().stream().map(e -> Map.entry(e.id(), e.mode())))
+                .flatMap(each -> each)
+                .filter(element -> changes.containsKey(element.getKey()))
+                .allMatch(element -> element.getValue() == Mode.NOMINAL);
+    }
+
+    /** The vertices among elements, and those at the ends of their edges. */
+    Set<String> vertices(Set<String> elements) {
+        Set<String> vertices = new HashSet<>(elements);
+        both.inEdges().stream().filter(e -> elements.contains(e.id())).forEach(e -> {
+            vertices.add(e.place());
+            vertices.add(e.transition());
+        });
+        both.outEdges().stream().filter(e -> elements.contains(e.id())).forEach(e -> {
+            vertices.add(e.place());
+            vertices.add(e.transition());
+        });
+        return vertices;
     }
 
     private static final class Builder {

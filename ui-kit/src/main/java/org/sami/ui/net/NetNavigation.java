@@ -135,6 +135,15 @@ final class NetNavigation {
         }
     }
 
+    void revealReadable(Set<String> ids) {
+        if (!toBegin && view.scene().boxOf(ids).isPresent()) {
+            if (viewport.zoom() < READABLE_ZOOM) {
+                viewport.setZoom(READABLE_ZOOM);
+            }
+            showAmidst(ids);
+        }
+    }
+
     private Rectangle2D pixels(DrawingBox box) {
         Rectangle2D pixels = new Rectangle2D.Double();
         pixels.setFrameFromDiagonal(viewport.pixel(box.x(), box.y()), viewport.pixel(box.maxX(), box.maxY()));

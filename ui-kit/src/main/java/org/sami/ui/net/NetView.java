@@ -277,6 +277,11 @@ public final class NetView extends JPanel {
         navigation.revealWhole(ids);
     }
 
+    /** Shows vertices in the middle, larger where their words are too small to be read; what the mode hides is left alone. */
+    public void revealReadable(Set<String> ids) {
+        navigation.revealReadable(ids);
+    }
+
     /** Shows the overview in the lower right corner while not all of the net is seen, or never. */
     public void setOverview(boolean shown) {
         overview.setWanted(shown);
