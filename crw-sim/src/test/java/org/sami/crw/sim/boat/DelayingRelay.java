@@ -63,7 +63,7 @@ final class DelayingRelay implements AutoCloseable {
                 Socket there = new Socket();
                 open.add(base);
                 open.add(there);
-                there.connect(boat, 2000);
+                there.connect(boat);
                 carry(base, there);
                 carry(there, base);
             } catch (IOException e) {

@@ -62,7 +62,7 @@ class StopCommandTest {
             String nowhere = at(gone);
             gone.close();
 
-            CommandResult ran = CommandResult.crw("stop", nowhere + "," + at(anna), "--within", "1");
+            CommandResult ran = CommandResult.crw("stop", nowhere + "," + at(anna), "--within", "8");
 
             assertThat(ran.exitCode()).isEqualTo(4);
             assertThat(ran.out()).contains(nowhere + "  no answer", "anna: stopped");

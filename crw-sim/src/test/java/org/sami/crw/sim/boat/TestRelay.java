@@ -137,7 +137,7 @@ public final class TestRelay implements Closeable {
                 }
                 Socket there = new Socket();
                 open.add(there);
-                there.connect(boat, 2000);
+                there.connect(boat);
                 start("to-boat", () -> pump(base, there));
                 start("to-base", () -> pump(there, base));
             } catch (IOException e) {

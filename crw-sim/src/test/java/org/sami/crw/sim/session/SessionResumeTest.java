@@ -259,7 +259,7 @@ class SessionResumeTest {
             });
         }
 
-        assertThat(track).hasSizeBetween(3, 60);
+        assertThat(track).hasSizeGreaterThan(2);
         assertThat(Geodesy.distanceM(track.get(0), TestSession.PIER)).isLessThan(5);
         assertThat(Geodesy.distanceM(track.get(track.size() - 1), there)).isLessThan(5);
     }

@@ -131,8 +131,10 @@ class RunOverTcpTest {
                             "anna (follows|waits to follow) its path for mission 1, "); // it has said so, or not yet
             assertThat(folder.resolve("report").resolve("map.png")).isNotEmptyFile();
             for (String boat : List.of("anna", "bert")) {
-                List<LoggedCommand> log = fleet.log(boat);
-                assertThat(log.get(log.size() - 1).command()).isInstanceOf(StopMotors.class);
+                Await.until(boat + " has heard it", () -> {
+                    List<LoggedCommand> log = fleet.log(boat);
+                    return log.get(log.size() - 1).command() instanceof StopMotors;
+                });
             }
 
             CommandResult resumed = crw(List.of("resume", journal.toString(), "--json"));
