@@ -69,8 +69,8 @@ final class MissionHead {
         state.setToolTipText(text);
         state.setFont(Fonts.strong());
         LookColors.foreground(state, ended ? SemanticColor.MUTED : SemanticColor.OK);
-        for (JComponent part : List.of(line, icons)) {
-            for (var child : part.getComponents()) {
+        for (JComponent row : List.of(line, icons)) {
+            for (var child : row.getComponents()) {
                 if (child instanceof CommandButton button && button != part) {
                     button.setVisible(button.getName().startsWith(CLOSING) == ended);
                 }

@@ -44,15 +44,7 @@ class LowMissionNetTest {
     void theNetHasTheRoomOfTheListOfSubMissionsWhichAreInAMenu() throws Exception {
         scale(150);
         try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
-            MissionMonitor monitor = onEventThread(() -> new MissionMonitor(
-                    world.context,
-                    new MissionStarter(
-                            world.context,
-                            new WindowSettings(folder.resolve("settings")),
-                            world.editors(),
-                            values -> {}),
-                    world.editors(),
-                    new LoadedProject(Optional.empty())));
+            MissionMonitor monitor = monitor(world);
             world.start("outer");
             until(
                     "both run",
@@ -78,6 +70,36 @@ class LowMissionNetTest {
         } finally {
             scale(100);
         }
+    }
+
+    @Test
+    void aMissionWithoutSubMissionsHasNoMenuOfThem() throws Exception {
+        scale(150);
+        try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
+            MissionMonitor monitor = monitor(world);
+            world.start("inner");
+            until("its tab is shown", () -> world.whyNot("mission-abort").isEmpty());
+            onEventThread(() -> {
+                Layout.layOut(monitor, 608, 205);
+                return null;
+            });
+            world.start("inner"); // what is shown is told anew
+            until(
+                    "another runs",
+                    () -> world.context.models().missions().snapshot().running().size() == 2);
+            assertThat(onEventThread(() -> isInSight(monitor))).isFalse();
+        } finally {
+            scale(100);
+        }
+    }
+
+    private MissionMonitor monitor(SessionWorld world) {
+        return onEventThread(() -> new MissionMonitor(
+                world.context,
+                new MissionStarter(
+                        world.context, new WindowSettings(folder.resolve("settings")), world.editors(), values -> {}),
+                world.editors(),
+                new LoadedProject(Optional.empty())));
     }
 
     /** Whether the button of the menu is. */
