@@ -1,6 +1,5 @@
 package org.sami.crw.gui.map;
 
-import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.decision.DecisionPresentation;
-import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.DecisionMap;
@@ -77,7 +75,7 @@ final class DecisionOverlay implements DecisionMap {
         String prompt = decision.decision().prompt();
         Set<String> here = named.show(PlacesInText.of(prompt));
         Set<String> lit = new HashSet<>(places.ids());
-        lit.addAll(boats(decision));
+        lit.addAll(BoatsOfDecision.of(decision, doubted));
         if (decision.question() instanceof Question.ChooseProxies asked) {
             lit.addAll(asked.proxies());
         }
@@ -86,20 +84,6 @@ final class DecisionOverlay implements DecisionMap {
             lit.addAll(here); // a place alone dims nothing
         }
         view.highlight(lit);
-    }
-
-    /**
-     * Whom it is about. Of all that an activation sends a question about ways is about some: those whose paths are known; in a replay, which has
-     * no paths, those that the question names.
-     */
-    private Collection<String> boats(DecisionPresentation decision) {
-        boolean aboutWays = DomainQuestion.of(decision.decision().type())
-                .filter(DomainQuestion::isAboutWays)
-                .isPresent();
-        return aboutWays
-                ? doubted.<Collection<String>>map(paths -> paths.byBoat().keySet())
-                        .orElseGet(() -> BoatsInText.of(decision.decision().prompt(), decision.boats()))
-                : decision.boats();
     }
 
     private static Value value(DoubtedPaths paths) {
