@@ -235,7 +235,7 @@ class BoatProcessTest {
                 until("under way", () -> is(BoatMode.PATH));
                 until("some 8 m from home", () -> watcher.northOf(45.4) > 8 / 111_000.0);
             }
-            boat.process.awaitErr("it has closed the link");
+            boat.process.awaitErr(" is gone: ");
 
             double fromDeg = watcher.northOf(45.4);
             until(

@@ -121,6 +121,12 @@ final class TcpBench implements AutoCloseable {
         return client;
     }
 
+    /** Whether the boat has seen that a client closed its socket, which is a reset where the client had not read all. */
+    boolean hasSeenOneGo() {
+        return goodbyes.stream()
+                .anyMatch(why -> why.equals("it has closed the link") || why.startsWith("the link broke"));
+    }
+
     void closeClients() throws IOException {
         for (Client client : clients) {
             client.close();

@@ -232,7 +232,7 @@ class TcpBoatServerTest {
             startPath(commander);
             while (bench.nextOf(observer).mode() != BoatMode.PATH) {}
             commander.close();
-            Await.until("the boat sees it", () -> bench.goodbyes.contains("it has closed the link"));
+            Await.until("the boat sees it", bench::hasSeenOneGo);
             long closedMs = bench.timeMs();
 
             Telemetry last = bench.nextOf(observer);
@@ -392,7 +392,7 @@ class TcpBoatServerTest {
                 base.say(new StopMotors("s" + i));
                 assertThat(base.await(Ack.class).commandId()).isEqualTo("s" + i);
                 base.close();
-                Await.until("nobody commands", () -> bench.goodbyes.contains("it has closed the link"));
+                Await.until("nobody commands", bench::hasSeenOneGo);
                 bench.goodbyes.clear();
             }
             Client base = bench.greet("base", Role.COMMANDER, 10);
