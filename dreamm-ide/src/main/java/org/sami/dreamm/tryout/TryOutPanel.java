@@ -216,7 +216,7 @@ public final class TryOutPanel extends JPanel {
         boolean behind = small && !isTight();
         JPanel place = behind ? behindTabs : foot;
         if (message.getParent() != place) {
-            place.add(message, behind ? "w 0, growx" : "wmin 0, h 20!", 0); // tabs come first
+            place.add(message, behind ? "w 0, wmin 0, growx" : "wmin 0, h 20!", 0); // tabs come first
         }
         foot.setVisible(!behind);
         where.setVisible(!isTight());

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,8 +17,11 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -123,6 +128,38 @@ class RunPanelsTest {
 
             Layout.layOut(panel, 1400, 480);
             assertThat(faults(panel)).isEmpty();
+            Look.apply(Theme.LIGHT, 100);
+        });
+    }
+
+    @Test
+    void inASmallPanelALongMessageLeavesTheTabsTheirRoom() throws Exception {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 150);
+            open();
+            JComponent panel = parts.tryOut();
+            Layout.layOut(panel, 786, 197);
+            context.commands().get("try-start").run();
+            Layout.find(panel, "try-operator-answers", AbstractButton.class)
+                    .orElseThrow()
+                    .doClick();
+            context.commands().get("try-step").run();
+            Layout.layOut(panel, 786, 197);
+            assertThat(Layout.find(panel, "try-message", JLabel.class)
+                            .orElseThrow()
+                            .getText())
+                    .startsWith("Nothing goes on by itself");
+
+            JTabbedPane tabs = Layout.find(panel, "try-tabs", JTabbedPane.class).orElseThrow();
+            JComponent happen =
+                    Layout.find(panel, "try-happen", JComponent.class).orElseThrow();
+            Rectangle last = tabs.getBoundsAt(tabs.getTabCount() - 1);
+            JComponent viewport = (JComponent) Arrays.stream(tabs.getComponents())
+                    .filter(JViewport.class::isInstance)
+                    .findFirst()
+                    .orElseThrow();
+            assertThat(viewport.getWidth()).isGreaterThanOrEqualTo(last.x + last.width);
+            assertThat(happen.getWidth()).isGreaterThanOrEqualTo(happen.getPreferredSize().width);
             Look.apply(Theme.LIGHT, 100);
         });
     }
