@@ -11,6 +11,7 @@ import java.util.Set;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.document.DocumentChange;
@@ -22,9 +23,11 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetListener;
 import org.sami.ui.net.NetMarking;
 import org.sami.ui.net.NetView;
+import org.sami.ui.value.WrappedText;
 
 /** The net of the open plan, as its author sees and changes it (thesis 5.1). */
 public final class ModelView extends JPanel implements NetDropTarget {
@@ -52,6 +55,7 @@ public final class ModelView extends JPanel implements NetDropTarget {
 
     private final transient DreammContext context;
     private final NetView view = new NetView(new IdentityMarks());
+    private final WrappedText hint = new WrappedText("");
     private final transient ShownNet net;
     private final transient NetActions actions;
     private transient NetMarking marking = NetMarking.EMPTY;
@@ -77,7 +81,15 @@ public final class ModelView extends JPanel implements NetDropTarget {
         LayoutCommands layouts = new LayoutCommands(context, view, net, actions);
         layouts.add();
         new CanvasCommands(context, view, net, actions, tool, connecting, layouts::cancel).add();
-        add(ModelTools.of(context), BorderLayout.NORTH);
+        hint.setName("net-empty");
+        hint.setColor(SemanticColor.MUTED);
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(ModelTools.of(context), BorderLayout.NORTH);
+        JPanel hintPlace =
+                new JPanel(new MigLayout("novisualpadding, hidemode 3, fillx, insets 0 12 0 12", "[grow, fill]"));
+        hintPlace.add(hint, "wmin 0, gapbottom 8");
+        top.add(hintPlace);
+        add(top, BorderLayout.NORTH);
         add(view);
         view.canvas().addComponentListener(new ComponentAdapter() {
             @Override
@@ -198,8 +210,23 @@ public final class ModelView extends JPanel implements NetDropTarget {
     private void showPlan() {
         actions.endWriting();
         net.show(context.editor().plan());
+        boolean empty = context.editor()
+                .plan()
+                .filter(plan -> plan.places().isEmpty() && plan.transitions().isEmpty())
+                .isPresent();
+        hint.setText(empty ? emptyText() : "");
+        hint.setVisible(empty);
         view.show(net.plan(), context.vocabulary(), net.drawing());
         view.select(context.editor().selection());
+    }
+
+    private String emptyText() {
+        return "This plan is empty. The palette has what to add: mark it and press Enter, or drag it here. "
+                + key("net-add-place") + " adds a blank place, " + key("net-add-transition") + " a transition.";
+    }
+
+    private String key(String command) {
+        return context.commands().get(command).keyText();
     }
 
     private JPopupMenu menu() {
