@@ -90,7 +90,7 @@ public final class FileCommands implements AutoCloseable {
         Project project = new Project(
                 "project", "New project", domain, List.of(), List.of(), List.of(new PlanBuilder("plan").build()));
         file.open(project);
-        context.notices().told("A new project: drag events from the palette onto the canvas; F2 renames the plan");
+        context.notices().told("A new project; F2 in the mission tree renames its plan");
     }
 
     private void openLibrary() {
