@@ -201,7 +201,7 @@ public final class BoatProxy {
         if (!condition.disconnected) {
             link.received(condition.nowMs);
             messages.take(frame);
-            if (!(frame.message() instanceof Motion)) { // no command depends on that, and it comes five times a second
+            if (!(frame.message() instanceof Motion)) { // no command depends on that, and it comes often
                 settle();
             }
         }

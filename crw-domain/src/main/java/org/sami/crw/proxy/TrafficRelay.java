@@ -10,9 +10,9 @@ import org.sami.boat.link.Traffic;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Tells each boat which others are near it, how they move, and what it is not to enter while it gives way to them. A boat is told once a second while
- * others are within {@link #NEAR_M}, and at each look while some are within {@link #CLOSE_M}; nothing while nobody is near or all lie still.
- * For the thread that drives the proxies.
+ * Tells each boat which others are near it, how they move, and what it is not to enter while it gives way to them. A boat is told once a second of all
+ * that are within {@link #NEAR_M}, and at each look of those within {@link #CLOSE_M} of which something new is known; nothing while nobody is near or all
+ * lie still. For the thread that drives the proxies.
  */
 public final class TrafficRelay {
     /** Two boats that are farther from one another, in metres, need not know of each other: 13 s at cruise speed, head on. */
@@ -26,12 +26,14 @@ public final class TrafficRelay {
 
     private static final long LOOK_MS = 200;
     private static final long PERIOD_MS = 1000;
+    private static final int LOOKS = (int) (PERIOD_MS / LOOK_MS); // of a period
     private static final double METRES_PER_DEGREE = 111_320; // of latitude; coarse is enough to see who is near
     private static final Comparator<Seen> FROM_WEST = Comparator.comparingDouble(seen -> seen.eastM);
 
     private final List<Seen> inOrder = new ArrayList<>(); // as the boats are given
     private final List<Seen> fromWest = new ArrayList<>(); // the same ones; nearly in order from look to look
     private long lookedMs = Long.MIN_VALUE / 2;
+    private int boatsSeen; // ever
 
     /** Metres east and north of where one of the boats is. */
     private record Plane(Sighting origin, double metresPerDegreeEast) {
@@ -52,8 +54,11 @@ public final class TrafficRelay {
     /** A boat, and where it was when it was looked at last. */
     private static final class Seen {
         private final BoatProxy boat;
+        private final int
+                turn; // at which of the looks of a period it is told of all, so that not all boats are told at once
         private final List<Seen> near = new ArrayList<>();
         private Sighting sighting;
+        private boolean isNews; // that was not known at the look before
         private long atMs;
         private double eastM;
         private double northM;
@@ -61,13 +66,15 @@ public final class TrafficRelay {
         private Optional<NearbyBoat> row; // once somebody is to be told of it
         private boolean isConcerned; // somebody is under way, this boat or one near it
         private boolean isClose; // likewise, and so near that it is told often
-        private long toldMs = Long.MIN_VALUE / 2;
+        private long toldMs = Long.MIN_VALUE / 2; // of all
 
-        Seen(BoatProxy boat) {
+        Seen(BoatProxy boat, int turn) {
             this.boat = boat;
+            this.turn = turn;
         }
 
         void look(Sighting newest, Plane plane, long nowMs) {
+            isNews = !newest.equals(sighting);
             sighting = newest;
             atMs = nowMs;
             eastM = plane.eastM(newest);
@@ -79,10 +86,12 @@ public final class TrafficRelay {
             isClose = false;
         }
 
-        boolean isDue(long nowMs) {
-            return isConcerned
-                    && (isClose || nowMs - toldMs >= PERIOD_MS)
-                    && boat.traffic().isWanted();
+        boolean isDueToAll(long nowMs) {
+            return nowMs - toldMs >= PERIOD_MS || nowMs / LOOK_MS % LOOKS == turn;
+        }
+
+        boolean isNewsTo(Seen other) {
+            return isNews && squareTo(other) <= CLOSE_M * CLOSE_M;
         }
 
         double squareTo(Seen other) {
@@ -101,12 +110,24 @@ public final class TrafficRelay {
         look(boats, nowMs);
         pairUp();
         for (Seen seen : fromWest) {
-            if (seen.isDue(nowMs)) {
-                seen.toldMs = nowMs;
-                seen.boat
-                        .traffic()
-                        .tell(new Traffic(rows(seen, nowMs), seen.boat.traffic().noGoEdges()));
+            if (seen.isConcerned && seen.boat.traffic().isWanted()) {
+                tell(seen, nowMs);
             }
+        }
+    }
+
+    private static void tell(Seen seen, long nowMs) {
+        if (seen.isDueToAll(nowMs)) {
+            seen.toldMs = nowMs;
+        } else if (seen.isClose) {
+            seen.near.removeIf(other -> !other.isNewsTo(seen));
+        } else {
+            return;
+        }
+        if (!seen.near.isEmpty()) {
+            seen.boat
+                    .traffic()
+                    .tell(new Traffic(rows(seen, nowMs), seen.boat.traffic().noGoEdges()));
         }
     }
 
@@ -134,7 +155,7 @@ public final class TrafficRelay {
                 return inOrder.get(before);
             }
         }
-        Seen seen = new Seen(boat);
+        Seen seen = new Seen(boat, boatsSeen++ % LOOKS);
         inOrder.add(before, seen);
         fromWest.add(seen);
         return seen;

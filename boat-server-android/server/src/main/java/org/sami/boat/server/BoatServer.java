@@ -18,7 +18,6 @@ import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkMessage;
-import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.PanoramaReport;
@@ -53,7 +52,6 @@ import org.sami.boat.server.vehicle.Vehicle;
 public final class BoatServer {
     private static final String OTHER_TERM = "it does not name the term of the last welcome: say hello again";
 
-    private static final long MOTION_MS = 200;
     private static final double NEAR_M = 20;
     private static final double STILL_MPS = 0.05;
 
@@ -65,12 +63,12 @@ public final class BoatServer {
     private final CommandExecutor executor;
     private final SensorWatch sensors;
     private final BatteryWatch battery;
+    private final MotionReports motion;
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
     private long terms;
     private BatteryLevel reportedLevel;
-    private long motionMs = Long.MIN_VALUE / 2;
 
     /** A server that keeps no log. */
     public BoatServer(ServerConfig config, Vehicle vehicle) {
@@ -87,6 +85,7 @@ public final class BoatServer {
         sensors = new SensorWatch(vehicle);
         battery = new BatteryWatch(config, vehicle, modes.waysHome());
         reportedLevel = battery.level();
+        motion = new MotionReports(vehicle);
     }
 
     /**
@@ -139,14 +138,12 @@ public final class BoatServer {
     /** While it moves near others, the base is told often enough for them to give way. */
     private void tellMotion(long nowMs) {
         if (hasCommander()
-                && nowMs - motionMs >= MOTION_MS
                 && !modes.surroundings().isEmpty()
+                && motion.isLookDue(nowMs)
                 && knowsWhereItIs()
+                && motion.isNews(modes.mode(), nowMs)
                 && isMovingNearOthers(nowMs)) {
-            motionMs = nowMs;
-            Motion motion = new Motion(
-                    vehicle.latDeg(), vehicle.lonDeg(), vehicle.headingRad(), vehicle.speedMps(), modes.mode());
-            commander.get().send(motion, nowMs);
+            commander.get().send(motion.say(modes.mode(), nowMs), nowMs);
         }
     }
 

@@ -256,7 +256,7 @@ final class ModeControl {
             follower.goOn(track);
             waysHome.driveLeg(track.nextIndex());
         }
-        follower.steer(track.target().speedMps() * velocityMultiplier, nowMs, seconds);
+        follower.steer(velocityMultiplier, nowMs, seconds);
         return reached;
     }
 
@@ -323,7 +323,7 @@ final class ModeControl {
             waysHome.goOn(wayHome.turnsAhead());
             follower.goOn(wayHome);
         }
-        follower.steer(wayHome.target().speedMps(), nowMs, seconds);
+        follower.steer(1, nowMs, seconds);
     }
 
     private void tickHand(long nowMs) {

@@ -23,6 +23,7 @@ final class PathFollower {
     private final DriftEstimate drift = new DriftEstimate();
     private LocalFrame end; // of the leg
     private LegGuidance leg;
+    private double legMps; // as its waypoint says
 
     /**
      * A follower.
@@ -43,6 +44,7 @@ final class PathFollower {
 
     private void begin(WaypointTrack track, double fromLatDeg, double fromLonDeg) {
         Waypoint target = track.target();
+        legMps = target.speedMps();
         end = new LocalFrame(target.latDeg(), target.lonDeg());
         double fromEastM = end.eastM(fromLatDeg, fromLonDeg);
         double fromNorthM = end.northM(fromLatDeg, fromLonDeg);
@@ -65,8 +67,12 @@ final class PathFollower {
         begin(track, end.originLatDeg(), end.originLonDeg());
     }
 
-    /** Steers for one tick; rests as long as the vehicle does not know where it is or what it does. */
-    void steer(double speedMps, long nowMs, double seconds) {
+    /**
+     * Steers for one tick; rests as long as the vehicle does not know where it is or what it does.
+     *
+     * @param multiplier of the speed of the leg
+     */
+    void steer(double multiplier, long nowMs, double seconds) {
         double eastM = eastM();
         double northM = northM();
         double headingRad = vehicle.headingRad();
@@ -77,7 +83,7 @@ final class PathFollower {
         }
         Course heading = new Course(headingRad);
         drift.see(eastM, northM, heading, seconds);
-        double wantedMps = leg.speedMps(eastM, northM, speedMps, drift.speedMps());
+        double wantedMps = leg.speedMps(eastM, northM, legMps * multiplier, drift.speedMps());
         double courseRad = leg.courseRad(eastM, northM, wantedMps);
         CourseAndSpeed wanted = new CourseAndSpeed(courseRad, wantedMps);
         LineAhead along = leg.line(eastM, northM, courseRad);

@@ -1,6 +1,5 @@
 package org.sami.boat.server;
 
-import java.util.Optional;
 import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
@@ -18,18 +17,9 @@ final class StationDrive {
     private final Vehicle vehicle;
     private final SteeringControl steering;
     private final GivingWay givingWay;
-    private Optional<Standing> standing = Optional.empty();
-
-    /** That the boat lies still without room to move, since a time. */
-    private static final class Standing {
-        private final double courseRad;
-        private final long sinceMs;
-
-        Standing(double courseRad, long sinceMs) {
-            this.courseRad = courseRad;
-            this.sinceMs = sinceMs;
-        }
-    }
+    private boolean stands; // lies still without room to move
+    private double standsRad; // its course then
+    private long standsSinceMs;
 
     StationDrive(Vehicle vehicle, SteeringControl steering, GivingWay givingWay) {
         this.vehicle = vehicle;
@@ -39,7 +29,7 @@ final class StationDrive {
 
     /** From now on the boat keeps another station. */
     void begin() {
-        standing = Optional.empty();
+        stands = false;
     }
 
     /** Drives straight to a target for one tick; rests as long as the vehicle does not know where it is or what it does. */
@@ -49,9 +39,9 @@ final class StationDrive {
             steering.rest();
             return;
         }
-        long stoodMs = standing.map(since -> nowMs - since.sinceMs).orElse(0L);
-        if (standing.isPresent() && stoodMs < STANDS_MS) {
-            steering.steerAlong(standing.get().courseRad, 0, seconds);
+        long stoodMs = stands ? nowMs - standsSinceMs : 0;
+        if (stands && stoodMs < STANDS_MS) {
+            steering.steerAlong(standsRad, 0, seconds);
             return;
         }
         CourseAndSpeed chosen = givingWay.choose(
@@ -61,8 +51,9 @@ final class StationDrive {
                 false,
                 nowMs,
                 Math.max(seconds, stoodMs / 1000.0));
-        boolean stands = chosen.speedMps() == 0 && Math.abs(vehicle.speedMps()) < STILL_MPS;
-        standing = stands ? Optional.of(new Standing(chosen.courseRad(), nowMs)) : Optional.empty();
+        stands = chosen.speedMps() == 0 && Math.abs(vehicle.speedMps()) < STILL_MPS;
+        standsRad = chosen.courseRad();
+        standsSinceMs = nowMs;
         steering.steerAlong(chosen.courseRad(), chosen.speedMps(), seconds);
     }
 }

@@ -246,8 +246,9 @@ class TrafficTest {
         assertThat(isGivingWay()).isFalse();
     }
 
+    /** The vehicle stays where it is, and says that it is fast. */
     @Test
-    void boatThatMovesNearAnotherTellsTheCommanderFiveTimesASecond() {
+    void boatThatMovesOtherwiseThanOthersExpectTellsTheCommanderFiveTimesASecond() {
         ServerTestBench.Client observer = bench.client(Role.OBSERVER, 1);
         assertThat(commander.all(Motion.class)).isEmpty();
 
@@ -260,6 +261,25 @@ class TrafficTest {
             assertThat(motion.speedMps()).isEqualTo(1.5);
         });
         assertThat(observer.all(Motion.class)).isEmpty();
+    }
+
+    @Test
+    void boatThatGoesStraightOnTellsTheCommanderOnceASecondAndAtOnceWhenItTurns() {
+        commander.say(traffic(boat("boat2", 10, 0, 0)));
+        goStraightOn(2);
+        int before = commander.all(Motion.class).size();
+        bench.vehicle.headingRad += 0.1;
+        goStraightOn(0.2);
+
+        assertThat(before).isBetween(2, 3);
+        assertThat(commander.all(Motion.class)).hasSizeGreaterThan(before);
+    }
+
+    private void goStraightOn(double seconds) {
+        for (int i = 0; i < Math.round(seconds * 10); i++) {
+            bench.vehicle.northM += 0.15;
+            bench.run(0.1, commander);
+        }
     }
 
     @Test

@@ -92,6 +92,7 @@ public final class GivingWay {
     private double gaveWayS; // without a break, or nearly so, LONGEST_S at most; zero for who has no way to go
     private boolean goesOff; // an edge that it has come too near to
     private boolean turns; // on the spot, to go on then
+    private final LastChoice last = new LastChoice();
 
     /**
      * Nobody is in the way yet.
@@ -122,18 +123,22 @@ public final class GivingWay {
     }
 
     /**
-     * Where the boat goes now.
+     * Where the boat goes now: it chooses anew five times a second, as often as it hears of others, and where it wants to go elsewhere.
      *
      * @param wanted where it would go without others; not astern
      * @param towards the vehicle's heading
      * @param along the line that it is to follow, clear of what it is not to enter
      * @param hasWay whether it is under way, so that others may have to give way to it
-     * @param seconds since the last choice
+     * @param seconds since it was asked for last
      */
     public CourseAndSpeed choose(
             CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         if (hasWay) {
             goingBack.record(vehicle.latDeg(), vehicle.lonDeg());
+        }
+        if (last.isInForce(wanted, hasWay, nowMs)) {
+            last.lasts(seconds);
+            return isGivingWay() ? last.chosen() : wanted;
         }
         turns = false;
         isOnLine = surroundings.border().isEmpty() || isOn(along);
@@ -141,6 +146,14 @@ public final class GivingWay {
             forget();
             return wanted;
         }
+        double sinceS = last.sinceS() + seconds;
+        CourseAndSpeed chosen = chooseAmongOthers(wanted, towards, along, hasWay, nowMs, sinceS);
+        last.set(wanted, hasWay, chosen, nowMs);
+        return chosen;
+    }
+
+    private CourseAndSpeed chooseAmongOthers(
+            CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         update(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
         if (!neighbours.isEmpty() || !border.isEmpty()) {
             heading = towards;
@@ -223,6 +236,7 @@ public final class GivingWay {
         stoodS = 0;
         gaveWayS = 0;
         goingBack.end();
+        last.forget();
     }
 
     // ---- who is there

@@ -1,7 +1,9 @@
 package org.sami.boat.server.traffic;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
@@ -20,7 +22,7 @@ public final class Surroundings {
 
     private final String ownId;
     private final List<OtherBoat> others = new ArrayList<>(); // in the order in which they were first told of
-    private int nextTold; // where among them the one is looked for first
+    private final Map<String, OtherBoat> byId = new HashMap<>(); // the same ones
     private long oldestSeenMs = Long.MAX_VALUE; // or earlier: nobody is too old before it is
     private LocalFrame plane = new LocalFrame(0, 0);
     private NoGoBorder border = NoGoBorder.NONE;
@@ -40,6 +42,7 @@ public final class Surroundings {
                     take(row, eastM, northM, nowMs);
                 } else {
                     others.clear(); // they are those of another water
+                    byId.clear();
                     border = NoGoBorder.NONE;
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
                     take(row, 0, 0, nowMs);
@@ -65,20 +68,14 @@ public final class Surroundings {
         oldestSeenMs = Math.min(oldestSeenMs, seenMs);
     }
 
-    /** The boat of that name; looked for after the one before, as a base mostly names them in the same order. */
     private OtherBoat known(String boatId) {
-        int at = nextTold;
-        for (int i = 0; i < others.size(); i++) {
-            at = at < others.size() ? at : 0;
-            OtherBoat other = others.get(at);
-            at++;
-            if (other.boatId().equals(boatId)) {
-                nextTold = at;
-                return other;
-            }
+        OtherBoat known = byId.get(boatId);
+        if (known != null) {
+            return known;
         }
         OtherBoat other = new OtherBoat(boatId);
         others.add(other);
+        byId.put(boatId, other);
         return other;
     }
 
@@ -92,6 +89,7 @@ public final class Surroundings {
             OtherBoat other = others.get(i);
             if (nowMs - other.seenMs() > OLDEST_MS) {
                 others.remove(i);
+                byId.remove(other.boatId());
             } else {
                 oldestSeenMs = Math.min(oldestSeenMs, other.seenMs());
             }
@@ -105,7 +103,7 @@ public final class Surroundings {
 
     /** Whether something was told of this boat lately. */
     boolean knows(String boatId) {
-        return others.stream().anyMatch(other -> other.boatId().equals(boatId));
+        return byId.containsKey(boatId);
     }
 
     /** Whether some boat is nearer to a position than so many metres. */

@@ -14,16 +14,25 @@ final class Trail {
     private static final double REACHED_M = 0.7; // of a place before which the boat may not turn to the next one
 
     private final Deque<double[]> places = new ArrayDeque<>(); // latitude and longitude in degrees, the newest first
+    // the newest once more, as it is looked at in each tick; not numbers where there is none
+    private double newestLatDeg = Double.NaN;
+    private double newestLonDeg = Double.NaN;
 
     /** Adds a place, if it is some metres from the last. */
     void add(double latDeg, double lonDeg) {
-        double[] last = places.peekFirst();
-        if (last == null || Math.abs(latDeg - last[0]) > STEP_DEG || Math.abs(lonDeg - last[1]) > STEP_DEG) {
-            places.addFirst(new double[] {latDeg, lonDeg});
+        boolean isThere = Math.abs(latDeg - newestLatDeg) <= STEP_DEG && Math.abs(lonDeg - newestLonDeg) <= STEP_DEG;
+        if (!isThere) {
+            addFirst(new double[] {latDeg, lonDeg});
             if (places.size() > MOST_PLACES) {
                 places.removeLast();
             }
         }
+    }
+
+    private void addFirst(double[] place) {
+        places.addFirst(place);
+        newestLatDeg = place[0];
+        newestLonDeg = place[1];
     }
 
     /**
@@ -38,10 +47,12 @@ final class Trail {
             double toNorthM = plane.northM(place[0], place[1]) - northM;
             double lengthM = PlaneMath.length(toEastM, toNorthM);
             if (lengthM > PASSED_M || (lengthM > REACHED_M && isNextBarred(surroundings, eastM, northM))) {
-                places.addFirst(place);
+                addFirst(place);
                 return Optional.of(LineAhead.straight(StrictMath.atan2(toEastM, toNorthM), lengthM));
             }
         }
+        newestLatDeg = Double.NaN;
+        newestLonDeg = Double.NaN;
         return Optional.empty();
     }
 
