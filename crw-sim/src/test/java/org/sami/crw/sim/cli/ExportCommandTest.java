@@ -28,17 +28,15 @@ class ExportCommandTest {
     void journalOfASessionBecomesTablesAndAMap() throws Exception {
         Files.writeString(folder.resolve("script"), """
                 add sim 45.4,10.9
-                wait boats 1 within 20
+                wait boats 1 within 120
                 start clv
                 wait decision
                 answer all
                 wait decision
-                answer 45.4001,10.9001;45.4002,10.9001
+                answer 45.4001,10.9001;45.40012,10.9001
                 wait decision
                 answer 1
-                wait 2
-                abort all
-                wait ended within 10
+                wait ended within 120
                 quit
                 """);
         CommandResult session = CommandResult.crw("session", "--journal", path("journal"), "--script", path("script"));
