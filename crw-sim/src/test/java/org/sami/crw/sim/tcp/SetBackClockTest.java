@@ -36,10 +36,10 @@ import org.sami.spn.value.GeoPoint;
 @Timeout(300)
 class SetBackClockTest {
     private static final long HOUR_MS = 3_600_000;
-    private static final double WATCH_S = 5;
-    private static final double ANSWER_S = 1;
+    private static final long WATCH_MS = 5000;
+    private static final long ANSWER_MS = 1000;
     /** What a busy machine may be late with what is due; far from an hour. */
-    private static final double LATE_S = 20;
+    private static final long LATE_MS = 20_000;
 
     @TempDir
     private Path folder;
@@ -75,13 +75,15 @@ class SetBackClockTest {
                                 }
                             },
                             () -> false));
-            double tookS = (ProcessClock.ms() - startMs) / 1000.0;
+            long tookMs = ProcessClock.ms() - startMs;
 
             assertThat(setBackMs).hasValue(byMs);
             assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
-            assertThat(at(report, "Watch over") - at(report, "Stations found")).isBetween(WATCH_S, WATCH_S + LATE_S);
-            assertThat(at(report, "End confirmed") - at(report, "Watch over")).isBetween(ANSWER_S, ANSWER_S + LATE_S);
-            assertThat(report.result().simulatedMillis() / 1000.0).isBetween(WATCH_S, tookS + 0.5);
+            assertThat(atMs(report, "Watch over") - atMs(report, "Stations found"))
+                    .isBetween(WATCH_MS, WATCH_MS + LATE_MS);
+            assertThat(atMs(report, "End confirmed") - atMs(report, "Watch over"))
+                    .isBetween(ANSWER_MS, ANSWER_MS + LATE_MS);
+            assertThat(report.result().simulatedMillis()).isBetween(WATCH_MS, tookMs + 500);
             assertThat(report.boats())
                     .singleElement()
                     .satisfies(anna -> assertThat(anna.link().lost()).isZero());
@@ -95,19 +97,18 @@ class SetBackClockTest {
                 new RunSettings.Fleet(1, 1, 20, 1),
                 Speed.REAL,
                 OptionalLong.of(60_000),
-                Map.of("watch-time.duration", WATCH_S + "s"),
-                (long) (1000 * ANSWER_S),
+                Map.of("watch-time.duration", WATCH_MS / 1000 + "s"),
+                ANSWER_MS,
                 "",
                 List.of(new BoatAddress("127.0.0.1", boat.address().getPort())),
                 List.of());
     }
 
-    private static double at(RunReport report, String transition) {
+    private static long atMs(RunReport report, String transition) {
         return report.firings().stream()
-                        .filter(firing -> firing.transition().equals(transition))
-                        .findFirst()
-                        .orElseThrow()
-                        .atMillis()
-                / 1000.0;
+                .filter(firing -> firing.transition().equals(transition))
+                .findFirst()
+                .orElseThrow()
+                .atMillis();
     }
 }
