@@ -183,8 +183,8 @@ class BoatProcessTest {
             signal(boat, "STOP"); // its socket stays open, and what is sent to it waits
             until("lost", () -> status.get().link() == LinkState.LOST);
             assertThat(ProcessClock.ms() - stoppedMs)
-                    .as("ms; FleetLinksTest says it exactly")
-                    .isGreaterThan(3300);
+                    .as("ms; FleetLinksTest says it exactly: here the boat may have been heard some time before")
+                    .isGreaterThan(1000);
             until("it has been still for longer", () -> ProcessClock.ms() - stoppedMs > 6_000);
 
             signal(boat, "CONT");
