@@ -109,14 +109,19 @@ class RunPanelsTest {
         });
     }
 
-    /** As it is in a window of 1280 by 800 pixels with letters of 150 %. */
+    /** Opens the plan; the panel is as in a window of 1280 by 800 pixels with letters of 150 %. */
+    private JComponent openInASmallWindow() {
+        Look.apply(Theme.LIGHT, 150);
+        open();
+        JComponent panel = parts.tryOut();
+        Layout.layOut(panel, 786, 197);
+        return panel;
+    }
+
     @Test
     void inASmallPanelWhatCanHappenHasItsRoomAndNoButtonIsCut() throws Exception {
         onEventThread(() -> {
-            Look.apply(Theme.LIGHT, 150);
-            open();
-            JComponent panel = parts.tryOut();
-            Layout.layOut(panel, 786, 197);
+            JComponent panel = openInASmallWindow();
             context.commands().get("try-start").run();
             Layout.layOut(panel, 786, 197);
 
@@ -135,10 +140,7 @@ class RunPanelsTest {
     @Test
     void inASmallPanelALongMessageLeavesTheTabsTheirRoom() throws Exception {
         onEventThread(() -> {
-            Look.apply(Theme.LIGHT, 150);
-            open();
-            JComponent panel = parts.tryOut();
-            Layout.layOut(panel, 786, 197);
+            JComponent panel = openInASmallWindow();
             context.commands().get("try-start").run();
             Layout.find(panel, "try-operator-answers", AbstractButton.class)
                     .orElseThrow()
@@ -167,10 +169,7 @@ class RunPanelsTest {
     @Test
     void inASmallPanelTheListHasAllTheRoomUntilSomethingCanHappen() throws Exception {
         onEventThread(() -> {
-            Look.apply(Theme.LIGHT, 150);
-            open();
-            JComponent panel = parts.tryOut();
-            Layout.layOut(panel, 786, 197);
+            JComponent panel = openInASmallWindow();
             assertThat(faults(panel)).isEmpty();
             assertThat(table(panel, "try-possible-steps").getWidth()).isGreaterThan(740);
 

@@ -16,13 +16,13 @@ import org.sami.ui.look.SemanticColor;
 final class MissionHead {
     private static final List<String> ENDING = List.of("mission-complete", "mission-abort");
     private static final String CLOSING = "mission-close";
-    private static final String PART = "mission-part";
+    private static final String SUB_MISSION = "mission-sub-mission";
 
     private final JLabel state = new JLabel();
     private final CommandRow line = new CommandRow();
     private final JPanel icons =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "push[][][][]"));
-    private final CommandButton part;
+    private final CommandButton subMission;
 
     MissionHead(CommandRegistry commands) {
         state.setName("mission-state");
@@ -30,12 +30,12 @@ final class MissionHead {
         ENDING.forEach(id -> line.right(new CommandButton(commands.get(id))));
         line.right(new CommandButton(commands.get(CLOSING)));
         icons.setOpaque(false);
-        part = icon(commands, PART);
-        icons.add(part);
+        subMission = icon(commands, SUB_MISSION);
+        icons.add(subMission);
         ENDING.forEach(id -> icons.add(icon(commands, id)));
         icons.add(icon(commands, CLOSING));
         setLow(false);
-        needPart(false);
+        needSubMissions(false);
     }
 
     private static CommandButton icon(CommandRegistry commands, String id) {
@@ -59,8 +59,8 @@ final class MissionHead {
     }
 
     /** Whether the icons begin with the one that lets a sub-mission be chosen. */
-    void needPart(boolean needed) {
-        part.setVisible(needed);
+    void needSubMissions(boolean needed) {
+        subMission.setVisible(needed);
     }
 
     /** Says what the mission does. */
@@ -71,7 +71,7 @@ final class MissionHead {
         LookColors.foreground(state, ended ? SemanticColor.MUTED : SemanticColor.OK);
         for (JComponent row : List.of(line, icons)) {
             for (var child : row.getComponents()) {
-                if (child instanceof CommandButton button && button != part) {
+                if (child instanceof CommandButton button && button != subMission) {
                     button.setVisible(button.getName().startsWith(CLOSING) == ended);
                 }
             }

@@ -102,7 +102,9 @@ public final class MissionMonitor extends JPanel {
                                 : Optional.of("only the tab of an ended mission can be closed")));
         context.commands()
                 .add(new Command(
-                                "mission-part", "Show a sub-mission…", () -> shown().ifPresent(MissionView::choosePart))
+                                "mission-sub-mission",
+                                "Show a sub-mission…",
+                                () -> shown().ifPresent(MissionView::chooseSubMission))
                         .withKey("ctrl P")
                         .withIcon("layers")
                         .unless(() ->
@@ -120,7 +122,7 @@ public final class MissionMonitor extends JPanel {
                         "mission-end-confirm",
                         "mission-end-leave",
                         "mission-close",
-                        "mission-part")
+                        "mission-sub-mission")
                 .forEach(id -> context.commands().get(id).refresh());
     }
 

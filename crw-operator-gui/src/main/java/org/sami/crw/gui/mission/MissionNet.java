@@ -45,7 +45,7 @@ final class MissionNet extends JPanel {
     private MissionsSnapshot missions;
     private long drawn = Ids.NONE;
     private Optional<Plan> plan = Optional.empty();
-    private Runnable lowListener = () -> {};
+    private Runnable menuListener = () -> {};
     private boolean filling;
     private boolean modeChosen;
     private boolean low;
@@ -112,13 +112,13 @@ final class MissionNet extends JPanel {
         head.setVisible(!low);
         super.doLayout();
         if (before != low) {
-            lowListener.run();
+            menuListener.run();
         }
     }
 
     /** Is told when {@link #needsMenu} may have changed. */
     void onNeedOfMenu(Runnable listener) {
-        lowListener = listener;
+        menuListener = listener;
     }
 
     /** Whether there are sub-missions to choose from, and no room for their list. */
@@ -143,7 +143,7 @@ final class MissionNet extends JPanel {
 
     private JPopupMenu menu() {
         JPopupMenu menu = new JPopupMenu();
-        menu.setName("mission-part-menu");
+        menu.setName("mission-sub-mission-menu");
         for (int i = 0; i < which.getItemCount(); i++) {
             Shown shown = which.getItemAt(i);
             JRadioButtonMenuItem item = new JRadioButtonMenuItem(shown.title(), shown.equals(which.getSelectedItem()));
@@ -180,7 +180,7 @@ final class MissionNet extends JPanel {
             which.setSelectedItem(wanted.contains(before) ? before : wanted.isEmpty() ? null : wanted.get(0));
             which.setVisible(hasSubMissions());
             filling = false;
-            lowListener.run();
+            menuListener.run();
         }
     }
 

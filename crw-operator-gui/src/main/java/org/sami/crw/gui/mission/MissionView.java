@@ -65,8 +65,8 @@ final class MissionView extends JPanel {
         JScrollPane scrolledPhases = new JScrollPane(phases);
         scrolledPhases.setBorder(BorderFactory.createEmptyBorder());
         net = new MissionNet(context, all, mission);
-        net.onNeedOfMenu(() -> head.needPart(net.needsMenu()));
-        head.needPart(net.needsMenu());
+        net.onNeedOfMenu(() -> head.needSubMissions(net.needsMenu()));
+        head.needSubMissions(net.needsMenu());
         parts.addTab("Net", net);
         parts.addTab("Waits", places);
         parts.addTab("Phases", scrolledPhases);
@@ -89,7 +89,7 @@ final class MissionView extends JPanel {
     }
 
     /** Lets the operator choose whose net is shown. */
-    void choosePart() {
+    void chooseSubMission() {
         parts.setSelectedComponent(net);
         net.choose();
     }

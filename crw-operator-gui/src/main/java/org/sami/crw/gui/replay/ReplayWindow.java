@@ -56,7 +56,7 @@ public final class ReplayWindow {
             Set.of("replay-", "panel-", "panels-", "theme-", "scale-", "command-", "help-", "map-", "end");
 
     private static final Set<String> ALSO_SHOWING =
-            Set.of("mission-close", "mission-part", "decision-later", "decision-earlier", "decision-focus");
+            Set.of("mission-close", "mission-sub-mission", "decision-later", "decision-earlier", "decision-focus");
 
     private final DataDirectory data;
     private final IntConsumer ended;

@@ -35,7 +35,7 @@ public final class WindowMenus {
                 "mission-end-leave",
                 "mission-close",
                 "",
-                "mission-part"));
+                "mission-sub-mission"));
         bar.add(menus.menu(
                 "Boats",
                 'B',

@@ -18,9 +18,9 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.TextScale;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
 @Timeout(300)
@@ -47,8 +47,8 @@ class BoatsPanelTest {
     @ParameterizedTest
     @CsvSource({"100, 655, 200, 3", "150, 655, 148, 2", "200, 630, 440, 2"})
     void boatsAreSeenWithWhatTheyDoAndTheirCharge(int percent, int width, int height, int rows) throws Exception {
-        apply(percent);
-        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert", "carl", "dora")) {
+        try (TextScale scale = TextScale.percent(percent);
+                SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert", "carl", "dora")) {
             BoatsPanel panel = onEventThread(() -> new BoatsPanel(world.context));
             JTable table = find(panel, "boats-table", JTable.class);
             until("boats are listed", () -> {
@@ -66,8 +66,6 @@ class BoatsPanelTest {
                 assertThat(width(table, "Battery")).isGreaterThanOrEqualTo(Look.px(76));
                 return null;
             });
-        } finally {
-            apply(100);
         }
     }
 
@@ -77,12 +75,5 @@ class BoatsPanelTest {
                 .findFirst()
                 .orElseThrow()
                 .getWidth();
-    }
-
-    private static void apply(int percent) {
-        onEventThread(() -> {
-            Look.apply(Theme.LIGHT, percent);
-            return null;
-        });
     }
 }

@@ -9,17 +9,15 @@ import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.TextScale;
 import org.sami.crw.proxy.command.Stop;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.Layout;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The panel of a boat as low as it is in a window of 1280 by 800 at 150 %. */
 @Isolated("the look is one for all windows of a process")
@@ -28,22 +26,10 @@ class LowBoatPanelTest {
     private static final int WIDTH = 604;
     private static final int HEIGHT = 272;
 
-    @AfterEach
-    void back() {
-        apply(100);
-    }
-
-    private static void apply(int percent) {
-        onEventThread(() -> {
-            Look.apply(Theme.LIGHT, percent);
-            return null;
-        });
-    }
-
     @Test
     void aWholeCommandAndWhatIsDoneWithItAreSeen() throws Exception {
-        apply(150);
-        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+        try (TextScale large = TextScale.percent(150);
+                SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
             BoatPanel panel = panel(world);
             SessionWorld.get(world.session.fleet().ask(boats -> {
                 boats.find("anna").orElseThrow().commands().submit(new Stop("keep", 7, 7, Priority.LOW, true));
@@ -68,8 +54,8 @@ class LowBoatPanelTest {
 
     @Test
     void theStickThatDrivesItIsWhole() throws Exception {
-        apply(150);
-        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+        try (TextScale large = TextScale.percent(150);
+                SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
             BoatPanel panel = panel(world);
             onEventThread(() -> {
                 JTabbedPane tabs = find(panel, "boat-tabs", JTabbedPane.class);

@@ -13,12 +13,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.TextScale;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.Layout;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 import org.sami.ui.net.NetView;
 import org.sami.ui.window.WindowSettings;
 
@@ -42,14 +41,14 @@ class LowMissionNetTest {
 
     @Test
     void theNetHasTheRoomOfTheListOfSubMissionsWhichAreInAMenu() throws Exception {
-        scale(150);
-        try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
+        try (TextScale large = TextScale.percent(150);
+                SessionWorld world = new SessionWorld(PROJECT, "anna")) {
             MissionMonitor monitor = monitor(world);
             world.start("outer");
             until(
                     "both run",
                     () -> world.context.models().missions().snapshot().running().size() == 2);
-            until("its tab is shown", () -> world.whyNot("mission-part").isEmpty());
+            until("its tab is shown", () -> world.whyNot("mission-sub-mission").isEmpty());
 
             onEventThread(() -> {
                 Layout.layOut(monitor, 608, 205);
@@ -67,15 +66,13 @@ class LowMissionNetTest {
                 assertThat(isInSight(monitor)).isFalse();
                 return null;
             });
-        } finally {
-            scale(100);
         }
     }
 
     @Test
     void aMissionWithoutSubMissionsHasNoMenuOfThem() throws Exception {
-        scale(150);
-        try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
+        try (TextScale large = TextScale.percent(150);
+                SessionWorld world = new SessionWorld(PROJECT, "anna")) {
             MissionMonitor monitor = monitor(world);
             world.start("inner");
             until("its tab is shown", () -> world.whyNot("mission-abort").isEmpty());
@@ -88,8 +85,6 @@ class LowMissionNetTest {
                     "another runs",
                     () -> world.context.models().missions().snapshot().running().size() == 2);
             assertThat(onEventThread(() -> isInSight(monitor))).isFalse();
-        } finally {
-            scale(100);
         }
     }
 
@@ -104,14 +99,7 @@ class LowMissionNetTest {
 
     /** Whether the button of the menu is. */
     private static boolean isInSight(MissionMonitor monitor) {
-        CommandButton part = find(monitor, "mission-part-icon", CommandButton.class);
-        return part.isVisible() && part.getParent().isVisible();
-    }
-
-    private static void scale(int percent) {
-        onEventThread(() -> {
-            Look.apply(Theme.LIGHT, percent);
-            return null;
-        });
+        CommandButton icon = find(monitor, "mission-sub-mission-icon", CommandButton.class);
+        return icon.isVisible() && icon.getParent().isVisible();
     }
 }

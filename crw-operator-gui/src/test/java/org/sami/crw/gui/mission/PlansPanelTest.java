@@ -13,18 +13,16 @@ import java.util.stream.IntStream;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.TextScale;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.Layout;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")
@@ -45,33 +43,25 @@ class PlansPanelTest {
         return IntStream.range(0, 8).mapToObj(plan::formatted).collect(Collectors.joining(","));
     }
 
-    @AfterEach
-    void back() {
-        apply(100);
-    }
-
-    private static void apply(int percent) {
-        onEventThread(() -> {
-            Look.apply(Theme.LIGHT, percent);
-            return null;
-        });
+    /** The panel, once it lists the plans. */
+    private PlansPanel panel(SessionWorld world) {
+        PlansPanel plans = onEventThread(() -> new PlansPanel(
+                world.context,
+                new MissionStarter(
+                        world.context, new WindowSettings(folder.resolve("settings")), world.editors(), values -> {})));
+        JTable table = find(plans, "plans-table", JTable.class);
+        until("plans are listed", () -> table.getRowCount() == 8);
+        return plans;
     }
 
     /** The sizes are those that the panel has in windows of 1280 by 800 and 1600 by 1000. */
     @ParameterizedTest
     @CsvSource({"100, 608, 240", "150, 608, 186", "100, 660, 265", "200, 630, 420"})
     void threeWholePlansAndTheButtonThatStartsOneAreSeen(int percent, int width, int height) throws Exception {
-        apply(percent);
-        try (SessionWorld world = new SessionWorld(PROJECT)) {
-            PlansPanel plans = onEventThread(() -> new PlansPanel(
-                    world.context,
-                    new MissionStarter(
-                            world.context,
-                            new WindowSettings(folder.resolve("settings")),
-                            world.editors(),
-                            values -> {})));
+        try (TextScale scale = TextScale.percent(percent);
+                SessionWorld world = new SessionWorld(PROJECT)) {
+            PlansPanel plans = panel(world);
             JTable table = find(plans, "plans-table", JTable.class);
-            until("plans are listed", () -> table.getRowCount() == 8);
             onEventThread(() -> {
                 Layout.layOut(plans, width, height);
                 Rectangle seen = ((JViewport) table.getParent()).getViewRect();
@@ -99,17 +89,10 @@ class PlansPanelTest {
     @CsvSource({"150, 608, 120", "150, 1000, 120", "150, 608, 150", "100, 608, 70"})
     void bothButtonsAreWholeAndLeaveRoomForPlansWhereThePanelIsLow(int percent, int width, int height)
             throws Exception {
-        apply(percent);
-        try (SessionWorld world = new SessionWorld(PROJECT)) {
-            PlansPanel plans = onEventThread(() -> new PlansPanel(
-                    world.context,
-                    new MissionStarter(
-                            world.context,
-                            new WindowSettings(folder.resolve("settings")),
-                            world.editors(),
-                            values -> {})));
+        try (TextScale scale = TextScale.percent(percent);
+                SessionWorld world = new SessionWorld(PROJECT)) {
+            PlansPanel plans = panel(world);
             JTable table = find(plans, "plans-table", JTable.class);
-            until("plans are listed", () -> table.getRowCount() == 8);
             onEventThread(() -> {
                 Layout.layOut(plans, width, height);
                 for (String name : List.of("mission-start-beside", "mission-start-with-beside")) {
