@@ -54,8 +54,8 @@ public final class TrafficRelay {
     /** A boat, and where it was when it was looked at last. */
     private static final class Seen {
         private final BoatProxy boat;
-        private final int
-                turn; // at which of the looks of a period it is told of all, so that not all boats are told at once
+        // at which look of a period it is told of all: not all boats are told of all at once
+        private final int turn;
         private final List<Seen> near = new ArrayList<>();
         private Sighting sighting;
         private boolean isNews; // that was not known at the look before
