@@ -3,7 +3,6 @@ package org.sami.dreamm;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -25,6 +24,7 @@ import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
+import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
@@ -39,20 +39,18 @@ public final class DreammScreenshotMain {
     private final DreammWindow window;
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
 
-    private DreammScreenshotMain(Path pictures) throws IOException {
+    private DreammScreenshotMain(Path pictures, Path data) throws IOException {
         this.pictures = pictures;
         DreammOptions options = new DreammOptions(
                 Optional.of(PLAN), Optional.empty(), Profile.ALL, Optional.of(Theme.LIGHT), Optional.of(100));
-        window = DreammStart.open(
-                options,
-                FirstProject.open(options),
-                AuthorDirectory.open(Files.createTempDirectory("dreamm-pictures")),
-                ended::complete);
+        window = DreammStart.open(options, FirstProject.open(options), AuthorDirectory.open(data), ended::complete);
     }
 
     /** The first argument is the folder. */
     public static void main(String[] args) throws Exception {
-        new DreammScreenshotMain(Path.of(args[0])).run();
+        try (TemporaryFolder data = new TemporaryFolder("dreamm-pictures")) {
+            new DreammScreenshotMain(Path.of(args[0]), data.path()).run();
+        }
         System.exit(0);
     }
 

@@ -24,6 +24,7 @@ import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Theme;
 
@@ -54,12 +55,16 @@ final class LatencyBenchmark {
      * @param args boats, missions, seconds
      */
     public static void main(String[] args) throws Exception {
-        new LatencyBenchmark(Integer.parseInt(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2])).run();
+        LatencyBenchmark benchmark =
+                new LatencyBenchmark(Integer.parseInt(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2]));
+        try (TemporaryFolder folder = new TemporaryFolder("window-latency")) {
+            benchmark.run(folder.path());
+        }
         System.exit(0);
     }
 
-    private void run() throws Exception {
-        Path folder = Files.createTempDirectory("window-latency");
+    private void run(Path folder) throws Exception {
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
         Path project = folder.resolve("project.json");
         DomainLibrary library =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -73,7 +78,8 @@ final class LatencyBenchmark {
                     .toList();
             StartOptions options = new StartOptions(
                     addresses, Optional.of(project), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-            OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder.resolve("data")), code -> {});
+            OperatorWindow window =
+                    WindowStart.open(options, DataDirectory.open(folder.resolve("data")), ended::complete);
             Session session = window.session();
             await("all boats are linked", () -> linked(session) == boats);
             session.execute(() -> session.addOperator(new SharingOperator(session, missions)));
@@ -90,6 +96,11 @@ final class LatencyBenchmark {
             if (running < missions) {
                 throw new IllegalStateException("only " + running + " missions ran to the end of the measurement");
             }
+            EventThread.get(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(PATIENCE_S, TimeUnit.SECONDS);
         }
     }
 

@@ -2,8 +2,6 @@ package org.sami.crw.gui;
 
 import java.awt.SecondaryLoop;
 import java.awt.Toolkit;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -18,6 +16,7 @@ import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
+import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
@@ -64,12 +63,12 @@ final class WindowGrowthBenchmark {
     }
 
     private void run() throws Exception {
-        Path folder = Files.createTempDirectory("window-growth");
         Look.apply(Theme.LIGHT, 100);
         System.out.printf(Locale.ROOT, "%n%8s %10s%n", "hours", "heap MiB");
-        try (EndlessRun endless = new EndlessRun(boats, hours, folder.resolve("growth.journal"))) {
+        try (TemporaryFolder folder = new TemporaryFolder("window-growth");
+                EndlessRun endless = new EndlessRun(boats, hours, folder.path().resolve("growth.journal"))) {
             InProcessRun run = endless.run();
-            DataDirectory data = DataDirectory.open(folder.resolve("data"));
+            DataDirectory data = DataDirectory.open(folder.path().resolve("data"));
             new OperatorWindow(run.session(), Optional.empty(), data, new WindowSettings(data.settings()), code -> {})
                     .open();
             run.run(new WindowsTurn(), RunObserver.NONE);

@@ -5,9 +5,9 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.cli.Crw;
+import org.sami.spn.testing.JavaProcess;
 
 /** A simulated boat's server as a process of its own, with the boat's log in a folder; it can be killed and started again at its address. */
 final class BoatServer implements AutoCloseable {
@@ -35,13 +35,9 @@ final class BoatServer implements AutoCloseable {
 
     /** Starts it again, where it was killed. */
     void start() throws IOException {
-        process = new ProcessBuilder(List.of(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-XX:+UseSerialGC",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Crw.class.getName(),
+        process = JavaProcess.builder(
+                        logs,
+                        Crw.class,
                         "boat",
                         "--port",
                         String.valueOf(port),
@@ -51,7 +47,7 @@ final class BoatServer implements AutoCloseable {
                         at,
                         "--log",
                         logs.toString(),
-                        "--while-input"))
+                        "--while-input")
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();

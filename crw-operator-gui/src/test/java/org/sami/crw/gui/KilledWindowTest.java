@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import java.awt.GraphicsEnvironment;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
@@ -15,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.mission.MissionSnapshot;
+import org.sami.spn.testing.JavaProcess;
 import org.sami.ui.check.WindowRobot;
 
 /** The window dies in the middle of a mission, and another one goes on with what it left. */
@@ -58,14 +58,7 @@ class KilledWindowTest {
     }
 
     private void killOneInAMission() throws Exception {
-        Process process = new ProcessBuilder(List.of(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-XX:+UseSerialGC",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        KilledWindow.class.getName(),
-                        folder.toString()))
+        Process process = JavaProcess.builder(folder, KilledWindow.class, folder.toString())
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         String said = process.inputReader(StandardCharsets.UTF_8).readLine();

@@ -4,12 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.spn.testing.JavaProcess;
 
 /** The program in a process of its own, without a display. */
 class OperatorGuiTest {
@@ -47,15 +45,8 @@ class OperatorGuiTest {
     }
 
     private Process start(String... arguments) throws Exception {
-        List<String> line = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                OperatorGui.class.getName()));
-        line.addAll(Arrays.asList(arguments));
-        ProcessBuilder builder = new ProcessBuilder(line).directory(folder.toFile());
+        ProcessBuilder builder =
+                JavaProcess.builder(folder, OperatorGui.class, arguments).directory(folder.toFile());
         builder.environment().remove("DISPLAY");
         builder.environment().remove("JAVA_TOOL_OPTIONS");
         return builder.start();

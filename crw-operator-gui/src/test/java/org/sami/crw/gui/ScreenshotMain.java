@@ -2,12 +2,12 @@ package org.sami.crw.gui;
 
 import java.awt.Rectangle;
 import java.awt.Robot;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import javax.imageio.ImageIO;
@@ -21,6 +21,7 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
+import org.sami.spn.testing.TemporaryFolder;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
@@ -48,15 +49,19 @@ final class ScreenshotMain {
      * @param args the folder that they go to
      */
     public static void main(String[] args) throws Exception {
-        new ScreenshotMain(Path.of(args[0])).run();
+        ScreenshotMain pictures = new ScreenshotMain(Path.of(args[0]));
+        try (TemporaryFolder data = new TemporaryFolder("crw-pictures")) {
+            pictures.run(data.path());
+        }
         System.exit(0);
     }
 
-    private void run() throws Exception {
+    private void run(Path data) throws Exception {
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
         LoopbackFleet boats = new LoopbackFleet(NAMES);
         StartOptions options = new StartOptions(
                 boats.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(Files.createTempDirectory("crw-pictures")), code -> {});
+        window = WindowStart.open(options, DataDirectory.open(data), ended::complete);
         robot.untilSaid("boats-count", "5 of 5");
         robot.clickRow("plans-table", "Connect Boat");
         robot.click("mission-start");
@@ -91,6 +96,11 @@ final class ScreenshotMain {
         robot.until("emil is lost", () -> boat("emil").link() == LinkState.LOST);
         pass(3);
         picture("loss-of-communication");
+        WindowRobot.ask(() -> {
+            window.end();
+            return null;
+        });
+        ended.get(60, TimeUnit.SECONDS);
     }
 
     private void answer() {

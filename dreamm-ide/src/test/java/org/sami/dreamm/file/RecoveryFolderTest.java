@@ -15,6 +15,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
+import org.sami.spn.testing.JavaProcess;
 
 class RecoveryFolderTest {
     private static final DomainLibrary DOMAIN =
@@ -29,14 +30,7 @@ class RecoveryFolderTest {
         Path path = folder.resolve("clv.json");
         Path shared = folder.resolve("unsaved");
         new ProjectWriter(DOMAIN.vocabulary()).write(CLV, path);
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Djava.awt.headless=true",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        UnsavedProcess.class.getName(),
-                        shared.toString(),
-                        path.toString())
+        Process process = JavaProcess.builder(folder, UnsavedProcess.class, shared.toString(), path.toString())
                 .redirectErrorStream(true)
                 .redirectOutput(folder.resolve("process.log").toFile())
                 .start();

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.testing.JavaProcess;
 
 /** Kills a process that writes a journal, and asks for everything that it had said to be durable. */
 @Timeout(300)
@@ -26,12 +27,7 @@ class JournalKillTest {
     @ValueSource(ints = {1, 137, 1804})
     void whatWasDurableIsThereAfterAKill(int after) throws Exception {
         Path file = folder.resolve("killed.journal");
-        Process writer = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Writer.class.getName(),
-                        file.toString())
+        Process writer = JavaProcess.builder(folder, Writer.class, file.toString())
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         long durable = 0;

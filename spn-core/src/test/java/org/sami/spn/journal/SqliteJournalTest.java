@@ -21,6 +21,7 @@ import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.testing.JavaProcess;
 
 @Timeout(300)
 class SqliteJournalTest {
@@ -214,14 +215,8 @@ class SqliteJournalTest {
 
     /** What another process says that opens a file to write it. */
     private String second(Path name) throws Exception {
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         Path output = folder.resolve("output");
-        Process other = new ProcessBuilder(
-                        java,
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        SecondWriter.class.getName(),
-                        name.toString())
+        Process other = JavaProcess.builder(folder, SecondWriter.class, name.toString())
                 .redirectErrorStream(true)
                 .redirectOutput(output.toFile())
                 .start();

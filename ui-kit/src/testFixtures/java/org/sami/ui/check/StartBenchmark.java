@@ -7,13 +7,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.sami.figures.Figure;
+import org.sami.spn.testing.TemporaryFolder;
 
 /** How long an installed program takes from the start of its process until its window is painted first. */
 public final class StartBenchmark {
@@ -54,9 +53,8 @@ public final class StartBenchmark {
     }
 
     private double once() throws IOException, InterruptedException {
-        Path data = Files.createTempDirectory("start");
-        try {
-            Process process = new ProcessBuilder(line(data))
+        try (TemporaryFolder data = new TemporaryFolder("start")) {
+            Process process = new ProcessBuilder(line(data.path()))
                     .redirectError(ProcessBuilder.Redirect.INHERIT)
                     .start();
             String said = process.inputReader(StandardCharsets.UTF_8).readLine();
@@ -65,8 +63,6 @@ public final class StartBenchmark {
                 throw new IOException(script + " ended before its window was painted");
             }
             return Long.parseLong(said) / 1000.0;
-        } finally {
-            delete(data);
         }
     }
 
@@ -89,13 +85,5 @@ public final class StartBenchmark {
             throw new IllegalStateException(script + " has no line " + line);
         }
         return found.group(1);
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
-        }
     }
 }

@@ -285,17 +285,19 @@ class BoatProcessTest {
     @Test
     void saysWhoCanCommandItWhenItIsReachedFromElsewhere() throws Exception {
         Path said = folder.resolve("said");
-        Process process = CrwProcess.command(List.of(
-                        "boat",
-                        "--port",
-                        "0",
-                        "--name",
-                        "anna",
-                        "--at",
-                        "45.4,10.9",
-                        "--bind",
-                        "0.0.0.0",
-                        "--while-input"))
+        Process process = CrwProcess.command(
+                        folder,
+                        List.of(
+                                "boat",
+                                "--port",
+                                "0",
+                                "--name",
+                                "anna",
+                                "--at",
+                                "45.4,10.9",
+                                "--bind",
+                                "0.0.0.0",
+                                "--while-input"))
                 .redirectError(said.toFile())
                 .start();
         try {

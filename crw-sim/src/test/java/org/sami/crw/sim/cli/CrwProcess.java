@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.sami.boat.server.testing.Await;
+import org.sami.spn.testing.JavaProcess;
 
 /** A process of the installed command {@code crw}, which does not outlive its test. What it says goes to files. */
 public final class CrwProcess implements AutoCloseable {
@@ -28,23 +29,19 @@ public final class CrwProcess implements AutoCloseable {
         this.err = err;
     }
 
-    /** How the command is started: by its script, which becomes the process, on the Java of the test. */
-    static ProcessBuilder command(List<String> arguments) {
-        return onThisJava(INSTALLED, arguments);
-    }
-
-    /** The same for a copy of the install. */
-    static ProcessBuilder onThisJava(Path install, List<String> arguments) {
+    /** How the command is started: by its script, which becomes the process, on the Java of the test; {@code folder} is the test's. */
+    static ProcessBuilder command(Path folder, List<String> arguments) throws IOException {
         List<String> command =
-                new ArrayList<>(List.of(install.resolve("bin").resolve("crw").toString()));
+                new ArrayList<>(List.of(INSTALLED.resolve("bin").resolve("crw").toString()));
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command);
-        withThisJava(builder.environment());
+        prepare(builder.environment(), folder);
         return builder;
     }
 
-    /** Puts the Java of the test into an environment, and what a JVM would speak of out of it. */
-    static void withThisJava(Map<String, String> environment) {
+    /** Puts the Java of the test into an environment, with temporary files in the test's folder, and what a JVM would speak of out of it. */
+    static void prepare(Map<String, String> environment, Path folder) throws IOException {
+        environment.merge("CRW_OPTS", JavaProcess.temporaryFilesIn(folder), (before, more) -> before + " " + more);
         environment.remove("JAVA_TOOL_OPTIONS");
         environment.put("JAVA_HOME", System.getProperty("java.home"));
         environment.put("XDG_CACHE_HOME", INSTALLED.resolveSibling("cache").toString());
@@ -54,7 +51,7 @@ public final class CrwProcess implements AutoCloseable {
     public static CrwProcess start(Path folder, List<String> arguments) throws IOException {
         Path out = Files.createTempFile(folder, "process", ".out");
         Path err = Files.createTempFile(folder, "process", ".err");
-        Process process = command(arguments)
+        Process process = command(folder, arguments)
                 .redirectOutput(out.toFile())
                 .redirectError(err.toFile())
                 .start();
@@ -121,8 +118,10 @@ public final class CrwProcess implements AutoCloseable {
         return process.exitValue();
     }
 
+    /** Kills it where it still runs; then it writes no more into the test's folder. */
     @Override
     public void close() {
         process.destroyForcibly();
+        process.onExit().join();
     }
 }

@@ -49,7 +49,7 @@ class FullDiskTest {
         int interrupted = 0;
         for (int kib = 110; kib <= 320; kib += 52) {
             Path journal = folder.resolve("limit" + kib + ".journal");
-            ProcessBuilder limited = CrwProcess.command(mission(journal));
+            ProcessBuilder limited = CrwProcess.command(folder, mission(journal));
             limited.command().addAll(0, List.of("/bin/bash", "-c", "ulimit -f " + kib + "; exec \"$@\"", "bash"));
             limited.environment()
                     .put(
@@ -77,7 +77,7 @@ class FullDiskTest {
             assumeThat(mounted).as("a small disk can be mounted here").isTrue();
             try {
                 Path journal = disk.resolve("journal");
-                Said said = run(CrwProcess.command(mission(journal)));
+                Said said = run(CrwProcess.command(folder, mission(journal)));
                 if (!said.isInterrupted(journal)) {
                     continue;
                 }

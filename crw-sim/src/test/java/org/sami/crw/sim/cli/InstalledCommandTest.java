@@ -231,7 +231,7 @@ class InstalledCommandTest {
         File out = folder.resolve("out").toFile();
         File err = folder.resolve("err").toFile();
         ProcessBuilder builder = new ProcessBuilder(command).redirectOutput(out).redirectError(err);
-        CrwProcess.withThisJava(builder.environment());
+        CrwProcess.prepare(builder.environment(), folder);
         builder.environment().put("XDG_CACHE_HOME", cache.toString());
         builder.environment().putAll(environment);
         Process process = builder.start();

@@ -25,7 +25,7 @@ class OutputFaultsTest {
     @Tag("process")
     void fullStandardOutputIsNamedAndIsAFailure() throws Exception {
         assumeThat(FULL).exists();
-        Process process = CrwProcess.command(List.of("plans"))
+        Process process = CrwProcess.command(folder, List.of("plans"))
                 .redirectOutput(FULL.toFile())
                 .start();
 

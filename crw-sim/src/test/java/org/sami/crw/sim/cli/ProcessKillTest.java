@@ -118,7 +118,7 @@ class ProcessKillTest {
     void realProcessGivesTheSameRunAndExitCode() throws Exception {
         List<String> mission =
                 List.of("run", "clv", "--boats", "2", "--locations", "4", "--area", "150", "--speed", "max", "--json");
-        Process process = CrwProcess.command(mission)
+        Process process = CrwProcess.command(folder, mission)
                 .redirectError(folder.resolve("err").toFile())
                 .start();
 
@@ -131,7 +131,7 @@ class ProcessKillTest {
 
     @Test
     void realProcessReportsWrongUsage() throws Exception {
-        Process process = CrwProcess.command(List.of("run", "clv", "--boats", "0"))
+        Process process = CrwProcess.command(folder, List.of("run", "clv", "--boats", "0"))
                 .redirectErrorStream(true)
                 .start();
 
@@ -144,19 +144,21 @@ class ProcessKillTest {
     @Test
     void interruptedProcessLeavesAJournalAndSaysHowToGoOn() throws Exception {
         Path journal = folder.resolve("interrupted");
-        Process process = CrwProcess.command(List.of(
-                        "run",
-                        "clv",
-                        "--boats",
-                        "2",
-                        "--locations",
-                        "4",
-                        "--area",
-                        "150",
-                        "--speed",
-                        "5",
-                        "--journal",
-                        journal.toString()))
+        Process process = CrwProcess.command(
+                        folder,
+                        List.of(
+                                "run",
+                                "clv",
+                                "--boats",
+                                "2",
+                                "--locations",
+                                "4",
+                                "--area",
+                                "150",
+                                "--speed",
+                                "5",
+                                "--journal",
+                                journal.toString()))
                 .redirectErrorStream(true)
                 .start();
         try (BufferedReader lines =
