@@ -18,7 +18,7 @@ import org.sami.ui.geo.Mercator;
 import org.sami.ui.geo.Snapping;
 import org.sami.ui.look.SemanticColor;
 
-/** Areas: filled where something is to be done, hatched where none may go, dashed where none may leave. */
+/** Areas: filled where something is to be done, hatched where none may go, dashed where none may leave. The latter two are never dimmed. */
 public final class AreaLayer extends MapLayer {
     private static final int HATCH_PX = 9;
     private static final double NAME_PX = 4;
@@ -63,7 +63,16 @@ public final class AreaLayer extends MapLayer {
 
     @Override
     protected void paintStill(MapPaint paint) {
-        areas.forEach(shown -> paint.paint(shown.area().id(), () -> paint(paint, shown)));
+        areas.forEach(shown -> dimmed(paint, shown.area(), () -> paint(paint, shown)));
+    }
+
+    /** Where none may go, and what none may leave, is seen in full whatever is spoken of: who draws or chooses keeps to it. */
+    private static void dimmed(MapPaint paint, ShownArea area, Runnable painting) {
+        if (area.kind() == ShownArea.Kind.WORK) {
+            paint.paint(area.id(), painting);
+        } else {
+            painting.run();
+        }
     }
 
     private static void paint(MapPaint paint, Shown shown) {
@@ -84,7 +93,7 @@ public final class AreaLayer extends MapLayer {
     protected void paintNames(MapPaint paint) {
         areas.stream()
                 .filter(shown -> !shown.area().name().isEmpty())
-                .forEach(shown -> paint.paint(shown.area().id(), () -> write(paint, shown)));
+                .forEach(shown -> dimmed(paint, shown.area(), () -> write(paint, shown)));
     }
 
     /** In a corner of what is seen of the area, or just outside of one that is small. */
