@@ -60,6 +60,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         RootDockingPanel root = new RootDockingPanel(frame);
         add(root);
         SplitProportions.keep(root);
+        TabWidths.keep(root);
         panels.forEach(panel -> {
             this.panels.put(panel.getPersistentID(), panel);
             Docking.registerDockable(panel);

@@ -9,6 +9,8 @@ import java.util.Objects;
 import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 import org.sami.ui.look.Icons;
 
 /** A panel that can be docked: a component with a stable id, under which its place is remembered. */
@@ -16,6 +18,7 @@ public final class DockPanel extends JPanel implements Dockable {
     private final String id;
     private final String title;
     private final String icon;
+    private boolean waiting;
 
     /**
      * A panel.
@@ -50,7 +53,26 @@ public final class DockPanel extends JPanel implements Dockable {
 
     @Override
     public Icon getIcon() {
-        return Icons.small(icon);
+        Icon plain = Icons.small(icon);
+        return waiting ? new WaitingIcon(plain) : plain;
+    }
+
+    /** Marks its tab, where it lies behind another, as one in which something waits; the tab's width and place stay. */
+    public void setWaiting(boolean waiting) {
+        if (waiting != this.waiting) {
+            this.waiting = waiting;
+            showIconOnTab();
+        }
+    }
+
+    private void showIconOnTab() {
+        if (SwingUtilities.getAncestorOfClass(JTabbedPane.class, this) instanceof JTabbedPane tabs) {
+            for (int i = 0; i < tabs.getTabCount(); i++) {
+                if (SwingUtilities.isDescendingFrom(this, tabs.getComponentAt(i))) {
+                    tabs.setIconAt(i, getIcon());
+                }
+            }
+        }
     }
 
     @Override

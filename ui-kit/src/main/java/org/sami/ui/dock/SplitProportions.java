@@ -1,12 +1,8 @@
 package org.sami.ui.dock;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
-import java.awt.event.ContainerAdapter;
-import java.awt.event.ContainerEvent;
-import java.util.Arrays;
 import javax.swing.JSplitPane;
 
 /**
@@ -19,31 +15,11 @@ final class SplitProportions {
 
     /** Keeps the proportions of all split panes below a component, and of those that are added to it later. */
     static void keep(Component component) {
-        if (component instanceof DockPanel || !(component instanceof Container container)) {
-            return;
-        }
-        if (container instanceof JSplitPane pane) {
-            new Keeper(pane).install();
-        }
-        container.addContainerListener(new ContainerAdapter() {
-            @Override
-            public void componentAdded(ContainerEvent added) {
-                keepOnce(added.getChild());
+        ComponentWatch.on(component, found -> {
+            if (found instanceof JSplitPane pane) {
+                new Keeper(pane).install();
             }
         });
-        for (Component child : container.getComponents()) {
-            keepOnce(child);
-        }
-    }
-
-    /** Modern Docking takes components out and puts them in again as it docks. */
-    private static void keepOnce(Component child) {
-        boolean kept = child instanceof Container container
-                && Arrays.stream(container.getContainerListeners())
-                        .anyMatch(listener -> listener.getClass().getEnclosingClass() == SplitProportions.class);
-        if (!kept) {
-            keep(child);
-        }
     }
 
     /** One pane's proportion; not known (NaN) until the divider has a place in a pane with a size. */

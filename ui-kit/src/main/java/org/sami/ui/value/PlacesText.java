@@ -136,9 +136,9 @@ enum PlacesText implements TypedText {
     private String wanted() {
         return switch (this) {
             case POINT -> "Click the map, or enter it: 45.7, 10.72";
-            case POINTS -> "Click points on the map, or enter them, one a line";
-            case PATH -> "Click the path on the map, or enter its points, one a line";
-            case AREA -> "Click the corners on the map, or enter them, one a line";
+            case POINTS -> "Click points on the map, or enter one a line";
+            case PATH -> "Click its points on the map, or enter one a line";
+            case AREA -> "Click its corners on the map, or enter one a line";
             case AREAS -> "Enter the corners, one a line; an empty line begins the next area";
         };
     }

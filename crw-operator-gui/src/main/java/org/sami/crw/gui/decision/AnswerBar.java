@@ -1,9 +1,11 @@
 package org.sami.crw.gui.decision;
 
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
@@ -18,6 +20,8 @@ final class AnswerBar extends JPanel {
     private static final int WIDE = 600;
     private static final String LAYOUT = "novisualpadding, insets 0, gap 8, fillx, hidemode 3";
     private static final String BESIDE = "split 2, wmin 80";
+    private static final String LINE_BESIDE = "wmin 0";
+    private static final String LINE_ABOVE = "dock north, wmin 0";
     private static final String ABOVE = "dock north, wmin 80, gapbottom 4";
 
     private final transient MigLayout layout = new MigLayout(LAYOUT, "[][][][grow,fill][][][]", "[center]");
@@ -48,7 +52,7 @@ final class AnswerBar extends JPanel {
         add(refuse);
         add(draw);
         add(problem, BESIDE);
-        add(problemLine, "wmin 0");
+        add(problemLine, LINE_BESIDE);
         add(position);
         add(earlier);
         add(later);
@@ -63,15 +67,21 @@ final class AnswerBar extends JPanel {
     void fit(int width, boolean low) {
         narrow = width < Look.px(NARROW);
         String place = narrow && !low ? ABOVE : BESIDE;
-        if (!place.equals(layout.getComponentConstraints(problem))) {
-            layout.setComponentConstraints(problem, place);
-            invalidate();
-        }
+        put(problem, place);
+        problemLine.setFont(Fonts.small()); // of the scale in force
+        put(problemLine, narrow ? LINE_ABOVE : LINE_BESIDE);
         problem.setVisible(!low && !(narrow && problem.getText().isEmpty()));
-        problemLine.setVisible(low);
+        problemLine.setVisible(low && !(narrow && problemLine.getText().isEmpty()));
         position.setVisible(!narrow);
         draw.setHideActionText(width < Look.px(WIDE));
         showOthers();
+    }
+
+    private void put(JComponent part, String place) {
+        if (!place.equals(layout.getComponentConstraints(part))) {
+            layout.setComponentConstraints(part, place);
+            invalidate();
+        }
     }
 
     /** In a narrow panel the way to other decisions is there where there are others. */

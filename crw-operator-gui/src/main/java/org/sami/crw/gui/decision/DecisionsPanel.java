@@ -338,6 +338,13 @@ public final class DecisionsPanel extends JPanel {
         refresh();
     }
 
+    /** What the most urgent decision asks, where one waits and this panel lies behind another. */
+    public Optional<String> waitingUnseen() {
+        return isShowing()
+                ? Optional.empty()
+                : shown.mostUrgent().map(one -> DecisionWords.heading(one.presentation()));
+    }
+
     /** Brings the keyboard's focus to what is to be filled in. */
     public void focusDecision() {
         current.ifPresentOrElse(view -> view.editor().focusTarget().requestFocusInWindow(), this::requestFocusInWindow);

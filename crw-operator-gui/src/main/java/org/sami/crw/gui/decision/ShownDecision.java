@@ -96,6 +96,11 @@ final class ShownDecision {
         return other;
     }
 
+    /** What waits first, whether it is shown or not. */
+    Optional<PendingDecision> mostUrgent() {
+        return queue.stream().findFirst();
+    }
+
     /** What is shown; it may wait no longer while nothing may be replaced. */
     Optional<PendingDecision> shown() {
         return shown;

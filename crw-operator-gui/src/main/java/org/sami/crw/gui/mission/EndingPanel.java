@@ -3,6 +3,7 @@ package org.sami.crw.gui.mission;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -26,6 +27,7 @@ final class EndingPanel extends JPanel {
     static final KeyStroke LEAVE = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
 
     private static final int MOST_HIGH = 96;
+    private static final int NARROW = 560;
 
     private final WrappedText title = WrappedText.heading("");
     private final WrappedText lines = new WrappedText("");
@@ -34,6 +36,9 @@ final class EndingPanel extends JPanel {
     private final Runnable focusBack;
     private final Runnable changed;
     private Optional<Boolean> abort = Optional.empty();
+    private String mission = "";
+    private List<String> consequences = List.of();
+    private boolean narrow;
 
     /**
      * Nothing is proposed.
@@ -79,7 +84,9 @@ final class EndingPanel extends JPanel {
     /** Proposes an end; the button that does it has the focus, and Escape leaves. */
     void propose(boolean toAbort, String mission) {
         abort = Optional.of(toAbort);
-        title.setText((toAbort ? "Abort " : "Complete ") + mission + "?");
+        this.mission = mission;
+        consequences = List.of();
+        write();
         confirm.setText(toAbort ? "Abort it" : "Complete it");
         setVisible(true);
         confirm.requestFocusInWindow();
@@ -88,8 +95,31 @@ final class EndingPanel extends JPanel {
 
     /** Says what it will do now. */
     void say(List<String> consequences) {
-        String text = String.join("\n", consequences);
-        if (!text.equals(lines.getText())) {
+        this.consequences = List.copyOf(consequences);
+        write();
+    }
+
+    /** Where the heading would wrap beside the buttons, the mission's name leads the lines below it. */
+    @Override
+    public void doLayout() {
+        boolean narrowNow = getWidth() < Look.px(NARROW);
+        if (narrowNow != narrow) {
+            narrow = narrowNow;
+            write();
+        }
+        super.doLayout();
+    }
+
+    private void write() {
+        String what = abort.orElse(false) ? "Abort " : "Complete ";
+        List<String> below = new ArrayList<>(consequences);
+        if (narrow) {
+            below.add(0, mission);
+        }
+        String text = String.join("\n", below);
+        String heading = what + (narrow ? "it" : mission) + "?";
+        if (!text.equals(lines.getText()) || !heading.equals(title.getText())) {
+            title.setText(heading);
             lines.setText(text);
             revalidate();
         }

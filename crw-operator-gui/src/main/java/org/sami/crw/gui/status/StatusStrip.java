@@ -5,6 +5,8 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -32,8 +34,10 @@ public final class StatusStrip extends JPanel {
     private static final String LAYOUT = "insets 6 12 6 8, hidemode 3, gap ";
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
-    private final transient MigLayout layout =
-            new MigLayout(LAYOUT + 20, "[][][][]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]", "[]");
+    private final transient MigLayout layout = new MigLayout(
+            LAYOUT + 20,
+            "[][][][][shrinkprio 250]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]",
+            "[]");
     private final OperatorContext context;
     private final FleetStopCommands fleetStop;
     private final JLabel missions = new JLabel();
@@ -42,6 +46,9 @@ public final class StatusStrip extends JPanel {
     private final JLabel links = new JLabel();
     private final JLabel clock = new JLabel();
     private final JButton alarms = new JButton();
+    private final JButton unseen = new JButton();
+    private final transient Supplier<Optional<String>> decisionUnseen;
+    private final String keyOfDecisions;
     private boolean narrow;
     private final CommandButton stop;
     private final CommandButton release;
@@ -51,11 +58,19 @@ public final class StatusStrip extends JPanel {
      * The strip of a window.
      *
      * @param showAlarms brings the alarms to the front
+     * @param showDecisions brings the decisions to the front
+     * @param decisionUnseen what the most urgent decision asks, where one waits behind another panel
      */
-    public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
+    public StatusStrip(
+            OperatorContext context,
+            FleetStopCommands fleetStop,
+            Command showAlarms,
+            Command showDecisions,
+            Supplier<Optional<String>> decisionUnseen) {
         setLayout(layout);
         this.context = context;
         this.fleetStop = fleetStop;
+        this.decisionUnseen = decisionUnseen;
         setName("status-strip");
         stop = new CommandButton(fleetStop.stop());
         release = new CommandButton(fleetStop.release());
@@ -64,12 +79,18 @@ public final class StatusStrip extends JPanel {
         alarms.setName("alarms-count");
         alarms.addActionListener(showAlarms);
         alarms.setToolTipText("Show the alarms (" + showAlarms.keyText() + ")");
+        unseen.setFocusable(false);
+        unseen.setName("decision-unseen");
+        unseen.addActionListener(showDecisions);
+        keyOfDecisions = showDecisions.keyText();
         missions.setName("missions-count");
         decisions.setName("decisions-count");
         boats.setName("boats-count");
         links.setName("links-count");
         clock.setName("clock");
         List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32"));
+        add(unseen, "h 40!, wmin 56, wmax 360, hidemode 2, shrinkprio 250"); // nothing that can be pressed moves as it
+        // comes
         add(new NoticeLabel(context.notices(), System::nanoTime), "wmin 0, shrinkprio 300, gapright 8");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
@@ -116,6 +137,9 @@ public final class StatusStrip extends JPanel {
         decisions.setIcon(Icons.small("decision"));
         boats.setIcon(Icons.small("boat"));
         alarms.setFont(Fonts.strong());
+        unseen.setFont(Fonts.strong());
+        LookColors.foreground(unseen, SemanticColor.ON_WARNING);
+        LookColors.background(unseen, SemanticColor.WARNING_FILL);
         LookColors.background(stop, SemanticColor.CRITICAL_FILL);
         LookColors.foreground(stop, SemanticColor.ON_CRITICAL);
         stop.setIcon(Icons.of("stop", 20, SemanticColor.ON_CRITICAL));
@@ -136,6 +160,7 @@ public final class StatusStrip extends JPanel {
                 decisions,
                 waiting == 0 ? "nothing waits" : count(waiting, "decision"),
                 narrow ? String.valueOf(waiting) : "");
+        showUnseen();
         LookColors.foreground(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
         long linked =
@@ -169,6 +194,15 @@ public final class StatusStrip extends JPanel {
         boolean bad = lost > 0 || worst > BoatWords.STALE_MS;
         links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT));
         LookColors.foreground(links, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT);
+    }
+
+    private void showUnseen() {
+        Optional<String> asked = decisionUnseen.get();
+        unseen.setVisible(asked.isPresent());
+        asked.ifPresent(question -> {
+            unseen.setText("▲ " + question);
+            unseen.setToolTipText(question + " – show it (" + keyOfDecisions + ")");
+        });
     }
 
     private void showAlarms(List<Alarm> all) {

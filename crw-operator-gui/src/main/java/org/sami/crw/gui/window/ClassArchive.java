@@ -25,6 +25,7 @@ import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
 import org.sami.ui.EventThread;
+import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.IdentityMarks;
@@ -90,8 +91,8 @@ final class ClassArchive {
                 paint(panel);
             }
             panels.refresh();
-            paint(new StatusStrip(
-                    context, fleetStop, context.commands().all().iterator().next()));
+            Command any = context.commands().all().iterator().next();
+            paint(new StatusStrip(context, fleetStop, any, any, panels::decisionUnseen));
             new WindowMenus(context.commands(), panels.all()).bar();
         }
     }

@@ -2,6 +2,7 @@ package org.sami.crw.gui.window;
 
 import java.awt.Dimension;
 import java.util.List;
+import java.util.Optional;
 import org.sami.crw.gui.boat.BoatPanel;
 import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.LoadedProject;
@@ -75,6 +76,7 @@ public final class OperatorPanels implements AutoCloseable {
     private final MapPanel map;
     private final MissionMonitor missions;
     private final DecisionsPanel decisions;
+    private final DockPanel asking;
     private final CommunicationPanel communication;
     private final List<DockPanel> all;
 
@@ -97,10 +99,11 @@ public final class OperatorPanels implements AutoCloseable {
                 context, new MissionStarter(context, settings, editors, map::preview), editors, file);
         decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps);
         communication = new CommunicationPanel(context);
+        asking = new DockPanel("decisions", "Decisions", "decision", decisions);
         all = List.of(
                 new DockPanel("map", "Map", "map", map),
                 new DockPanel("missions", "Missions", "net", missions),
-                new DockPanel("decisions", "Decisions", "decision", decisions),
+                asking,
                 new DockPanel("boats", "Boats", "fleet", boats),
                 new DockPanel("boat", "Boat", "boat", boat),
                 new DockPanel("messages", "Messages", "message", new MessagesPanel(context, map::pointAt)),
@@ -122,8 +125,14 @@ public final class OperatorPanels implements AutoCloseable {
         boat.refresh();
         map.refresh();
         decisions.refresh();
+        asking.setWaiting(decisionUnseen().isPresent());
         communication.refresh();
         missions.refresh();
+    }
+
+    /** What the most urgent decision asks, where one waits and the decisions lie behind another panel. */
+    public Optional<String> decisionUnseen() {
+        return decisions.waitingUnseen();
     }
 
     /** Shows the plans of the newest project. */

@@ -67,8 +67,12 @@ public final class OperatorWindow {
         commands.addPanels(dock);
         commands.addReplay(data.folder());
         commands.addEnd(this::end);
-        StatusStrip strip =
-                new StatusStrip(context, fleetStop, context.commands().get("panel-alarms"));
+        StatusStrip strip = new StatusStrip(
+                context,
+                fleetStop,
+                context.commands().get("panel-alarms"),
+                context.commands().get("panel-decisions"),
+                panels::decisionUnseen);
         frame.setName("operator-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(new WindowMenus(context.commands(), panels.all()).bar());

@@ -164,6 +164,36 @@ class DecisionsPanelTest {
         }
     }
 
+    /** As it is in a window of 1280 by 800 pixels with letters of 150 %. */
+    @Test
+    void inALowAndNarrowPanelTheReasonIsReadWholeInALineAboveTheButtons() throws Exception {
+        try (PanelWorld world = new PanelWorld("explore-area", "anna", "bert")) {
+            world.until(
+                    "the area is asked for",
+                    () -> world.find("value-area-text", JTextArea.class).isPresent());
+
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 150);
+                SwingUtilities.updateComponentTreeUI(world.panel);
+                Layout.layOut(world.panel, 605, 270);
+
+                Component reason = Layout.find(world.panel, "decision-problem-line", Component.class)
+                        .orElseThrow();
+                Component answer = Layout.find(world.panel, "decision-answer", Component.class)
+                        .orElseThrow();
+                assertThat(reason.isVisible()).isTrue();
+                assertThat(reason.getWidth()).isGreaterThanOrEqualTo(reason.getPreferredSize().width);
+                assertThat(answer.getY()).isGreaterThanOrEqualTo(reason.getY() + reason.getHeight());
+                return world.panel;
+            });
+        } finally {
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 100);
+                return null;
+            });
+        }
+    }
+
     /** As it is in a window of 1280 by 800 pixels with letters of 200 %. */
     @Test
     void inANarrowPanelAtTheLargestScaleNothingIsCutAndTheReasonStandsAboveTheButtons() throws Exception {

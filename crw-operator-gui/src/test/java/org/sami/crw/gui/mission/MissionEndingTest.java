@@ -20,6 +20,8 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
+import org.sami.ui.check.Layout;
+import org.sami.ui.look.Look;
 import org.sami.ui.window.WindowSettings;
 
 @Timeout(300)
@@ -64,6 +66,26 @@ class MissionEndingTest {
                             .mission(mission)
                             .flatMap(now -> now.outcome())
                             .equals(Optional.of(Outcome.ABORTED)));
+        }
+    }
+
+    @Test
+    void inANarrowPanelTheNameLeadsTheLinesAndTheHeadingKeepsToOne() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert")) {
+            MissionMonitor monitor = monitor(world);
+            world.start("clv");
+            until("boats are asked for", () -> waiting(world) == 1);
+            world.run("mission-abort");
+
+            onEventThread(() -> {
+                Layout.layOut(monitor, Look.px(400), Look.px(400));
+                return null;
+            });
+
+            assertThat(text(monitor, "mission-ending-title")).isEqualTo("Abort it?");
+            assertThat(text(monitor, "mission-ending-lines"))
+                    .startsWith("Cooperative Location Visit")
+                    .contains("No boat stops");
         }
     }
 

@@ -3,6 +3,8 @@ package org.sami.crw.gui.status;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Rectangle;
+import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -24,6 +26,8 @@ import org.sami.ui.look.Theme;
 class StatusStripTest {
     private SessionWorld world;
     private OperatorContext context;
+    private Optional<String> unseen = Optional.empty();
+    private int decisionsShown;
 
     @BeforeEach
     void open() throws Exception {
@@ -39,7 +43,11 @@ class StatusStripTest {
 
     private StatusStrip strip() {
         return new StatusStrip(
-                context, new FleetStopCommands(context), new Command("panel-alarms", "Alarms", () -> {}));
+                context,
+                new FleetStopCommands(context),
+                new Command("panel-alarms", "Alarms", () -> {}),
+                new Command("panel-decisions", "Decisions", () -> decisionsShown++),
+                () -> unseen);
     }
 
     private static JLabel label(StatusStrip strip, String name) {
@@ -90,6 +98,40 @@ class StatusStripTest {
             Layout.layOut(strip[0], 1280, Look.px(58));
             assertIsSeenWhole(strip[0], "fleet-stop", "fleet-release-confirm");
         });
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {100, 150, 200})
+    void aDecisionBehindAnotherPanelIsSaidAndMovesNothingThatCanBePressed(int percent) throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            StatusStrip strip = strip();
+            Layout.layOut(strip, 1280, Look.px(58));
+            AbstractButton button =
+                    Layout.find(strip, "decision-unseen", AbstractButton.class).orElseThrow();
+            Rectangle alarms = place(strip, "alarms-count");
+            Rectangle stop = place(strip, "fleet-stop");
+            assertThat(button.isVisible()).isFalse();
+
+            unseen = Optional.of("Draw the area to explore");
+            strip.refresh();
+            Layout.layOut(strip, 1280, Look.px(58));
+
+            assertThat(button.isVisible()).isTrue();
+            assertThat(button.getText()).isEqualTo("▲ Draw the area to explore");
+            assertThat(button.getToolTipText()).startsWith("Draw the area to explore – show it");
+            assertThat(button.getWidth()).isGreaterThanOrEqualTo(Look.px(56));
+            assertThat(place(strip, "alarms-count")).isEqualTo(alarms);
+            assertThat(place(strip, "fleet-stop")).isEqualTo(stop);
+            assertIsSeenWhole(strip, "clock", "boats-count", "links-count");
+            button.doClick();
+            assertThat(decisionsShown).isEqualTo(1);
+        });
+    }
+
+    private static Rectangle place(StatusStrip strip, String name) {
+        Component part = Layout.find(strip, name, JComponent.class).orElseThrow();
+        return SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), strip);
     }
 
     private static void assertIsSeenWhole(StatusStrip strip, String... names) {

@@ -1,0 +1,89 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractButton;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.Theme;
+
+/** A decision comes while another panel lies before the decisions, in a small window with large letters. */
+@Tag("window")
+class UnseenDecisionWindowTest {
+    private final WindowRobot robot = new WindowRobot();
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aDecisionBehindAnotherPanelIsSaidAtTheTopAndTakesNoFocus() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna", "bert", "carl"))) {
+            StartOptions options = new StartOptions(
+                    fleet.addresses(),
+                    Optional.empty(),
+                    Optional.of(Theme.LIGHT),
+                    Optional.of(150),
+                    Optional.of(false));
+            OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+            try {
+                WindowRobot.ask(() -> {
+                    window.frame().setSize(1280, 800);
+                    window.frame().validate();
+                    return null;
+                });
+                robot.untilSaid("boats-count", "3");
+                robot.until("few panels are beside one another", () -> !isSeen(window, "messages"));
+                robot.press(KeyEvent.VK_8, KeyEvent.VK_ALT);
+                robot.until("interrupts are in front", () -> isSeen(window, "interrupts"));
+
+                window.session().start("explore-team", "", Map.of());
+                robot.untilShown("decision-unseen");
+
+                AbstractButton unseen = robot.find(AbstractButton.class, "decision-unseen");
+                assertThat(WindowRobot.ask(unseen::getText)).isEqualTo("▲ Draw the area");
+                assertThat(WindowRobot.ask(() -> isSeen(window, "interrupts"))).isTrue();
+                robot.click("decision-unseen");
+                robot.until("decisions are in front", () -> isSeen(window, "decisions"));
+                robot.until("nothing is said of it", () -> !unseen.isVisible());
+                robot.press(KeyEvent.VK_8, KeyEvent.VK_ALT);
+                robot.clickRow("boats-table", "anna");
+                robot.untilFocused("boats-table");
+                robot.untilShown("decision-unseen");
+                robot.untilFocused("boats-table");
+            } finally {
+                WindowRobot.ask(() -> {
+                    window.end();
+                    return null;
+                });
+                ended.get(60, TimeUnit.SECONDS);
+            }
+        }
+    }
+
+    /** On the event thread. */
+    private static boolean isSeen(OperatorWindow window, String panel) {
+        return Layout.find(window.frame(), panel, DockPanel.class)
+                .filter(DockPanel::isShowing)
+                .isPresent();
+    }
+}
