@@ -45,6 +45,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final OperatorLog log;
     private final OperatorSteps logged;
     private final AlarmModel alarms;
+    private final HealthModel health;
     private final CommunicationModel communication = new CommunicationModel();
     private final AllocationModel allocation = new AllocationModel();
     private final ClickModel clicks = new ClickModel();
@@ -80,6 +81,8 @@ public final class OperatorModels implements HostListener, MessageSink {
         logged = new OperatorSteps(log);
         messages = new MessageList(MESSAGES_KEPT, inbox::post, log, nowMillis);
         alarms = new AlarmModel(inbox::post, commands, log, missions::title);
+        health = new HealthModel(inbox::post, nowMillis);
+        alarms.addListener(health::alarms);
         map = new MapModel(inbox::post, commands, variables, missions::words, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
             @Override
@@ -121,6 +124,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                         commands,
                         interrupts,
                         alarms,
+                        health, // after the alarms, which it takes up
                         allocation,
                         clicks,
                         communication,
@@ -172,6 +176,11 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** What is wrong. */
     public AlarmModel alarms() {
         return alarms;
+    }
+
+    /** Every fault that lasts. */
+    public HealthModel health() {
+        return health;
     }
 
     /** Who has which tasks. */
@@ -264,6 +273,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             commands.clear();
             interrupts.show(List.of());
             alarms.clear();
+            health.clear();
             allocation.clear();
             clicks.clear();
             map.clear();

@@ -29,43 +29,50 @@ public record Alarm(
     /** What is wrong. */
     public enum Kind {
         /** Nothing comes from the boat. */
-        LINK_LOST(Priority.HIGH),
+        LINK_LOST(Priority.HIGH, "Wait or bring it into reach: the boat does what it is set to do without a link"),
         /** The boat puts its battery into the critical class. */
-        BATTERY_CRITICAL(Priority.CRITICAL),
+        BATTERY_CRITICAL(Priority.CRITICAL, "Send it home now, or fetch it"),
         /** The boat puts its battery into the low class. */
-        BATTERY_LOW(Priority.MEDIUM),
+        BATTERY_LOW(Priority.MEDIUM, "Send it home soon, or have its battery swapped"),
         /** The charge does not last for what is left of the boat's path. */
-        RANGE(Priority.HIGH),
+        RANGE(Priority.HIGH, "Shorten its path, or send it home"),
         /** The boat does nothing before a person helps: its server started anew, it refuses this base, or its battery is empty. */
-        BOAT_CRITICAL(Priority.CRITICAL),
+        BOAT_CRITICAL(Priority.CRITICAL, "Look at the boat: it does nothing before a person helps"),
         /** The boat is, or went, outside of the fence or inside an area that it must not enter; or the fence cannot be watched. */
-        FENCE(Priority.CRITICAL),
+        FENCE(Priority.CRITICAL, "Stop the boat, or send it back into its water"),
         /** A mission sends the boat there. */
-        FENCE_AHEAD(Priority.HIGH),
+        FENCE_AHEAD(Priority.HIGH, "Give it another path, or hold it"),
         /** Two boats are about to meet. */
-        APPROACH(Priority.HIGH),
+        APPROACH(Priority.HIGH, "Hold one of the two"),
         /** The boat should follow its path, and comes no nearer to its next point. */
-        NO_PROGRESS(Priority.HIGH),
+        NO_PROGRESS(Priority.HIGH, "Look whether it is stuck; send its path again, or take it over by hand"),
         /** The link stands, and the boat has not said for a while where it is. */
-        STALE_POSE(Priority.MEDIUM),
+        STALE_POSE(Priority.MEDIUM, "Look at the position sensor of its phone; hold the boat meanwhile"),
         /** The boat says that it is where it cannot be. */
-        POSITION_DOUBTFUL(Priority.HIGH),
+        POSITION_DOUBTFUL(Priority.HIGH, "Hold the boat until its position is sound"),
         /** The boat does not go where it says that it heads. */
-        COMPASS_DOUBTFUL(Priority.HIGH),
+        COMPASS_DOUBTFUL(Priority.HIGH, "Hold the boat; look at its compass and its motor"),
         /** Two boats have one id, or one boat answers at two addresses. */
-        DUPLICATE_ID(Priority.HIGH),
+        DUPLICATE_ID(Priority.HIGH, "Give one of the boats another id, or disconnect one address"),
         /** Something else about a link, such as a boat that speaks another version of it. */
-        LINK_FAULT(Priority.MEDIUM);
+        LINK_FAULT(Priority.MEDIUM, "Look at the address and at the version of the boat's server");
 
         private final Priority severity;
+        private final String advice;
 
-        Kind(Priority severity) {
+        Kind(Priority severity, String advice) {
             this.severity = severity;
+            this.advice = advice;
         }
 
         /** How bad it is. */
         public Priority severity() {
             return severity;
+        }
+
+        /** What the operator can do about it: one sentence without a full stop at its end. */
+        public String advice() {
+            return advice;
         }
     }
 

@@ -9,6 +9,7 @@ import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatCommunication;
+import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.finding.Finding;
@@ -32,7 +33,11 @@ final class SituationCommands {
 
     List<ConsoleCommand> all() {
         return List.of(
-                ConsoleCommand.of("alarms", "Lists what is wrong, the worst first.", this::alarms),
+                ConsoleCommand.of(
+                        "health",
+                        "Lists every fault that lasts, the worst first: since when, and what to do.",
+                        this::health),
+                ConsoleCommand.of("alarms", "Lists what is wrong with boats, the worst first.", this::alarms),
                 ConsoleCommand.of(
                         "ack NUMBER|aNUMBER|all",
                         "Acknowledges a message, an alarm, or all of both.",
@@ -66,7 +71,19 @@ final class SituationCommands {
         return context.models();
     }
 
-    // ---- alarms
+    // ---- health and alarms
+
+    private void health(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        Health health = models().health().snapshot();
+        if (health.isWell()) {
+            out.accept("no fault");
+        }
+        health.entries()
+                .forEach(entry -> out.accept(lower(entry.severity()) + "  "
+                        + entry.fault().text() + "  since " + Numbers.clock(entry.sinceMillis()) + "  to do: "
+                        + entry.fault().advice()));
+    }
 
     private void alarms(Arguments arguments, Consumer<String> out) {
         arguments.end();
