@@ -72,7 +72,8 @@ class HealthModelTest {
     void anActiveAlarmIsAFaultWithItsAdviceAndAnAlarmThatIsOverIsNone() {
         GeoArea crossed = new GeoArea(
                 List.of(GeoPoint.of(0, 0), GeoPoint.of(1, 1), GeoPoint.of(1, 0), GeoPoint.of(0, 1)), List.of());
-        world.models.post(() -> world.models.alarms().setArea(new OperatingArea(Optional.of(crossed), List.of(), false), 7_000));
+        world.models.post(
+                () -> world.models.alarms().setArea(new OperatingArea(Optional.of(crossed), List.of(), false), 7_000));
 
         HealthEntry entry = now().worst().orElseThrow();
         assertThat(entry.fault().kind()).isEqualTo(HealthKind.ALARM);

@@ -18,6 +18,7 @@ import org.sami.crw.gui.mission.MissionMonitor;
 import org.sami.crw.gui.mission.MissionStarter;
 import org.sami.crw.gui.notice.AlarmsPanel;
 import org.sami.crw.gui.notice.CommunicationPanel;
+import org.sami.crw.gui.notice.HealthPanel;
 import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.value.SessionEditors;
@@ -44,6 +45,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .below("interrupts", "decisions", 0.38)
                     .right("messages", "interrupts", 0.62)
                     .behind("alarms", "messages")
+                    .behind("health", "messages")
                     .behind("allocation", "messages")
                     .behind("log", "messages"),
             Arrangement.of("map")
@@ -51,6 +53,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .below("boats", "map", 0.38)
                     .behind("communication", "boats")
                     .behind("alarms", "boats")
+                    .behind("health", "boats")
                     .behind("log", "boats")
                     .below("decisions", "missions", 0.57)
                     .behind("boat", "decisions") // the higher stack; the list of boats stays in sight
@@ -66,6 +69,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("interrupts", "decisions")
                     .behind("messages", "decisions")
                     .behind("alarms", "decisions")
+                    .behind("health", "decisions")
                     .behind("allocation", "decisions")
                     .behind("log", "decisions"),
             new Dimension(1280, 780),
@@ -111,7 +115,8 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
                 new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)),
                 new DockPanel("communication", "Communication", "link", communication),
-                new DockPanel("log", "Log", "log", new LogPanel(context)));
+                new DockPanel("log", "Log", "log", new LogPanel(context)),
+                new DockPanel("health", "Health", "health", new HealthPanel(context, map::pointAt)));
     }
 
     /** All of them, in order. */

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
@@ -15,6 +16,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.sound.AlarmSounds;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.status.FleetStopCommands;
+import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.hull.NamedConditions;
@@ -76,7 +78,10 @@ public final class OperatorWindow {
         frame.setName("operator-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(new WindowMenus(context.commands(), panels.all()).bar());
-        frame.getContentPane().add(strip, BorderLayout.NORTH);
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(strip);
+        top.add(new HealthRow(context, context.commands().get("panel-health")), BorderLayout.SOUTH);
+        frame.getContentPane().add(top, BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         keys = CommandKeys.install(context.commands());
         refresh = new Timer(REFRESH_MS, e -> {
