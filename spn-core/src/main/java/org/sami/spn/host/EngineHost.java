@@ -9,14 +9,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Activation;
-import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.vocabulary.EventFlag;
@@ -26,12 +24,14 @@ import org.sami.spn.vocabulary.EventFlag;
  *
  * <p>Inputs are posted from any thread. On the injected serial executor the host takes all that wait as one batch, steps
  * the engine through them, makes the batch durable, and only then lets out what followed, in order: for each input first
- * the listeners, then the handlers of its activations. A fault of the journal or the engine stops the host with nothing
- * let out of that batch.
+ * the listeners, then the handlers of its activations. A fault of the engine stops the host with nothing let out of that
+ * batch. While the journal cannot be written, such as on a full disk, the host waits with the batch and with all that is
+ * posted, tries again every second, and goes on where it waited; a journal that is not {@linkplain
+ * InputJournal#isRecoverable recoverable} stops it (decision 0391).
  *
  * <p>The state is guarded by one fair lock, held from a batch's first step until its last effect has left: whoever asks
- * never sees what is not durable, and nobody needs another executor's help to ask. All methods may be called from any
- * thread.
+ * never sees what is not durable, except while the host waits for its journal; and nobody needs another executor's help
+ * to ask. All methods may be called from any thread.
  */
 public final class EngineHost implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
@@ -41,21 +41,23 @@ public final class EngineHost implements AutoCloseable {
     private final HostClock clock;
     private final Executor executor;
     private final int batchLimit;
+    private final JournalPatience patience;
 
     private final ReentrantLock lock = new ReentrantLock(true);
     private final InputQueue queue = new InputQueue();
     private final ListenerList<HostListener> listeners;
+    private final HostStanding standing;
     private final Handlers handlers;
     private final AwaitedTelemetry awaited;
     private final NextTimer timer;
     private final AtomicBoolean scheduled = new AtomicBoolean();
-    private final AtomicLong processed = new AtomicLong();
-    private final AtomicLong batches = new AtomicLong();
-    private final AtomicLong refused = new AtomicLong();
-    private volatile HostStatus status = HostStatus.running();
+    private final HostCounts counts = new HostCounts();
     private volatile boolean closing;
     private volatile Thread engineThread;
+    private volatile boolean retryDue;
+    private volatile boolean checkDue;
     private boolean again;
+    private boolean toBeResumed; // for who holds the lock
 
     private EngineHost(Builder parts) {
         this.engine = new JournaledEngine(parts.engine, parts.journal, parts.clock);
@@ -63,7 +65,9 @@ public final class EngineHost implements AutoCloseable {
         this.clock = parts.clock;
         this.executor = parts.executor;
         this.batchLimit = parts.batchLimit;
+        this.patience = new JournalPatience(parts.journalPatienceMillis);
         this.listeners = new ListenerList<>("the engine", parts.slowListenerMillis);
+        this.standing = new HostStanding(listeners);
         this.handlers = new Handlers(parts.engine.vocabulary(), this);
         this.awaited = new AwaitedTelemetry(parts.engine.vocabulary());
         this.timer = new NextTimer(clock, () -> post(new Input.TimeReached()));
@@ -95,8 +99,11 @@ public final class EngineHost implements AutoCloseable {
         if (posting.isEmpty()) {
             return true;
         }
+        if (standing.isWaiting() && queue.queued() + posting.size() > patience.inputs()) {
+            fail(standing.status().reason() + "; more than " + patience.inputs() + " inputs wait for it", null);
+        }
         if (closing) {
-            refused.addAndGet(posting.size());
+            counts.refused(posting.size());
             return false;
         }
         queue.add(posting);
@@ -147,7 +154,7 @@ public final class EngineHost implements AutoCloseable {
         Runnable asking = () -> {
             try {
                 answer.complete(ask(question));
-            } catch (RuntimeException fault) {
+            } catch (RuntimeException | Error fault) {
                 answer.completeExceptionally(fault);
             }
         };
@@ -184,18 +191,41 @@ public final class EngineHost implements AutoCloseable {
     public void resume() {
         lock.lock();
         try {
-            if (status.kind() != HostStatus.Kind.RUNNING) {
+            if (!standing.isRunning()) {
                 return;
             }
             engine.sync();
-            awaited.look(view);
-            List<Activation> open = view.openActivations();
-            open.forEach(activation -> handlers.deliver(activation, true));
-            timer.arm(view.nextDueMillis());
+            deliverOpen();
         } catch (IOException fault) {
-            fail("the journal failed: " + fault.getMessage(), fault);
+            toBeResumed = true;
+            journalFailed(fault);
         } finally {
             release();
+        }
+    }
+
+    private void deliverOpen() {
+        toBeResumed = false;
+        awaited.look(view);
+        List<Activation> open = view.openActivations();
+        open.forEach(activation -> handlers.deliver(activation, true));
+        timer.arm(view.nextDueMillis());
+    }
+
+    /** Has it look, on the engine's executor, whether its journal can still be written where it writes by itself: telemetry beside the inputs. */
+    public void checkJournal() {
+        checkDue = true;
+        schedule();
+    }
+
+    private void check() {
+        checkDue = false;
+        try {
+            if (standing.isRunning()) {
+                engine.check();
+            }
+        } catch (IOException fault) {
+            journalFailed(fault);
         }
     }
 
@@ -206,20 +236,12 @@ public final class EngineHost implements AutoCloseable {
 
     /** Whether it works, and why not. */
     public HostStatus status() {
-        return status;
+        return standing.status();
     }
 
     /** What it has to do and did. */
     public HostLoad load() {
-        return new HostLoad(
-                queue.queued(),
-                queue.mostQueued(),
-                processed.get(),
-                batches.get(),
-                refused.get(),
-                queue.telemetryReplaced(),
-                listeners.slow(),
-                listeners.faults());
+        return counts.load(queue, listeners);
     }
 
     /**
@@ -242,16 +264,23 @@ public final class EngineHost implements AutoCloseable {
     }
 
     private void finishClosing() {
-        while (status.kind() == HostStatus.Kind.RUNNING && !queue.isEmpty()) {
+        if (standing.isWaiting()) {
+            retry();
+        }
+        if (standing.isWaiting()) {
+            long lost = engine.undurable() + queue.queued();
+            fail(standing.status().reason() + "; the last " + lost + " inputs are not in it", null);
+        }
+        while (standing.isRunning() && !queue.isEmpty()) {
             processBatch();
         }
-        if (status.kind() != HostStatus.Kind.RUNNING) {
+        if (!standing.isRunning()) {
             return;
         }
         timer.arm(OptionalLong.empty());
         try {
             engine.sync();
-            status = new HostStatus(HostStatus.Kind.CLOSED, "closed");
+            standing.closed();
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
         }
@@ -269,7 +298,7 @@ public final class EngineHost implements AutoCloseable {
         } catch (RejectedExecutionException stopped) {
             closing = true;
             scheduled.set(false);
-            refused.addAndGet(queue.clear());
+            counts.refused(queue.clear());
             LOG.log(Level.ERROR, "the engine's executor takes no more work: the host takes nothing in any longer");
         }
     }
@@ -290,7 +319,7 @@ public final class EngineHost implements AutoCloseable {
                     finishClosing();
                 }
                 scheduled.set(false);
-                if (!queue.isEmpty()) {
+                if (retryDue || checkDue || (standing.isRunning() && !queue.isEmpty())) {
                     schedule();
                 }
             } while (again);
@@ -311,8 +340,17 @@ public final class EngineHost implements AutoCloseable {
     }
 
     private void processBatch() {
-        if (status.kind() != HostStatus.Kind.RUNNING) {
-            refused.addAndGet(queue.clear());
+        if (retryDue) {
+            retryDue = false;
+            retry();
+        }
+        if (!standing.status().isAlive()) {
+            counts.refused(queue.clear());
+        }
+        if (checkDue) {
+            check();
+        }
+        if (!standing.isRunning()) {
             return;
         }
         List<Input> inputs = queue.take(batchLimit);
@@ -322,41 +360,73 @@ public final class EngineHost implements AutoCloseable {
         }
         try {
             List<Step> steps = engine.step(inputs);
-            processed.addAndGet(steps.size());
-            batches.incrementAndGet();
-            letOut(steps);
-            engine.offerSnapshot();
-            timer.arm(view.nextDueMillis());
+            counts.processed(steps.size());
+            goOn(steps);
         } catch (IOException fault) {
-            fail("the journal failed: " + fault.getMessage(), fault);
-        } catch (RuntimeException | StackOverflowError | AssertionError fault) {
+            journalFailed(fault);
+        } catch (RuntimeException | Error fault) {
             fail("the engine failed at entry " + (engine.lastIndex() + 1) + " or after: " + fault, fault);
         }
     }
 
-    private void letOut(List<Step> steps) {
+    /** What becomes of a batch that is durable. */
+    private void goOn(List<Step> steps) throws IOException {
         awaited.look(view);
-        for (Step step : steps) {
-            if (!listeners.isEmpty()) {
-                JournalEntry entry = step.entry();
-                listeners.each(listener ->
-                        listener.onStep(entry.index(), entry.atMillis(), entry.input(), step.effects(), view));
-            }
-            for (Effect effect : step.effects()) {
-                if (effect instanceof Effect.Activated activated) {
-                    handlers.deliver(activated.activation(), false);
+        steps.forEach(step -> step.letOut(listeners, handlers, view));
+        engine.offerSnapshot();
+        timer.arm(view.nextDueMillis());
+    }
+
+    private void journalFailed(IOException fault) {
+        long now = clock.nowMillis();
+        HostStatus next = patience.after(fault, engine.isRecoverable(), now);
+        if (next.kind() == HostStatus.Kind.FAILED) {
+            fail(next.reason(), fault);
+            return;
+        }
+        timer.arm(OptionalLong.empty());
+        standing.waits(next, fault);
+        clock.wakeAt(now + JournalPatience.RETRY_MILLIS, () -> {
+            retryDue = true;
+            schedule();
+        });
+    }
+
+    /** Looks whether the journal can be written again, and goes on if it can. */
+    private void retry() {
+        if (!standing.isWaiting()) {
+            return;
+        }
+        try {
+            List<Step> steps = engine.recover();
+            if (standing.goesOn()) {
+                patience.recovered();
+                if (toBeResumed) {
+                    deliverOpen();
                 }
+                goOn(steps);
             }
+        } catch (IOException fault) {
+            journalFailed(fault);
+        } catch (RuntimeException | Error fault) {
+            fail("the engine failed when its journal could be written again: " + fault, fault);
         }
     }
 
+    /**
+     * Stops it at once for a fault that was found elsewhere: nothing more is taken in, and nothing more leaves but what is leaving now. Does nothing where it
+     * has stopped. Waits for nobody.
+     *
+     * @param reason one sentence
+     */
+    public void fail(String reason) {
+        fail(reason, null);
+    }
+
     private void fail(String reason, Throwable fault) {
-        LOG.log(Level.ERROR, "the engine's host stops: " + reason, fault);
         closing = true;
-        timer.arm(OptionalLong.empty());
-        status = new HostStatus(HostStatus.Kind.FAILED, reason);
-        refused.addAndGet(queue.clear());
-        listeners.each(listener -> listener.onFailed(reason));
+        counts.refused(queue.clear());
+        standing.failed(reason, fault);
     }
 
     /** Puts a host together: an engine with its state, an executor and a clock are required. */
@@ -367,6 +437,7 @@ public final class EngineHost implements AutoCloseable {
         private Executor executor;
         private int batchLimit = 1024;
         private long slowListenerMillis = 50;
+        private long journalPatienceMillis = Long.MAX_VALUE;
 
         private Builder(EngineFunction engine) {
             this.engine = Objects.requireNonNull(engine, "engine");
@@ -402,6 +473,12 @@ public final class EngineHost implements AutoCloseable {
         /** From how many milliseconds on a listener's call is reported as slow; 50 unless told. */
         public Builder slowListenerMillis(long value) {
             slowListenerMillis = value;
+            return this;
+        }
+
+        /** How long it waits for a journal that cannot be written before it stops; for as long as it takes unless told. */
+        public Builder journalPatienceMillis(long value) {
+            journalPatienceMillis = value;
             return this;
         }
 

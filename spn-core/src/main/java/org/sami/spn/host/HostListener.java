@@ -19,7 +19,17 @@ public interface HostListener {
     void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view);
 
     /**
-     * The host stopped by a fault: nothing will follow.
+     * The journal cannot be written: the host waits with all that follows, and tries again. Told again where the reason has become another one.
+     *
+     * @param reason one sentence
+     */
+    default void onWaiting(String reason) {}
+
+    /** The journal is written again: the host goes on where it waited. */
+    default void onGoingOn() {}
+
+    /**
+     * The host stopped by a fault: nothing will follow. On the engine's thread, or that of whoever found the fault.
      *
      * @param reason one sentence
      */

@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 
 /**
  * Where a host writes its inputs before their effects leave. Used by one thread at a time: whichever runs the engine.
- * After an exception the journal's end is unknown and nothing more may be written to it.
+ * After an exception the journal's end is unknown and nothing more may be written to it, before {@link #recover} has returned.
  */
 public interface InputJournal extends AutoCloseable {
     /** Index of the last entry; 0 where there is none. */
@@ -32,6 +32,30 @@ public interface InputJournal extends AutoCloseable {
 
     /** Makes all that was appended survive the loss of power. */
     void sync() throws IOException;
+
+    /**
+     * Looks whether what is written beside the entries, by the journal itself, could be written.
+     *
+     * @throws IOException if not: an append would fail as well
+     */
+    default void check() throws IOException {
+        // Nothing is written beside them.
+    }
+
+    /** Whether it can be written again after an exception, once {@link #recover} has returned. */
+    default boolean isRecoverable() {
+        return false;
+    }
+
+    /**
+     * Looks whether it can be written again after an exception, such as one for a full disk. When it returns, {@link #lastIndex()} says what is in it: all
+     * of the batch that failed or nothing of it.
+     *
+     * @throws IOException as long as it cannot
+     */
+    default void recover() throws IOException {
+        throw new IOException("this journal is not gone on with after it failed");
+    }
 
     @Override
     void close() throws IOException;

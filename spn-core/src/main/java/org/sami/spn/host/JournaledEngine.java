@@ -18,6 +18,16 @@ final class JournaledEngine {
     private final EngineFunction engine;
     private final InputJournal journal;
     private final HostClock clock;
+    private Batch undurable = Batch.NONE;
+
+    /** What the engine was stepped through, with what followed. */
+    private record Batch(List<Step> steps, List<JournalEntry> entries, Durability durability) {
+        static final Batch NONE = new Batch(List.of(), List.of(), Durability.PROCESS);
+
+        long lastIndex() {
+            return entries.get(entries.size() - 1).index();
+        }
+    }
 
     JournaledEngine(EngineFunction engine, InputJournal journal, HostClock clock) {
         this.engine = engine;
@@ -39,7 +49,7 @@ final class JournaledEngine {
      * Steps the engine through a batch at the session's time, which never goes back, and makes the batch durable. It survives the loss of power where
      * an output event of it is a command, else that of the process.
      *
-     * @throws IOException if the journal fails: nothing that followed may be told
+     * @throws IOException if the journal fails: nothing that followed may be told, and no other batch comes before {@link #recover} has returned this one
      */
     List<Step> step(List<Input> inputs) throws IOException {
         List<Step> steps = new ArrayList<>(inputs.size());
@@ -58,8 +68,45 @@ final class JournaledEngine {
                 durability = Durability.POWER;
             }
         }
-        journal.append(entries, durability);
+        undurable = new Batch(steps, entries, durability);
+        journal.append(undurable.entries(), durability);
+        undurable = Batch.NONE;
         return steps;
+    }
+
+    /** Looks whether the journal has failed by itself. */
+    void check() throws IOException {
+        journal.check();
+    }
+
+    /** Whether {@link #recover} may help after the journal failed. */
+    boolean isRecoverable() {
+        return journal.isRecoverable();
+    }
+
+    /** How many inputs the engine was stepped through that are not durable. */
+    int undurable() {
+        return undurable.steps().size();
+    }
+
+    /**
+     * Makes durable what the journal refused, if it refused a batch.
+     *
+     * @return what followed from that
+     * @throws IOException if the journal fails still
+     */
+    List<Step> recover() throws IOException {
+        journal.recover();
+        Batch batch = undurable;
+        if (!batch.steps().isEmpty()) {
+            if (journal.lastIndex() < batch.lastIndex()) {
+                journal.append(batch.entries(), batch.durability());
+            } else if (batch.durability() == Durability.POWER) {
+                journal.sync(); // it was written, and only not forced to the disk
+            }
+            undurable = Batch.NONE;
+        }
+        return batch.steps();
     }
 
     private boolean commands(List<Effect> effects) {

@@ -134,6 +134,18 @@ final class Database implements AutoCloseable {
         return file;
     }
 
+    /** Why the file cannot be written, for people. */
+    static String words(SQLException fault) {
+        int code = fault.getErrorCode() & 0xff; // the rest says more of an error of the disk
+        if (code == SQLiteErrorCode.SQLITE_FULL.code) {
+            return "the disk is full";
+        }
+        if (code == SQLiteErrorCode.SQLITE_READONLY.code) {
+            return "the disk is read only, or the file is";
+        }
+        return fault.getMessage();
+    }
+
     /** SQLite's write-ahead log of a file. */
     static Path log(Path file) {
         return file.resolveSibling(file.getFileName() + "-wal");
@@ -142,6 +154,36 @@ final class Database implements AutoCloseable {
     /** Folds the log into the file; what cannot be folded stays in the log. */
     void checkpoint() throws SQLException {
         run("PRAGMA wal_checkpoint(TRUNCATE)");
+    }
+
+    /** Folds the log into the file and forces that to the disk: what the disk refused is written anew. */
+    void rewriteLog() throws SQLException {
+        try (Statement statement = connection.createStatement();
+                ResultSet result = statement.executeQuery("PRAGMA wal_checkpoint(FULL)")) {
+            if (!result.next() || result.getInt(1) != 0 || result.getInt(2) != result.getInt(3)) {
+                throw new SQLException("somebody reads it, so that it cannot be written anew yet");
+            }
+        }
+    }
+
+    /** Undoes a transaction that failed, where SQLite has not done it itself. */
+    void rollBack() {
+        try {
+            run("ROLLBACK");
+        } catch (SQLException none) {
+            System.getLogger(Database.class.getName())
+                    .log(System.Logger.Level.DEBUG, "nothing to roll back: {0}", none.getMessage());
+        }
+    }
+
+    /** How large the file is with what is in the log. */
+    long bytes() throws SQLException {
+        return number("PRAGMA page_count") * number("PRAGMA page_size");
+    }
+
+    /** Lets the file have so many pages at most; what needs more is refused as on a full disk. */
+    void limitPages(long pages) throws SQLException {
+        run("PRAGMA max_page_count=" + pages);
     }
 
     void run(String sql) throws SQLException {

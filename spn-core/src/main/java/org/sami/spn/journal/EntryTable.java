@@ -3,7 +3,9 @@ package org.sami.spn.journal;
 import java.nio.charset.StandardCharsets;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
+import java.sql.ResultSet;
 import java.sql.SQLException;
+import java.sql.Statement;
 import java.util.List;
 import org.sami.spn.host.JournalEntry;
 
@@ -14,11 +16,17 @@ final class EntryTable implements AutoCloseable {
     private static final int COLUMNS = 4;
     private static final int MANY = 32;
 
+    private final Connection connection;
     private final HashChain chain = new HashChain();
-    private final PreparedStatement one;
-    private final PreparedStatement many;
+    private PreparedStatement one;
+    private PreparedStatement many;
 
     EntryTable(Connection connection) throws SQLException {
+        this.connection = connection;
+        prepare();
+    }
+
+    private void prepare() throws SQLException {
         one = connection.prepareStatement("INSERT INTO entries VALUES (?,?,?,?)");
         many = connection.prepareStatement("INSERT INTO entries VALUES (?,?,?,?)" + ",(?,?,?,?)".repeat(MANY - 1));
     }
@@ -50,6 +58,21 @@ final class EntryTable implements AutoCloseable {
         insert.setString(offset + 3, input);
         insert.setBytes(offset + 4, checksum.bytes());
         return checksum;
+    }
+
+    /** Goes on after a statement failed: the driver has closed it. */
+    void renew() throws SQLException {
+        close();
+        prepare();
+    }
+
+    /** Whether the file's last entry is this one; an index of 0 says that it has none. */
+    boolean endsWith(long index, Checksum checksum) throws SQLException {
+        try (Statement statement = connection.createStatement();
+                ResultSet last =
+                        statement.executeQuery("SELECT idx, checksum FROM entries ORDER BY idx DESC LIMIT 1")) {
+            return last.next() ? last.getLong(1) == index && checksum.is(Scan.bytes(last, 2)) : index == 0;
+        }
     }
 
     @Override

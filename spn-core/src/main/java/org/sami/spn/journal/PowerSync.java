@@ -57,10 +57,28 @@ final class PowerSync implements AutoCloseable {
         }
     }
 
+    /** Whether the disk refused what was written. */
+    boolean hasFailed() {
+        return fault != null;
+    }
+
+    /** What was refused has been written again, and is on the disk. */
+    void recovered() {
+        fault = null;
+    }
+
     private void later() {
         waiting.set(false);
         try {
             before.run();
+        } catch (IOException refused) {
+            LOG.log(
+                    Level.ERROR,
+                    "telemetry could not be written",
+                    refused); // the journal keeps it, and says so when it is asked
+            return;
+        }
+        try {
             now();
         } catch (IOException refused) {
             fault = refused;

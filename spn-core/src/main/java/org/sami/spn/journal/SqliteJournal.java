@@ -27,6 +27,9 @@ import org.sami.spn.protocol.Input;
  * {@link JournalOptions#syncWithinMillis()}, or before {@link #append} returns where that was asked for.
  */
 public final class SqliteJournal implements InputJournal {
+    private static final String CLOSED = "the journal is closed";
+    private static final String CANNOT = "cannot be written: ";
+
     private final Path file;
     private final JournalLock lock;
     private final Database database;
@@ -47,7 +50,11 @@ public final class SqliteJournal implements InputJournal {
     private long keptForGood;
     private boolean broken;
     private String failure = "";
+    private Optional<End> attempted = Optional.empty();
     private volatile boolean closed;
+
+    /** Where the journal ends after a batch. */
+    private record End(Checksum checksum, long index, long millis) {}
 
     private SqliteJournal(
             JournalLock lock, Database database, Contents contents, Optional<String> damage, JournalOptions options)
@@ -175,24 +182,85 @@ public final class SqliteJournal implements InputJournal {
         if (batch.isEmpty()) {
             return;
         }
-        Checksum[] end = new Checksum[1];
+        JournalEntry last = batch.get(batch.size() - 1);
         commit(lastIndex + 1, () -> {
             for (JournalEntry entry : batch) {
                 if (entry.input() instanceof Input.LoadProject load) {
                     documents.add(load);
                 }
             }
-            end[0] = entries.write(batch, checksum);
+            attempted = Optional.of(new End(entries.write(batch, checksum), last.index(), last.atMillis()));
         });
-        JournalEntry last = batch.get(batch.size() - 1);
-        checksum = end[0];
-        lastIndex = last.index();
-        lastMillis = last.atMillis();
+        attempted.ifPresent(this::endsAt);
         if (durability == Durability.POWER && options.syncCommands()) {
             sync();
         } else {
             power.soon();
         }
+    }
+
+    private void endsAt(End end) {
+        checksum = end.checksum();
+        lastIndex = end.index();
+        lastMillis = end.millis();
+        attempted = Optional.empty();
+    }
+
+    @Override
+    public synchronized void check() throws IOException {
+        checkWritable(lastIndex);
+    }
+
+    @Override
+    public synchronized boolean isRecoverable() {
+        return !closed;
+    }
+
+    /** Also writes the telemetry that waits: when this returns the disk has taken something. */
+    @Override
+    public synchronized void recover() throws IOException {
+        if (closed) {
+            throw new JournalException(file, lastIndex, CLOSED);
+        }
+        try {
+            database.rollBack();
+            Optional<End> tried = attempted;
+            if (tried.isPresent()
+                    && entries.endsWith(tried.get().index(), tried.get().checksum())) {
+                endsAt(tried.get()); // it was written, and only the word for it did not come
+            } else if (!entries.endsWith(lastIndex, checksum)) {
+                throw new JournalException(file, lastIndex, "ends otherwise than it was written");
+            }
+            attempted = Optional.empty();
+            entries.renew();
+            if (power.hasFailed()) {
+                database.rewriteLog();
+                power.recovered();
+            }
+            broken = false;
+            commit(lastIndex, () -> {});
+        } catch (SQLException fault) {
+            throw new JournalException(file, lastIndex, CANNOT + Database.words(fault), fault);
+        }
+    }
+
+    /** How large its file is, with what is still in the log beside it. */
+    public synchronized long bytes() throws IOException {
+        try {
+            return database.bytes();
+        } catch (SQLException fault) {
+            throw new JournalException(file, lastIndex, "cannot be read: " + fault.getMessage(), fault);
+        }
+    }
+
+    /** How many rows of telemetry were let go, since the file could not be written for too long. */
+    public long telemetryLost() {
+        return telemetry.lost();
+    }
+
+    /** For tests: a disk on which the file has room for so many pages beside those that it has. */
+    synchronized void leaveRoomFor(long pages) throws SQLException {
+        database.limitPages(database.bytes() / options.pageBytes() + pages);
     }
 
     @Override
@@ -235,10 +303,12 @@ public final class SqliteJournal implements InputJournal {
     /** Adds telemetry, from any thread; it is in the file within the time of a sync, or with the next batch. */
     public void addTelemetry(List<TelemetryRow> rows) throws IOException {
         if (closed) {
-            throw new JournalException(file, lastIndex(), "the journal is closed");
+            throw new JournalException(file, lastIndex(), CLOSED);
         }
         telemetry.add(rows);
-        power.soon();
+        if (!power.hasFailed()) {
+            power.soon();
+        }
     }
 
     @Override
@@ -276,22 +346,29 @@ public final class SqliteJournal implements InputJournal {
         }
     }
 
-    /** One transaction, telemetry included. After a failure nothing more is written: the file's end is not known. */
+    /** One transaction, telemetry included. After a failure nothing more is written before {@link #recover}: the file's end is not known. */
     private void commit(long entry, Writing writing) throws JournalException {
-        if (closed || broken) {
-            throw new JournalException(
-                    file, entry, closed ? "the journal is closed" : "the journal failed before" + failure);
-        }
+        checkWritable(entry);
         broken = true;
         try {
             database.run("BEGIN IMMEDIATE");
             writing.run();
             telemetry.write(database.connection());
             database.run("COMMIT");
+            telemetry.committed();
             broken = false;
         } catch (SQLException fault) {
-            failure = ": " + fault.getMessage();
-            throw new JournalException(file, entry, "cannot be written: " + fault.getMessage(), fault);
+            failure = Database.words(fault);
+            throw new JournalException(file, entry, CANNOT + failure, fault);
+        }
+    }
+
+    private void checkWritable(long entry) throws JournalException {
+        if (closed) {
+            throw new JournalException(file, entry, CLOSED);
+        }
+        if (broken) {
+            throw new JournalException(file, entry, CANNOT + failure);
         }
     }
 

@@ -5,8 +5,11 @@ import java.nio.charset.StandardCharsets;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.zip.CRC32C;
 
 /**
@@ -14,26 +17,52 @@ import java.util.zip.CRC32C;
  * checksum of its own, and none of its predecessor's: a row that is lost spoils no other.
  */
 final class TelemetryTable {
-    private final ConcurrentLinkedQueue<TelemetryRow> waiting = new ConcurrentLinkedQueue<>();
+    /** A disk that is full for long must not fill the memory as well: about a hundred megabytes. */
+    private static final int MOST_WAITING = 200_000;
 
+    private final ConcurrentLinkedQueue<TelemetryRow> waiting = new ConcurrentLinkedQueue<>();
+    private final AtomicInteger count = new AtomicInteger(); // of those that wait
+    private final AtomicLong lost = new AtomicLong();
+    private final List<TelemetryRow> uncommitted = new ArrayList<>(); // for who writes the journal
+
+    /** Takes rows; where too many wait already they are counted and let go. */
     void add(List<TelemetryRow> rows) {
+        if (count.get() + rows.size() > MOST_WAITING) {
+            lost.addAndGet(rows.size());
+            return;
+        }
+        count.addAndGet(rows.size());
         waiting.addAll(rows);
     }
 
     boolean isEmpty() {
-        return waiting.isEmpty();
+        return waiting.isEmpty() && uncommitted.isEmpty();
     }
 
-    /** Writes what waits; the caller commits. */
+    /** How many rows were let go. */
+    long lost() {
+        return lost.get();
+    }
+
+    /** Writes what waits; the caller commits, and says so by {@link #committed}, else it is written again the next time. */
     void write(Connection connection) throws SQLException {
-        if (waiting.isEmpty()) {
+        for (TelemetryRow row = waiting.poll(); row != null; row = waiting.poll()) {
+            uncommitted.add(row);
+        }
+        if (uncommitted.isEmpty()) {
             return;
         }
         try (PreparedStatement insert = insertion(connection)) {
-            for (TelemetryRow row = waiting.poll(); row != null; row = waiting.poll()) {
+            for (TelemetryRow row : uncommitted) {
                 insert(insert, row);
             }
         }
+    }
+
+    /** What was written is in the file. */
+    void committed() {
+        count.addAndGet(-uncommitted.size());
+        uncommitted.clear();
     }
 
     static PreparedStatement insertion(Connection connection) throws SQLException {

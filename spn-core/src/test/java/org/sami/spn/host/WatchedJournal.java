@@ -9,6 +9,7 @@ final class WatchedJournal implements InputJournal {
     private final MemoryJournal memory = new MemoryJournal();
     private final List<String> log;
     private boolean refusing;
+    private boolean recoverable;
 
     WatchedJournal(List<String> log) {
         this.log = log;
@@ -16,6 +17,34 @@ final class WatchedJournal implements InputJournal {
 
     void refuse() {
         refusing = true;
+    }
+
+    /** Refuses until it is told to accept. */
+    void refuseForNow() {
+        refusing = true;
+        recoverable = true;
+    }
+
+    void accept() {
+        refusing = false;
+    }
+
+    @Override
+    public boolean isRecoverable() {
+        return recoverable;
+    }
+
+    @Override
+    public void check() throws IOException {
+        if (refusing) {
+            throw new IOException("the disk is full");
+        }
+    }
+
+    @Override
+    public void recover() throws IOException {
+        check();
+        log.add("recovered");
     }
 
     List<JournalEntry> entries() {

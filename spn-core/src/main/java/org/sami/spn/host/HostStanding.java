@@ -1,0 +1,66 @@
+package org.sami.spn.host;
+
+import java.lang.System.Logger.Level;
+
+/** Whether a host works: tells its listeners when that changes. What has ended stays so. Safe for use by several threads. */
+final class HostStanding {
+    private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
+
+    private final ListenerList<HostListener> listeners;
+    private volatile HostStatus status = HostStatus.running();
+
+    HostStanding(ListenerList<HostListener> listeners) {
+        this.listeners = listeners;
+    }
+
+    HostStatus status() {
+        return status;
+    }
+
+    boolean isRunning() {
+        return status.kind() == HostStatus.Kind.RUNNING;
+    }
+
+    boolean isWaiting() {
+        return status.kind() == HostStatus.Kind.WAITING;
+    }
+
+    /** It waits for its journal from now on, or waits still. */
+    void waits(HostStatus waiting, Throwable fault) {
+        boolean isNew = !status.equals(waiting);
+        if (become(waiting) && isNew) {
+            LOG.log(Level.ERROR, "the engine's host waits: " + waiting.reason(), fault);
+            listeners.each(listener -> listener.onWaiting(waiting.reason()));
+        }
+    }
+
+    /** It has waited, and runs again; gives whether it does. */
+    boolean goesOn() {
+        if (!become(HostStatus.running())) {
+            return false;
+        }
+        LOG.log(Level.INFO, "the engine's host goes on: its journal is written again");
+        listeners.each(HostListener::onGoingOn);
+        return true;
+    }
+
+    void closed() {
+        become(new HostStatus(HostStatus.Kind.CLOSED, "closed"));
+    }
+
+    /** It has stopped by a fault; null for one that was found elsewhere. */
+    void failed(String reason, Throwable fault) {
+        if (become(new HostStatus(HostStatus.Kind.FAILED, reason))) {
+            LOG.log(Level.ERROR, "the engine's host stops: " + reason, fault);
+            listeners.each(listener -> listener.onFailed(reason));
+        }
+    }
+
+    private synchronized boolean become(HostStatus next) {
+        if (!status.isAlive()) {
+            return false;
+        }
+        status = next;
+        return true;
+    }
+}
