@@ -19,6 +19,7 @@ import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.value.GeoPoint;
 
@@ -33,6 +34,7 @@ final class FleetListener implements BaseListener {
     private final SessionMessages messages;
     private final Optional<RememberedBoats> remembered;
     private final LongSupplier nowMillis;
+    private final ThreadGuard guard;
     private final ListenerList<Consumer<BoatProxy>> finders = new ListenerList<>();
     private final Map<String, Integer> reported = new HashMap<>(); // points that were passed, by command
     private volatile boolean closed;
@@ -43,13 +45,15 @@ final class FleetListener implements BaseListener {
             SessionTelemetry telemetry,
             SessionMessages messages,
             Optional<RememberedBoats> remembered,
-            LongSupplier nowMillis) {
+            LongSupplier nowMillis,
+            ThreadGuard guard) {
         this.events = events;
         this.history = history;
         this.telemetry = telemetry;
         this.messages = messages;
         this.remembered = remembered;
         this.nowMillis = nowMillis;
+        this.guard = guard;
         events.subscribe(this::take);
     }
 
@@ -106,6 +110,7 @@ final class FleetListener implements BaseListener {
     public void onFailure(String what, RuntimeException cause) {
         messages.ofLink(nowMillis.getAsLong(), "fault in " + what + ": " + cause);
         events.onFailure(what, cause);
+        guard.caught("fleet", cause);
     }
 
     // ---- boats

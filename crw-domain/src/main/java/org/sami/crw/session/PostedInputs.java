@@ -9,6 +9,7 @@ import java.util.function.Function;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
@@ -32,6 +33,12 @@ final class PostedInputs implements HostListener {
     /** Posts an input; the stage fails, saying why, if the engine refuses it. */
     <T> CompletionStage<T> post(Input input, Function<List<Effect>, T> result) {
         Replies.Reply<T> reply = replies.open();
+        HostStatus status = host.status();
+        if (status.kind() == HostStatus.Kind.WAITING) { // whoever pressed a button does not wish it minutes later
+            reply.fail(new RefusedException(
+                    "nothing is taken in while the journal cannot be written: " + status.reason()));
+            return reply.stage();
+        }
         synchronized (waiting) {
             waiting.put(input, new Waiting<>(reply, result));
         }

@@ -8,6 +8,7 @@ import java.util.concurrent.PriorityBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
@@ -60,17 +61,39 @@ public final class RealTimeLoop implements Executor, Scheduler {
         after(periodMs, () -> every(periodMs, action));
     }
 
-    /** Works until somebody wants an end, which is asked before each piece of work, or the thread is interrupted. */
+    /** Works until somebody wants an end, which is asked before each piece of work, or the thread is interrupted. What work throws ends it. */
     public void run(BooleanSupplier isOver) {
+        run(isOver, fault -> {
+            if (fault instanceof Error error) {
+                throw error;
+            }
+            throw (RuntimeException) fault;
+        });
+    }
+
+    /**
+     * As {@link #run(BooleanSupplier)}, and goes on after work that threw something.
+     *
+     * @param onFault is given what was thrown, a {@link RuntimeException} or an {@link Error}
+     */
+    public void run(BooleanSupplier isOver, Consumer<Throwable> onFault) {
         try {
             while (!isOver.getAsBoolean()) {
                 Runnable next = next();
                 if (next != null) {
-                    next.run();
+                    run(next, onFault);
                 }
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void run(Runnable work, Consumer<Throwable> onFault) {
+        try {
+            work.run();
+        } catch (RuntimeException | Error fault) {
+            onFault.accept(fault);
         }
     }
 

@@ -75,6 +75,9 @@ final class Replies {
                 reply.complete(work.get());
             } catch (RuntimeException fault) {
                 reply.fail(fault);
+            } catch (Error fault) {
+                reply.fail(new RefusedException("it could not be done: " + fault)); // nobody waits for ever
+                throw fault;
             }
         };
         try {

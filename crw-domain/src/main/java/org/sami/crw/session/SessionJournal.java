@@ -135,6 +135,10 @@ public final class SessionJournal implements AutoCloseable {
         }
     }
 
+    Optional<SqliteJournal> sqlite() {
+        return file;
+    }
+
     InputJournal inputs() {
         return inputs;
     }

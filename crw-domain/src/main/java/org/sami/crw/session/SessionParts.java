@@ -18,8 +18,10 @@ import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.CrwDomain;
 import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
@@ -80,6 +82,12 @@ final class SessionParts {
     private boolean replayed; // before it begins
     private long shown; // for the engine's thread
 
+    /** Guards the threads; for the runtime of a window or a console as well. */
+    final ThreadGuard guard = new ThreadGuard(this::report, this::stop);
+
+    /** Empty where everything is one thread of the caller's, who sees what it throws. */
+    final Optional<SessionCare> care;
+
     SessionParts(SessionSetup setup) throws IOException {
         vocabulary = setup.vocabulary();
         journal = setup.journal();
@@ -88,8 +96,8 @@ final class SessionParts {
             loop = Optional.of(new RealTimeLoop(journal.cameToMillis(), real.clock()));
             scheduler = loop.get();
             executor = loop.get();
-            services = Optional.of(new ServiceThreads(ServiceThreads.STANDARD_LIMIT_MILLIS));
-            ownFront = real.front().isPresent() ? Optional.empty() : Optional.of(newThread("session"));
+            services = Optional.of(new ServiceThreads(ServiceThreads.STANDARD_LIMIT_MILLIS, guard::lost));
+            ownFront = real.front().isPresent() ? Optional.empty() : Optional.of(newThread("session", guard));
             front = real.front().orElseGet(ownFront::get);
         } else {
             SessionRuntime.OneThread one = (SessionRuntime.OneThread) setup.runtime();
@@ -108,14 +116,15 @@ final class SessionParts {
                 .clock(clock)
                 .executor(executor)
                 .slowListenerMillis(slowMillis)
+                .journalPatienceMillis(setup.onFault().patienceMillis())
                 .build();
         replies = new Replies(front);
         projects = new ProjectFiles(vocabulary);
-        ownFiles = loop.map(real -> newThread("files"));
+        ownFiles = loop.map(real -> newThread("files", this::lost));
         files = ownFiles.<Executor>map(own -> own).orElse(executor);
         posted = new PostedInputs(host, replies);
         telemetry = new SessionTelemetry(journal, scheduler::nowMs);
-        forMap = loop.map(real -> newThread("map"));
+        forMap = loop.map(real -> newThread("map", this::lost));
         drawing = forMap.<Executor>map(map -> map).orElse(Runnable::run);
         models = new OperatorModels(front, scheduler::nowMs, drawing);
         if (loop.isEmpty()) {
@@ -125,7 +134,7 @@ final class SessionParts {
         remembered = loop.map(real -> new RememberedBoats(host));
         connector = connector(setup.runtime());
         events = new FleetEvents(slowMillis);
-        boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
+        boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs, guard);
         monitor = new BoatMonitor(
                 history, telemetry, messages, models.missions()::title, loop.isPresent(), scheduler::nowMs);
         poses = new PoseLog(history, telemetry);
@@ -161,6 +170,8 @@ final class SessionParts {
         host.addListener(operators);
         host.addListener(models);
         host.addListener(posted);
+        care = loop.map(
+                real -> new SessionCare(host, journal, connector, models.health(), messages, setup.onFault(), guard));
         events.subscribe(models.fleetListener(connector.boats(), showMillis));
     }
 
@@ -174,10 +185,23 @@ final class SessionParts {
         return new TcpFleet(real.links(), real.clock(), simulated);
     }
 
-    private static ExecutorService newThread(String name) {
+    private void report(HealthFault fault) {
+        models.health().report(fault);
+    }
+
+    private void stop(String reason) {
+        host.fail(reason);
+    }
+
+    private void lost(Thread thread, Throwable fault) {
+        guard.lost(thread.getName(), fault);
+    }
+
+    private static ExecutorService newThread(String name, Thread.UncaughtExceptionHandler guard) {
         return Executors.newSingleThreadExecutor(work -> {
             Thread thread = new Thread(work, name);
             thread.setDaemon(true);
+            thread.setUncaughtExceptionHandler(guard);
             return thread;
         });
     }
@@ -221,22 +245,29 @@ final class SessionParts {
 
     /** Ages and reasons change by themselves. */
     private void keepShowing() {
-        connector.executor().execute(models::look);
-        if (++shown % SHOWN_BEFORE_REFRESH == 0) {
-            models.refresh(host, vocabulary);
+        try {
+            connector.executor().execute(models::look);
+            if (++shown % SHOWN_BEFORE_REFRESH == 0) {
+                models.refresh(host, vocabulary);
+            }
+        } finally {
+            scheduler.after(showMillis, this::keepShowing);
         }
-        scheduler.after(showMillis, this::keepShowing);
     }
 
     private void keepLookingAfterBoats() {
-        connector.executor().execute(() -> {
-            monitor.look(connector.boats());
-            if (journal.keepsTelemetry()) {
-                boatLog.look();
-                poses.look(scheduler.nowMs());
-            }
-        });
-        scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
+        try {
+            connector.executor().execute(() -> {
+                monitor.look(connector.boats());
+                if (journal.keepsTelemetry()) {
+                    boatLog.look();
+                    poses.look(scheduler.nowMs());
+                }
+            });
+            care.ifPresent(one -> one.look(scheduler.nowMs()));
+        } finally {
+            scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
+        }
     }
 
     void whoIsWanted(Consumer<Set<String>> then) {
@@ -257,11 +288,7 @@ final class SessionParts {
 
     private void runEngine(RealTimeLoop real) {
         try {
-            real.run(() -> halted);
-        } catch (RuntimeException | AssertionError fault) {
-            String reason = "the engine's thread broke: " + fault;
-            messages.each(listener -> listener.onBroken(reason));
-            posted.onFailed(reason);
+            real.run(() -> halted, fault -> guard.caught("engine", fault));
         } finally {
             ended.complete(null);
         }
@@ -288,6 +315,7 @@ final class SessionParts {
     void close() throws IOException {
         listenNoLonger();
         halted = true;
+        care.ifPresent(SessionCare::close);
         services.ifPresent(ServiceThreads::close);
         onFleet(known -> known.boatIds()); // what the operator did last has been written down
         connector.close();

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Objects;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.VocabularyFiles;
@@ -17,15 +18,32 @@ import org.sami.spn.vocabulary.Vocabulary;
  * @param project whose plans may run; they have passed the checks
  * @param journal belongs to the session, which closes it
  * @param services who computes allocations, paths and coverage
+ * @param onFault what is to happen when the engine or its journal fails; of sessions in real time
  */
 public record SessionSetup(
-        Vocabulary vocabulary, Project project, SessionJournal journal, CrwServices services, SessionRuntime runtime) {
+        Vocabulary vocabulary,
+        Project project,
+        SessionJournal journal,
+        CrwServices services,
+        SessionRuntime runtime,
+        FaultPolicy onFault) {
     public SessionSetup {
         Objects.requireNonNull(vocabulary, "vocabulary");
         Objects.requireNonNull(project, "project");
         Objects.requireNonNull(journal, "journal");
         Objects.requireNonNull(services, "services");
         Objects.requireNonNull(runtime, "runtime");
+        Objects.requireNonNull(onFault, "onFault");
+    }
+
+    /** With somebody who looks after it ({@link FaultPolicy#ATTENDED}). */
+    public SessionSetup(
+            Vocabulary vocabulary,
+            Project project,
+            SessionJournal journal,
+            CrwServices services,
+            SessionRuntime runtime) {
+        this(vocabulary, project, journal, services, runtime, FaultPolicy.ATTENDED);
     }
 
     /**
@@ -57,16 +75,21 @@ public record SessionSetup(
 
     /** The same with another journal. */
     public SessionSetup with(SessionJournal other) {
-        return new SessionSetup(vocabulary, project, other, services, runtime);
+        return new SessionSetup(vocabulary, project, other, services, runtime, onFault);
     }
 
     /** The same on another runtime. */
     public SessionSetup with(SessionRuntime other) {
-        return new SessionSetup(vocabulary, project, journal, services, other);
+        return new SessionSetup(vocabulary, project, journal, services, other, onFault);
     }
 
     /** The same with other services. */
     public SessionSetup with(CrwServices others) {
-        return new SessionSetup(vocabulary, project, journal, others, runtime);
+        return new SessionSetup(vocabulary, project, journal, others, runtime, onFault);
+    }
+
+    /** The same with something else that is to happen when the engine or its journal fails. */
+    public SessionSetup with(FaultPolicy other) {
+        return new SessionSetup(vocabulary, project, journal, services, runtime, other);
     }
 }

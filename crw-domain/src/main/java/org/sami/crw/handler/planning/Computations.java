@@ -158,13 +158,20 @@ public final class Computations implements HostListener {
         try {
             then = outcome.call();
         } catch (Exception | LinkageError | StackOverflowError | AssertionError fault) {
-            then = () -> {
-                task.gone();
-                fail(one, fault);
-            };
+            then = failed(one, task, fault);
+        } catch (Error fault) {
+            threads.ifPresent(known -> known.fault(fault));
+            then = failed(one, task, fault);
         }
         Runnable last = then;
         fleet.execute(() -> end(one, last));
+    }
+
+    private static Runnable failed(Running one, Task<?> task, Throwable fault) {
+        return () -> {
+            task.gone();
+            fail(one, fault);
+        };
     }
 
     private void end(Running one, Runnable then) {

@@ -7,6 +7,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BiConsumer;
 
 /**
  * Threads for what services compute, beside the fleet's: for sessions in real time, whose links must live on meanwhile. A computation
@@ -20,13 +21,29 @@ public final class ServiceThreads implements AutoCloseable {
     private static final int THREADS = 2;
 
     private final long limitMillis;
+    private final BiConsumer<String, Throwable> onFault;
     private final ExecutorService threads = Executors.newFixedThreadPool(THREADS, daemons("service"));
     private final ScheduledExecutorService timeouts =
             Executors.newSingleThreadScheduledExecutor(daemons("service-timeouts"));
 
     /** Threads with a limit for each computation. */
     public ServiceThreads(long limitMillis) {
+        this(limitMillis, (thread, fault) -> {});
+    }
+
+    /**
+     * The same.
+     *
+     * @param onFault is told what the machine throws at a computation, which fails then: the thread's name, and what it was
+     */
+    public ServiceThreads(long limitMillis, BiConsumer<String, Throwable> onFault) {
         this.limitMillis = limitMillis;
+        this.onFault = onFault;
+    }
+
+    /** The machine threw something at a computation. */
+    void fault(Throwable thrown) {
+        onFault.accept(Thread.currentThread().getName(), thrown);
     }
 
     private static ThreadFactory daemons(String name) {

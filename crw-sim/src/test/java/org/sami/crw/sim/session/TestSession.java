@@ -22,6 +22,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionJournal;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
@@ -30,6 +31,7 @@ import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.host.InputJournal;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
@@ -65,6 +67,12 @@ final class TestSession implements AutoCloseable {
     /** A session of a project that has not begun, without a journal. */
     Session opened(Project project) throws IOException {
         return keep(Session.open(setup(project)));
+    }
+
+    /** A session that has not begun, with inputs that somebody else keeps, and with what is to happen when that fails. */
+    Session opened(Project project, InputJournal inputs, FaultPolicy onFault) throws IOException {
+        return keep(
+                Session.open(setup(project).with(SessionJournal.over(inputs)).with(onFault)));
     }
 
     /** A session with a journal that has not begun. */

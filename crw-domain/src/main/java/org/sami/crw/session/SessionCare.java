@@ -1,0 +1,58 @@
+package org.sami.crw.session;
+
+import org.sami.crw.operator.HealthModel;
+import org.sami.crw.session.fault.EngineWatch;
+import org.sami.crw.session.fault.FaultPolicy;
+import org.sami.crw.session.fault.SystemWatch;
+import org.sami.crw.session.fault.ThreadGuard;
+import org.sami.spn.host.EngineHost;
+
+/** Looks after a session in real time: its engine, its journal's disk, its memory. Looks when it is told to, every second. */
+final class SessionCare implements AutoCloseable {
+    private final EngineHost host;
+    private final ThreadGuard guard;
+    private final EngineWatch engine;
+    private final SystemWatch system;
+    private long faults; // of listeners; for the engine's thread
+
+    SessionCare(
+            EngineHost host,
+            SessionJournal journal,
+            FleetConnector fleet,
+            HealthModel health,
+            SessionMessages messages,
+            FaultPolicy policy,
+            ThreadGuard guard) {
+        this.host = host;
+        this.guard = guard;
+        engine = new EngineWatch(
+                health,
+                work -> fleet.executor().execute(work),
+                fleet::boats,
+                policy.boats(),
+                reason -> messages.each(listener -> listener.onBroken(reason)));
+        system = new SystemWatch(journal.sqlite(), health, guard);
+        host.addListener(engine);
+    }
+
+    EngineWatch engine() {
+        return engine;
+    }
+
+    /** On the engine's thread. */
+    void look(long nowMillis) {
+        engine.look();
+        host.checkJournal();
+        system.look(nowMillis);
+        long now = host.load().listenerFaults();
+        if (now > faults) {
+            guard.lost("engine", new IllegalStateException((now - faults) + " listeners threw; the log says what"));
+            faults = now;
+        }
+    }
+
+    @Override
+    public void close() {
+        system.close();
+    }
+}

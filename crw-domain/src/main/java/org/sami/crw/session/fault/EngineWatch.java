@@ -1,0 +1,118 @@
+package org.sami.crw.session.fault;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.sami.crw.operator.HealthModel;
+import org.sami.crw.operator.health.HealthFault;
+import org.sami.crw.operator.health.HealthKind;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+
+/**
+ * What a session does when its engine waits for the journal, or has stopped: says so, and has boats stand still until it goes on. The fleet's thread does
+ * not need the engine for that, nor for a fleet stop. Safe for use by several threads.
+ */
+public final class EngineWatch implements HostListener {
+    private static final String WAITS = "missions stand still: ";
+    private static final String STOPPED = "the engine has stopped: ";
+
+    private final HealthModel health;
+    private final Executor fleet;
+    private final Supplier<ProxyRegistry> boats;
+    private final Consumer<String> broken;
+    private final HeldBoats held = new HeldBoats(); // for the fleet's thread
+    private volatile BoatsAtFault still;
+    private volatile boolean down;
+
+    /**
+     * Watches an engine that runs.
+     *
+     * @param fleet the fleet's thread
+     * @param boats for the fleet's thread
+     * @param still what boats do meanwhile
+     * @param broken is told why the session cannot go on, once
+     */
+    public EngineWatch(
+            HealthModel health,
+            Executor fleet,
+            Supplier<ProxyRegistry> boats,
+            BoatsAtFault still,
+            Consumer<String> broken) {
+        this.health = Objects.requireNonNull(health, "health");
+        this.fleet = Objects.requireNonNull(fleet, "fleet");
+        this.boats = Objects.requireNonNull(boats, "boats");
+        this.still = Objects.requireNonNull(still, "still");
+        this.broken = Objects.requireNonNull(broken, "broken");
+    }
+
+    /** What boats do when the engine or its journal does not work. */
+    public BoatsAtFault still() {
+        return still;
+    }
+
+    /** Sets what boats do; counts at once. */
+    public void setStill(BoatsAtFault other) {
+        still = Objects.requireNonNull(other, "other");
+        if (down) {
+            begin();
+        }
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        // All is well.
+    }
+
+    @Override
+    public void onWaiting(String reason) {
+        health.report(HealthFault.ofSession(
+                HealthKind.JOURNAL,
+                Priority.CRITICAL,
+                WAITS + reason + "; " + still.words(),
+                "Make room on the journal's disk: missions go on by themselves then. The fleet stop (F12) works"));
+        begin();
+    }
+
+    @Override
+    public void onGoingOn() {
+        down = false;
+        health.over(HealthKind.JOURNAL, "");
+        fleet.execute(() -> held.letGo(boats.get()));
+    }
+
+    @Override
+    public void onFailed(String reason) {
+        health.over(HealthKind.JOURNAL, "");
+        health.report(
+                HealthFault.ofSession(
+                        HealthKind.ENGINE,
+                        Priority.CRITICAL,
+                        STOPPED + reason + "; no mission goes on, " + still.words(),
+                        "Bring boats home by hand, or stop them (F12); then end the session and open it again: it goes on where its journal ends"));
+        begin();
+        broken.accept(reason);
+    }
+
+    private void begin() {
+        down = true;
+        if (still == BoatsAtFault.STOP) {
+            fleet.execute(() -> held.stop(boats.get()));
+        } else {
+            look();
+        }
+    }
+
+    /** Has boats held that meanwhile began with what missions have for them; to be called every second. */
+    public void look() {
+        if (down && still == BoatsAtFault.HOLD) {
+            fleet.execute(() -> held.hold(boats.get()));
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package org.sami.crw.session.fault;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.sami.crw.operator.HealthModel;
+import org.sami.crw.operator.health.HealthKind;
+import org.sami.spn.journal.SqliteJournal;
+
+/** Looks at memory and disk on a daemon thread of its own, which may hang with the disk: nothing else waits for it. */
+public final class SystemWatch implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(SystemWatch.class.getName());
+    private static final int DISK_EVERY = 5;
+
+    private final HealthModel health;
+    private final Optional<JournalWatch> journal;
+    private final MemoryWatch memory = new MemoryWatch();
+    private final ExecutorService thread;
+    private final AtomicBoolean looking = new AtomicBoolean();
+    private long looks; // for the thread
+
+    /**
+     * Watches from now on, whenever it is told to look.
+     *
+     * @param journal whose file and disk are looked at; empty for none
+     * @param guard is told what is thrown here
+     */
+    public SystemWatch(Optional<SqliteJournal> journal, HealthModel health, ThreadGuard guard) {
+        this.health = health;
+        this.journal = journal.flatMap(one -> watch(one, health));
+        thread = Executors.newSingleThreadExecutor(work -> {
+            Thread made = new Thread(work, "system-watch");
+            made.setDaemon(true);
+            made.setUncaughtExceptionHandler((which, fault) -> guard.lost(which.getName(), fault));
+            return made;
+        });
+    }
+
+    private static Optional<JournalWatch> watch(SqliteJournal journal, HealthModel health) {
+        Path file = journal.file();
+        try {
+            return Optional.of(new JournalWatch(file, journal::bytes, health));
+        } catch (IOException unseen) {
+            LOG.log(Level.WARNING, "the disk of " + file + " is not watched: " + unseen.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    /** Has it look, unless it looks still; to be called every second. From any thread. */
+    public void look(long atMillis) {
+        if (looking.compareAndSet(false, true)) {
+            try {
+                thread.execute(() -> {
+                    try {
+                        lookNow(atMillis);
+                    } finally {
+                        looking.set(false);
+                    }
+                });
+            } catch (RejectedExecutionException closed) {
+                // the session ends
+            }
+        }
+    }
+
+    private void lookNow(long atMillis) {
+        Runtime machine = Runtime.getRuntime();
+        long most = machine.maxMemory();
+        switch (memory.look(machine.totalMemory() - machine.freeMemory(), most)) {
+            case NEARLY_NONE -> health.report(MemoryWatch.nearlyNone(most));
+            case WELL -> health.over(HealthKind.MEMORY, "");
+            case SAME -> {
+                // an entry that is there stays
+            }
+        }
+        if (looks++ % DISK_EVERY == 0) {
+            journal.ifPresent(one -> one.look(atMillis));
+        }
+    }
+
+    @Override
+    public void close() {
+        thread.shutdown();
+    }
+}

@@ -1,0 +1,61 @@
+package org.sami.crw.session.fault;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.operator.health.HealthFault;
+import org.sami.spn.protocol.Priority;
+
+class RoomWatchTest {
+    private static final long MB = 1 << 20;
+    private static final long MINUTE = 60_000;
+
+    private final RoomWatch watch = new RoomWatch();
+
+    private static String text(Optional<HealthFault> said) {
+        return said.orElseThrow().text();
+    }
+
+    @Test
+    void saysForHowLongTheRoomLastsByWhatTheSessionWrites() {
+        assertThat(watch.look(0, 10 * MB, 1000 * MB)).isEmpty();
+        assertThat(watch.look(MINUTE, 11 * MB, 999 * MB)).isEmpty(); // 999 minutes
+
+        Optional<HealthFault> said = watch.look(2 * MINUTE, 60 * MB, 950 * MB);
+        assertThat(text(said)).isEqualTo("the journal's disk has 950 MB left: room for about 40 minutes");
+        assertThat(said.orElseThrow().severity()).isEqualTo(Priority.HIGH);
+    }
+
+    @Test
+    void countsWhatOthersWriteThere() {
+        watch.look(0, 10 * MB, 2000 * MB);
+        assertThat(text(watch.look(MINUTE, 10 * MB, 1800 * MB)))
+                .isEqualTo("the journal's disk has 1800 MB left: room for about 9 minutes");
+    }
+
+    @Test
+    void littleRoomIsSaidBeforeAnythingWasWritten() {
+        assertThat(text(watch.look(0, MB, 50 * MB))).isEqualTo("the journal's disk has 50 MB left");
+        Optional<HealthFault> none = watch.look(1000, MB, 3 * MB / 2);
+        assertThat(text(none)).isEqualTo("the journal's disk has 1.5 MB left");
+        assertThat(none.orElseThrow().severity()).isEqualTo(Priority.CRITICAL);
+    }
+
+    @Test
+    void warningEndsWhenThereIsClearlyMoreRoom() {
+        assertThat(watch.look(0, MB, 99 * MB)).isPresent();
+        assertThat(watch.look(1000, MB, 101 * MB)).isPresent();
+        assertThat(watch.look(2000, MB, 130 * MB)).isEmpty();
+        assertThat(watch.look(3000, MB, 101 * MB)).isEmpty();
+    }
+
+    @Test
+    void whatWasWrittenLongAgoCountsNoLonger() {
+        watch.look(0, 0, 1000 * MB);
+        watch.look(MINUTE, 500 * MB, 500 * MB);
+        assertThat(watch.look(2 * MINUTE, 500 * MB, 500 * MB)).isPresent();
+        watch.look(12 * MINUTE, 500 * MB, 500 * MB);
+        assertThat(watch.look(13 * MINUTE, 501 * MB, 499 * MB)).isEmpty();
+    }
+}
