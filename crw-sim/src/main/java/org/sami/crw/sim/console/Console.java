@@ -58,6 +58,12 @@ public final class Console implements AutoCloseable {
         return faults;
     }
 
+    /** Ends it: a command that waits is given up, and no other line is read. From any thread. */
+    public void end() {
+        session.end();
+        context.end();
+    }
+
     private void execute(String line, Consumer<String> out) {
         try {
             List<String> words = CommandLineText.words(line);

@@ -29,6 +29,7 @@ final class ConsoleContext implements AutoCloseable {
     private final Vocabulary vocabulary;
     private final Object changed = new Object();
     private List<Registration> registrations = List.of();
+    private volatile boolean ended;
 
     ConsoleContext(Session session) {
         this.session = Objects.requireNonNull(session, "session");
@@ -44,6 +45,12 @@ final class ConsoleContext implements AutoCloseable {
                 models.allocation().addListener(snapshot -> wake()),
                 models.alarms().addListener(snapshot -> wake()),
                 models.fleet().addListener(snapshot -> wake()));
+    }
+
+    /** Nothing is waited for any longer. From any thread. */
+    void end() {
+        ended = true;
+        wake();
     }
 
     private void wake() {
@@ -128,6 +135,9 @@ final class ConsoleContext implements AutoCloseable {
         long end = System.nanoTime() + (long) (seconds * 1e9);
         synchronized (changed) {
             while (!wanted.getAsBoolean()) {
+                if (ended) {
+                    throw new ConsoleFault("it is waited for no longer");
+                }
                 long leftMillis = (end - System.nanoTime()) / 1_000_000;
                 if (leftMillis <= 0) {
                     return false;

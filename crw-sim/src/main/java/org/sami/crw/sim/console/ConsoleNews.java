@@ -17,6 +17,7 @@ import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.sim.run.HealthNews;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -27,6 +28,7 @@ final class ConsoleNews implements AutoCloseable {
     private final AnswerText answers;
     private final Consumer<String> out;
     private final List<Registration> registrations;
+    private final HealthNews health;
     private final Map<String, LinkState> links = new HashMap<>();
     private final Map<Long, Boolean> missions = new HashMap<>(); // whether it has ended
     private final Set<String> alarms = new HashSet<>();
@@ -35,6 +37,7 @@ final class ConsoleNews implements AutoCloseable {
     ConsoleNews(OperatorModels models, AnswerText answers, Consumer<String> out) {
         this.answers = answers;
         this.out = out;
+        health = new HealthNews(models, out);
         registrations = List.of(
                 models.decisions().addListener(new DecisionListener() {
                     @Override
@@ -123,5 +126,6 @@ final class ConsoleNews implements AutoCloseable {
     @Override
     public void close() {
         registrations.forEach(Registration::close);
+        health.close();
     }
 }

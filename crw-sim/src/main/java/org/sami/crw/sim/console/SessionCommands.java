@@ -11,11 +11,13 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.SavedGlobals;
+import org.sami.crw.session.fault.BoatsAtFault;
 import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
@@ -29,7 +31,7 @@ final class SessionCommands {
 
     private final ConsoleContext context;
     private final Supplier<Collection<ConsoleCommand>> commands;
-    private boolean ended;
+    private volatile boolean ended;
 
     /** @param commands all of the console, for its help */
     SessionCommands(ConsoleContext context, Supplier<Collection<ConsoleCommand>> commands) {
@@ -61,12 +63,24 @@ final class SessionCommands {
                                 ? List.of("within")
                                 : List.of("decision", "alarm", "ended", "tasks", "boats")),
                 ConsoleCommand.of(
+                        "on-fault [hold|stop]",
+                        "Says, or sets, what boats of missions do while the engine or its journal does not work.",
+                        this::onFault,
+                        words -> Stream.of(BoatsAtFault.values())
+                                .map(BoatsAtFault::typed)
+                                .toList()),
+                ConsoleCommand.of(
                         "help [COMMAND]",
                         "Lists the commands, or says more of one.",
                         this::help,
                         words -> commandNames()),
                 ConsoleCommand.of(
                         "quit", "Stops the boats of all missions, as far as links stand, and ends.", this::quit));
+    }
+
+    /** No further command is read. From any thread. */
+    void end() {
+        ended = true;
     }
 
     /** Whether the operator wants the session to end. */
@@ -190,6 +204,20 @@ final class SessionCommands {
         return context.models().fleet().snapshot().stream()
                 .filter(boat -> boat.link() == LinkState.LINKED && boat.pose().isPresent())
                 .count();
+    }
+
+    private void onFault(Arguments arguments, Consumer<String> out) {
+        if (arguments.hasNext()) {
+            String word = arguments.next("choice");
+            arguments.end();
+            BoatsAtFault chosen = Stream.of(BoatsAtFault.values())
+                    .filter(one -> one.typed().equals(word))
+                    .findFirst()
+                    .orElseThrow(() -> new ConsoleFault("on a fault boats hold or stop, they do not '" + word + "'"));
+            context.session().setBoatsAtFault(chosen);
+        }
+        BoatsAtFault still = context.session().boatsAtFault();
+        out.accept("on a fault of engine or journal: " + still.typed() + " (" + still.words() + ")");
     }
 
     private void help(Arguments arguments, Consumer<String> out) {

@@ -33,6 +33,7 @@ public final class RunNews implements AutoCloseable {
     private final List<Registration> registrations;
     private final Map<String, Long> lastToldAt = new HashMap<>(); // by the text of a message
     private long lastMessage;
+    private final HealthNews health;
     private long lastAlarm;
 
     /**
@@ -58,6 +59,7 @@ public final class RunNews implements AutoCloseable {
                 }),
                 models.messages().addListener(this::messages),
                 models.alarms().addListener(this::alarms));
+        health = new HealthNews(models, line -> tell(nowMillis.getAsLong(), line));
     }
 
     private void asked(PendingDecision pending) {
@@ -140,5 +142,6 @@ public final class RunNews implements AutoCloseable {
     @Override
     public void close() {
         registrations.forEach(Registration::close);
+        health.close();
     }
 }

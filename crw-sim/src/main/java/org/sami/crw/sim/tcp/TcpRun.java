@@ -17,6 +17,7 @@ import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ConnectedJournal;
@@ -157,7 +158,8 @@ public final class TcpRun {
                 process.clock(), TcpBaseConfig.of(proxy, settings.fleet().seed()), Optional.empty(), Optional.empty());
         CrwServices services =
                 CrwServices.STANDARD.drivenWith(settings.fleet().conditions().crossTrackError());
-        return new SessionSetup(plan.vocabulary(), plan.project(), journal.session(), services, runtime);
+        return new SessionSetup(
+                plan.vocabulary(), plan.project(), journal.session(), services, runtime, FaultPolicy.ALONE);
     }
 
     private RunMonitor watch(Session session, RunArea area) throws UnknownBoatException {

@@ -17,9 +17,10 @@ import java.util.concurrent.Callable;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionJournal;
-import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.fault.BoatsAtFault;
+import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.cli.option.PlanSource;
 import org.sami.crw.sim.cli.output.ExitCode;
@@ -56,7 +57,7 @@ import picocli.CommandLine.Spec;
             "0:it was ended, and every command was carried out",
             "1:the project has errors",
             "2:wrong usage, or there is no such file",
-            "4:something broke",
+            "4:something broke: the engine stopped, its journal could not be written, memory ran out; boats were stopped then",
             "6:it was ended, but commands were not carried out"
         },
         footerHeading = "%nExamples:%n",
@@ -106,6 +107,14 @@ public final class SessionCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "Read commands from this file instead of standard input.")
     private Path script;
+
+    @Option(
+            names = "--on-fault",
+            paramLabel = "ACTION",
+            description =
+                    "What boats of missions do while the engine or its journal does not work, such as on a full disk: hold their "
+                            + "places, or stop as by the fleet stop (hold or stop; default: hold).")
+    private BoatsAtFault onFault = BoatsAtFault.HOLD;
 
     @Override
     public Integer call() throws IOException {
@@ -184,15 +193,15 @@ public final class SessionCommand implements Callable<Integer> {
         Conditions ofSimulated = water.map(NamedConditions::conditions).orElse(Conditions.CALM);
         SessionRuntime runtime =
                 SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(new SimulatedBoatsOnTcp(1, ofSimulated));
-        try (Session session = Session.open(setup.with(stated.services()).with(runtime));
+        boolean attended = script == null && Terminal.onStandardInputAndOutput();
+        FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
+        try (Session session =
+                        Session.open(setup.with(stated.services()).with(runtime).with(policy));
                 Console console = new Console(session);
                 LineSource lines = lines(console)) {
-            session.addListener(new SessionListener() {
-                @Override
-                public void onBroken(String reason) {
-                    lines.print("crw: the session cannot go on: " + reason);
-                }
-            });
+            Thread.setDefaultUncaughtExceptionHandler(session.guard());
+            ConsoleEnd end = new ConsoleEnd(console, lines, attended);
+            session.addListener(end);
             if (goesOn) {
                 Set<BoatAddress> anew = new HashSet<>(addresses);
                 List<String> boats = session.reconnect(anew);
@@ -204,9 +213,14 @@ public final class SessionCommand implements Callable<Integer> {
             }
             addresses.forEach(session.fleet()::connect);
             session.begin();
-            int faults = console.run(lines);
+            int faults = end.run();
             session.leave().forEach(lines::print);
+            if (session.failure().isPresent()) {
+                return ExitCode.FAILED;
+            }
             return faults == 0 ? ExitCode.OK : WITH_FAULTS;
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(null);
         }
     }
 

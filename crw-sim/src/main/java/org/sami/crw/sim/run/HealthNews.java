@@ -1,0 +1,60 @@
+package org.sami.crw.sim.run;
+
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.health.Health;
+import org.sami.crw.operator.health.HealthEntry;
+import org.sami.crw.operator.health.HealthKind;
+import org.sami.spn.host.Registration;
+
+/**
+ * Tells the faults of the session itself, of its engine, journal, disk, memory and threads, as they begin, become worse and are over. Those of boats and
+ * missions are told elsewhere. Told on the models' thread.
+ */
+public final class HealthNews implements AutoCloseable {
+    private static final Set<HealthKind> OF_SESSION =
+            EnumSet.of(HealthKind.ENGINE, HealthKind.JOURNAL, HealthKind.DISK, HealthKind.MEMORY, HealthKind.THREAD);
+
+    private final Consumer<String> out;
+    private final Map<Long, HealthEntry> told = new HashMap<>(); // by number
+    private final Registration registration;
+
+    /** Tells what is wrong from now on. */
+    public HealthNews(OperatorModels models, Consumer<String> out) {
+        this.out = Objects.requireNonNull(out, "out");
+        registration = models.health().addListener(this::show);
+    }
+
+    private void show(Health health) {
+        Set<Long> now = new HashSet<>();
+        for (HealthEntry entry : health.entries()) {
+            if (OF_SESSION.contains(entry.fault().kind())) {
+                now.add(entry.number());
+                HealthEntry before = told.get(entry.number());
+                if (before == null || before.severity().compareTo(entry.severity()) < 0) {
+                    told.put(entry.number(), entry);
+                    out.accept("FAULT: " + entry.fault().text());
+                    out.accept("    " + entry.fault().advice());
+                }
+            }
+        }
+        told.values().removeIf(entry -> {
+            boolean over = !now.contains(entry.number());
+            if (over) {
+                out.accept("over: " + entry.fault().text());
+            }
+            return over;
+        });
+    }
+
+    @Override
+    public void close() {
+        registration.close();
+    }
+}
