@@ -9,17 +9,20 @@ import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import org.sami.ui.EventThread;
+import org.sami.ui.map.base.BaseSource;
+import org.sami.ui.map.base.MapBudget;
+import org.sami.ui.map.base.MbTiles;
+import org.sami.ui.map.base.OutlineSource;
 
 /**
  * Opens files of base maps beside the event thread, and hands over there what they hold or what is wrong with them. A file may take its time, or
  * never be read: nobody waits for it, and it can be left. On the event thread.
  */
 final class BaseMapLoader {
-    private final Consumer<TileSource> tiles;
-    private final Consumer<OutlineLayer> outlines;
-    private final Consumer<String> problems;
+    private final BiConsumer<Path, BaseSource> sources;
+    private final BiConsumer<Path, String> problems;
     private final Runnable changed;
     private final List<Load> loads = new ArrayList<>();
     private final ExecutorService opener = Executors.newCachedThreadPool(task -> {
@@ -36,33 +39,34 @@ final class BaseMapLoader {
         Load(Path file) {
             this.file = file;
         }
-
-        boolean isOutlines() {
-            String name = file.toString().toLowerCase(Locale.ROOT);
-            return name.endsWith(".json") || name.endsWith(".geojson");
-        }
     }
 
     /**
      * A loader that reads nothing yet.
      *
+     * @param sources is handed what was read
      * @param problems is told in one line what is wrong with a file
      * @param changed is run when a file is begun, was read or was left
      */
-    BaseMapLoader(
-            Consumer<TileSource> tiles, Consumer<OutlineLayer> outlines, Consumer<String> problems, Runnable changed) {
-        this.tiles = tiles;
-        this.outlines = outlines;
+    BaseMapLoader(BiConsumer<Path, BaseSource> sources, BiConsumer<Path, String> problems, Runnable changed) {
+        this.sources = sources;
         this.problems = problems;
         this.changed = changed;
     }
 
-    /** Begins to read a file. There is one map of tiles: others that are still being read are left. */
+    /** Whether a file of that name holds outlines; else it holds tiles. */
+    static boolean isOutlines(Path file) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return name.endsWith(".json") || name.endsWith(".geojson");
+    }
+
+    /** Begins to read a file. There is one map of tiles: others that are still being read are left, as is the same file. */
     void open(Path file) {
         Load load = new Load(file);
-        if (!load.isOutlines()) {
-            loads.stream().filter(other -> !other.isOutlines()).toList().forEach(this::leave);
-        }
+        loads.stream()
+                .filter(other -> other.file.equals(file) || (!isOutlines(file) && !isOutlines(other.file)))
+                .toList()
+                .forEach(this::leave);
         loads.add(load);
         load.work = opener.submit(() -> read(load));
         changed.run();
@@ -71,6 +75,12 @@ final class BaseMapLoader {
     /** The file that has been read for longest and is not read yet. */
     Optional<Path> reading() {
         return loads.stream().findFirst().map(load -> load.file);
+    }
+
+    /** Leaves a file that is still being read, if it is. */
+    void leave(Path file) {
+        loads.stream().filter(load -> load.file.equals(file)).toList().forEach(this::leave);
+        changed.run();
     }
 
     /** Leaves all files that are still being read: nothing comes of them. */
@@ -86,17 +96,15 @@ final class BaseMapLoader {
 
     private void read(Load load) {
         try {
-            if (load.isOutlines()) {
-                String name = load.file.getFileName().toString();
-                OutlineLayer layer = new OutlineLayer(name, GeoJson.read(load.file));
-                done(load, () -> outlines.accept(layer), () -> {});
-            } else {
-                MbTiles source = MbTiles.open(load.file);
-                done(load, () -> tiles.accept(source), () -> close(source));
-            }
+            BaseSource source = isOutlines(load.file)
+                    ? OutlineSource.read(load.file, MapBudget.OF_A_FILE)
+                    : MbTiles.open(load.file);
+            done(load, () -> sources.accept(load.file, source), () -> close(source));
         } catch (IOException | RuntimeException e) {
             String problem = e.getMessage() == null ? load.file + " cannot be read: " + e : e.getMessage();
-            done(load, () -> problems.accept(problem), () -> {});
+            done(load, () -> problems.accept(load.file, problem), () -> {});
+        } catch (OutOfMemoryError full) {
+            done(load, () -> problems.accept(load.file, load.file + " needs more memory than there is"), () -> {});
         }
     }
 
@@ -112,7 +120,7 @@ final class BaseMapLoader {
         });
     }
 
-    private static void close(TileSource source) {
+    private static void close(BaseSource source) {
         try {
             source.close();
         } catch (IOException e) {

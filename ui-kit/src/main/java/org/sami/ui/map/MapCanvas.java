@@ -9,6 +9,8 @@ import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jxmapviewer.JXMapViewer;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
@@ -24,7 +26,6 @@ final class MapCanvas extends JXMapViewer {
     private static final int MARGIN_PX = 48;
     private static final int SMALL = 8; // a margin is at most this part of a small map
     private static final double MOST_MAGNIFIED = 1.999;
-    private static final double FINER_FROM = Math.sqrt(2);
     private static final int SCALE_WIDE = 150;
     private static final int SCALE_HIGH = 44;
     private static final double POINT_ALONE_M = 60; // what is shown around one point
@@ -50,7 +51,7 @@ final class MapCanvas extends JXMapViewer {
         setRestrictOutsidePanning(false);
         setHorizontalWrapped(false);
         setInfiniteMapRendering(false);
-        setTileFactory(new OfflineTiles(Optional.empty(), this::repaint, () -> {}, problem -> {}));
+        setTileFactory(new NoTiles());
         setZoom(4);
         setOverlayPainter((g, map, width, height) -> paintLayers(g));
     }
@@ -65,20 +66,6 @@ final class MapCanvas extends JXMapViewer {
 
     MapLayers layers() {
         return layers;
-    }
-
-    OfflineTiles tiles() {
-        return (OfflineTiles) getTileFactory();
-    }
-
-    /** Shows other tiles; the part of the world that is shown stays. */
-    void show(OfflineTiles tiles) {
-        MapFrame before = frame();
-        int zoom = getZoom();
-        tiles().close();
-        setTileFactory(tiles);
-        setZoom(zoom);
-        centre(before.centreX(), before.centreY());
     }
 
     void setTool(MapTool tool) {
@@ -126,7 +113,7 @@ final class MapCanvas extends JXMapViewer {
     }
 
     private static double worldPx(int zoom) {
-        return Math.scalb((double) OfflineTiles.TILE_PX, OfflineTiles.FINEST_LEVEL - zoom);
+        return Math.scalb((double) NoTiles.TILE_PX, NoTiles.FINEST_LEVEL - zoom);
     }
 
     private void centre(double x, double y) {
@@ -149,7 +136,7 @@ final class MapCanvas extends JXMapViewer {
     /** Zooms by steps of two, nearer where they are positive; the point at a pixel stays there. */
     void zoom(int steps, double px, double py) {
         MapFrame before = frame();
-        int zoom = Math.max(0, Math.min(OfflineTiles.FARTHEST_ZOOM, getZoom() - steps));
+        int zoom = Math.max(0, Math.min(NoTiles.FARTHEST_ZOOM, getZoom() - steps));
         if (zoom == getZoom()) {
             return;
         }
@@ -178,7 +165,7 @@ final class MapCanvas extends JXMapViewer {
         double wide = Math.max(east - west, alone);
         double high = Math.max(south - north, alone);
         int zoom = 0;
-        while (zoom < OfflineTiles.FARTHEST_ZOOM
+        while (zoom < NoTiles.FARTHEST_ZOOM
                 && (wide * worldPx(zoom) > getWidth() - across || high * worldPx(zoom) > getHeight() - down)) {
             zoom++;
         }
@@ -220,58 +207,44 @@ final class MapCanvas extends JXMapViewer {
 
     /** All that {@link #paintStill} depends on. */
     private record Still(
-            MapFrame frame,
-            boolean grid,
-            OfflineTiles tiles,
-            long tilesRevision,
-            Object layers,
-            Set<String> highlighted,
-            Theme theme,
-            int percent) {}
+            MapFrame frame, boolean grid, Object layers, Set<String> highlighted, Theme theme, int percent) {}
 
     @Override
     protected void drawMapTiles(Graphics g, int zoom, Rectangle viewport) {
-        Still now = new Still(
-                frame(),
-                grid,
-                tiles(),
-                tiles().revision(),
-                layers.stillRevision(),
-                highlighted,
-                Look.theme(),
-                Look.scalePercent());
-        still.paint((Graphics2D) g, now, getWidth(), getHeight(), own -> paintStill(own, zoom));
+        Still now = new Still(frame(), grid, layers.stillRevision(), highlighted, Look.theme(), Look.scalePercent());
+        still.paint((Graphics2D) g, now, getWidth(), getHeight(), this::paintStill);
     }
 
-    private void paintStill(Graphics2D g, int zoom) {
+    private void paintStill(Graphics2D g) {
         g.setColor(SemanticColor.MAP_WATER.get());
         g.fillRect(0, 0, getWidth(), getHeight());
         MapPaint paint = paint(g);
-        paintTiles(g, zoom);
-        if (grid) {
+        if (grid && layers.visible().stream().noneMatch(MapCanvas::isImagery)) {
             scale.paintGrid(paint);
         }
         layers.visible().forEach(layer -> layer.paintStill(paint));
     }
 
-    /** Tiles of the level whose pixels are nearest to those of the screen, larger or smaller as the map is magnified. */
-    private void paintTiles(Graphics2D graphics, int zoom) {
-        boolean finer = magnification > FINER_FROM && zoom > 0;
-        double scale = finer ? magnification / 2 : magnification;
-        int level = finer ? zoom - 1 : zoom;
-        MapFrame frame = frame();
-        double left = frame.centreX() * worldPx(level) - getWidth() / 2.0 / scale;
-        double top = frame.centreY() * worldPx(level) - getHeight() / 2.0 / scale;
-        Rectangle part = new Rectangle(
-                (int) Math.floor(left),
-                (int) Math.floor(top),
-                (int) Math.ceil(getWidth() / scale) + 1,
-                (int) Math.ceil(getHeight() / scale) + 1);
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.scale(scale, scale);
-        g.translate(part.x - left, part.y - top);
-        tiles().paint(g, level, part);
-        g.dispose();
+    private static boolean isImagery(MapLayer layer) {
+        return layer instanceof BaseLayer base && base.source().isImagery();
+    }
+
+    /** The box around all base maps that are shown. */
+    Optional<GeoBounds> extent() {
+        return layers.visible().stream()
+                .flatMap(layer -> layer instanceof BaseLayer base ? base.extent().stream() : Stream.empty())
+                .reduce(GeoBounds::with);
+    }
+
+    /** Whom to name for what is shown. */
+    private String attribution() {
+        return layers.visible().stream()
+                .flatMap(layer -> layer instanceof BaseLayer base
+                        ? Stream.of(base.source().attribution())
+                        : Stream.empty())
+                .filter(text -> !text.isEmpty())
+                .distinct()
+                .collect(Collectors.joining(" · "));
     }
 
     /** No name is written over the scale, or half beside the map. */
@@ -296,7 +269,7 @@ final class MapCanvas extends JXMapViewer {
             shown.get(i).paintNames(paint);
         }
         tool.paint(paint);
-        scale.paint(paint, tiles().source().map(TileSource::attribution).orElse(""));
+        scale.paint(paint, attribution());
         message.paint(paint);
         g.dispose();
     }

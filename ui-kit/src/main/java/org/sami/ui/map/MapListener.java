@@ -15,4 +15,7 @@ public interface MapListener {
 
     /** Something is wrong with a base map, in one line; the map goes on without it. */
     default void problem(String text) {}
+
+    /** There are other base maps, or others of them are shown. */
+    default void baseMapsChanged() {}
 }

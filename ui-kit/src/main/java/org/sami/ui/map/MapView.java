@@ -31,7 +31,7 @@ public final class MapView extends JPanel implements AutoCloseable {
 
     private final MapCanvas canvas = new MapCanvas();
     private final transient MapStatusBar status;
-    private final transient BaseMap base;
+    private final transient BaseMaps base;
     private final transient List<MapListener> listeners = new CopyOnWriteArrayList<>();
     private final transient ChooseTool chooseTool;
     private transient Optional<SketchTool> editing = Optional.empty();
@@ -45,7 +45,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         super(new BorderLayout());
         setName("map");
         status = new MapStatusBar(this::press, this::typed, this::copy, canvas::say);
-        base = new BaseMap(canvas, this::tellProblem);
+        base = new BaseMaps(canvas, this::tellProblem, () -> listeners.forEach(MapListener::baseMapsChanged));
         chooseTool = new ChooseTool(
                 canvas.layers(),
                 click -> listeners.forEach(listener -> listener.clicked(click)),
@@ -109,12 +109,12 @@ public final class MapView extends JPanel implements AutoCloseable {
 
     /** Shows all that layers, sketch and base map have; does nothing where they have nothing. */
     public void fitAll() {
-        Optional<GeoBounds> shown = layers().bounds();
+        Optional<GeoBounds> shown = layers().bounds(); // base maps are taken only where there is nothing else
         Optional<GeoBounds> drawn =
                 editing.flatMap(tool -> GeoBounds.of(tool.sketch().points()));
         Optional<GeoBounds> all = shown.isPresent() && drawn.isPresent()
                 ? Optional.of(shown.get().with(drawn.get()))
-                : shown.or(() -> drawn).or(() -> canvas.tiles().source().flatMap(TileSource::bounds));
+                : shown.or(() -> drawn).or(canvas::extent);
         all.ifPresent(canvas::fit);
     }
 
@@ -153,7 +153,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     /**
-     * Opens a base map beside the event thread: raster tiles (.mbtiles), or outlines (.geojson, .json), which become a layer below
+     * Opens a base map beside the event thread: raster tiles (.mbtiles), or outlines (.geojson, .json). It becomes a layer below
      * all others. A file that takes its time is named on the map until it is read or left ({@link #stopReading}). What is wrong with
      * the file is shown on the map and told to listeners.
      */
@@ -161,9 +161,24 @@ public final class MapView extends JPanel implements AutoCloseable {
         base.open(file);
     }
 
-    /** Shows no base map, only the grid; outlines are layers and stay. */
-    public void closeBaseMap() {
-        base.close();
+    /** The base maps, in the order in which they were opened. */
+    public List<BaseMapState> baseMaps() {
+        return base.states();
+    }
+
+    /** A base map that an earlier window had: it stays on the list also where its file cannot be read now. */
+    public void restoreBaseMap(Path file, boolean on) {
+        base.restore(file, on);
+    }
+
+    /** Takes a base map off, or puts it on again; one that was not read yet is read. */
+    public void setBaseMap(Path file, boolean on) {
+        base.setOn(file, on);
+    }
+
+    /** Takes a base map off the list. */
+    public void forgetBaseMap(Path file) {
+        base.forget(file);
     }
 
     /** The command that leaves a base map which is still being read: for the window's registry. */

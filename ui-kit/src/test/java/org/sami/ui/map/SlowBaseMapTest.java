@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.ui.EventThread;
 import org.sami.ui.check.Layout;
+import org.sami.ui.map.base.MbTiles;
 
 /** Map files that take for ever: the map names them, goes on, and leaves them when it is told to. */
 @Timeout(value = 300, threadMode = ThreadMode.SEPARATE_THREAD) // who opens a pipe cannot be interrupted
