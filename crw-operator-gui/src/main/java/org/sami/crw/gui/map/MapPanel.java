@@ -43,6 +43,7 @@ import org.sami.ui.map.MapKey;
 import org.sami.ui.map.MapListener;
 import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
+import org.sami.ui.window.WindowSettings;
 
 /** The map of the session: boats, ways, areas, measured fields; boats are chosen on it and sent somewhere. */
 public final class MapPanel extends JPanel {
@@ -61,6 +62,7 @@ public final class MapPanel extends JPanel {
     private final JLabel consequence = new JLabel(" ");
     private final PlacesOnMap preview;
     private final NamedPlaces named = new NamedPlaces(view, "message");
+    private final BaseMapMenu baseMaps = new BaseMapMenu(view);
     private boolean pointing;
     private long partShown;
 
@@ -142,6 +144,7 @@ public final class MapPanel extends JPanel {
                 .withIcon("map");
         tools.right(new CommandButton(context.commands().add(base)));
         context.commands().add(view.stopReading());
+        context.commands().add(baseMaps.toggle());
         context.commands().add(new SimulatedBoatAdder(context, this::middle).command());
         view.command(MapKey.MEASURE).withKey("ctrl shift L").withIcon("measure");
         view.command(MapKey.FIT).withKey("ctrl shift F").withIcon("fit");
@@ -212,6 +215,7 @@ public final class MapPanel extends JPanel {
             item.addActionListener(e -> map().show(state.layer(), Optional.of(item.isSelected())));
             menu.add(item);
         }
+        baseMaps.addTo(menu);
         return menu;
     }
 
@@ -293,6 +297,11 @@ public final class MapPanel extends JPanel {
     /** Where the shown decision is seen on this map; to be asked for once. */
     public DecisionMap decisionMap() {
         return new DecisionOverlay(view, context.marks(), new SessionWays(context));
+    }
+
+    /** Shows the base maps that an earlier window of these settings had, and keeps in them those that this one has. */
+    public void rememberBaseMaps(WindowSettings settings) {
+        BaseMapMemory.of(view, settings);
     }
 
     /** Gives up its files. */

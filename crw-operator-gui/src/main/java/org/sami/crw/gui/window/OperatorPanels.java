@@ -94,6 +94,7 @@ public final class OperatorPanels implements AutoCloseable {
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);
         map = new MapPanel(context);
+        map.rememberBaseMaps(settings);
         ComponentLibrary components =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components();
         MapMaker maps = new SessionMaps(context);
