@@ -10,12 +10,15 @@ import org.sami.crw.markup.MarkupReader;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.NaturalOrder;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
 
-/** What a decision offers, in the order of the markup Sort and with what the markup Default Selection selects. */
+/** What a decision offers, in the order of the markup Sort, boats without it by their names, and with what the markup Default Selection selects. */
 final class OfferedOptions {
     private static final String SORT = "Sort";
+    private static final Comparator<OfferedOption> BY_NAME =
+            Comparator.comparing(OfferedOption::label, NaturalOrder.INSTANCE);
 
     private OfferedOptions() {}
 
@@ -51,6 +54,7 @@ final class OfferedOptions {
             for (String boat : choose.proxies()) {
                 boats.add(new OfferedOption(boats.size(), new ProxyValue(boat), boat, detailOf.apply(boat), false));
             }
+            boats.sort(BY_NAME);
             List<OfferedOption> sorted =
                     sorted(boats, markups, choice -> age(((ProxyValue) choice.value()).proxy(), choice, joined));
             return selected(sorted, markups, choose.max());
@@ -78,9 +82,7 @@ final class OfferedOptions {
         if (method == null) {
             return choices;
         }
-        Comparator<OfferedOption> by = method == Method.ALPHABETICAL
-                ? Comparator.comparing(OfferedOption::label, NaturalOrder.INSTANCE)
-                : Comparator.comparingInt(age);
+        Comparator<OfferedOption> by = method == Method.ALPHABETICAL ? BY_NAME : Comparator.comparingInt(age);
         Order order = markups.constant(SORT, "order", Order.class)
                 .orElse(method == Method.ALPHABETICAL ? Order.INCREASING : Order.DECREASING);
         return choices.stream()

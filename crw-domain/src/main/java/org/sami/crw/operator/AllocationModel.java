@@ -14,6 +14,7 @@ import org.sami.crw.task.TaskQueues;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.NaturalOrder;
 import org.sami.spn.value.TaskId;
 
 /** Who has which tasks. Follows the engine's allocations and the queues that the session remembers. */
@@ -96,7 +97,7 @@ public final class AllocationModel extends Model<AllocationSnapshot> {
 
     @Override
     AllocationSnapshot take() {
-        Map<String, List<TaskId>> filled = new TreeMap<>();
+        Map<String, List<TaskId>> filled = new TreeMap<>(NaturalOrder.INSTANCE);
         queues.forEach((boat, tasks) -> tasks.stream()
                 .filter(task -> boat.equals(robots.getOrDefault(task, boat)))
                 .forEach(task -> add(filled, boat, task)));

@@ -19,6 +19,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.NaturalOrder;
 
 /**
  * How every boat stands, the worst first: the summary of the thesis's Communication Frame (5.2.1, 6.3.4). A mission's status of a boat is
@@ -29,7 +30,7 @@ public final class CommunicationModel extends Model<List<BoatCommunication>> {
     private static final Comparator<BoatCommunication> ORDER = Comparator.comparing(BoatCommunication::status)
             .reversed()
             .thenComparing(boat -> boat.link() != LinkState.LOST)
-            .thenComparing(BoatCommunication::boat);
+            .thenComparing(BoatCommunication::boat, NaturalOrder.INSTANCE);
 
     private final Map<String, Map<Long, InMission>> said = new TreeMap<>(); // by boat and mission
     private final Map<String, BoatSnapshot> boats = new TreeMap<>();

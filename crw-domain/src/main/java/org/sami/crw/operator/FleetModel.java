@@ -1,22 +1,23 @@
 package org.sami.crw.operator;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.spn.value.NaturalOrder;
 
 /**
- * The boats, as they were known last: each at most ten times a second. What a slow owner's thread has not looked at yet is replaced by
+ * The boats by their names, as they were known last: each at most ten times a second. What a slow owner's thread has not looked at yet is replaced by
  * what is newer, so that telemetry never piles up.
  */
 public final class FleetModel extends Model<List<BoatSnapshot>> {
     private final Consumer<Runnable> inbox;
     private final Listener listener;
     private final Map<String, Optional<BoatSnapshot>> waiting = new ConcurrentHashMap<>();
-    private final Map<String, BoatSnapshot> boats = new LinkedHashMap<>();
+    private final Map<String, BoatSnapshot> boats = new TreeMap<>(NaturalOrder.INSTANCE);
 
     /** Other models that follow boats; told on the owner's thread. */
     interface Listener {

@@ -29,6 +29,7 @@ import org.sami.crw.operator.area.OperatingArea;
 import org.sami.crw.operator.boat.BoatCommands;
 import org.sami.crw.operator.boat.BoatCommands.Concluded;
 import org.sami.crw.operator.boat.BoatCommands.End;
+import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
 import org.sami.crw.operator.map.ShownPath;
@@ -68,6 +69,22 @@ class FleetModelsTest {
 
     private void isAt(BoatProxy boat, double latDeg) {
         says(boat, new Telemetry(latDeg, 10, 0, 1, 80, BoatMode.STOPPED, world.nowMillis.get()));
+    }
+
+    @Test
+    void boatsAreInTheOrderOfTheirNumbers() {
+        linked("boat10");
+        linked("boat2");
+        linked("Boat1");
+        models.look();
+        world.settle();
+
+        assertThat(models.fleet().snapshot())
+                .extracting(BoatSnapshot::boat)
+                .containsExactly("Boat1", "boat2", "boat10");
+        assertThat(models.communication().snapshot())
+                .extracting(BoatCommunication::boat)
+                .containsExactly("Boat1", "boat2", "boat10");
     }
 
     @Test

@@ -17,6 +17,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
+import org.sami.spn.value.NaturalOrder;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
@@ -102,7 +103,7 @@ record Figures(Map<String, String> figures, Map<String, String> lines) {
     private static List<Value> keys(MapValue map) {
         List<Value> keys = new ArrayList<>(map.entries().keySet());
         if (keys.stream().allMatch(ProxyValue.class::isInstance)) {
-            keys.sort(Comparator.comparing(key -> ((ProxyValue) key).proxy()));
+            keys.sort(Comparator.comparing(key -> ((ProxyValue) key).proxy(), NaturalOrder.INSTANCE));
         }
         return keys;
     }

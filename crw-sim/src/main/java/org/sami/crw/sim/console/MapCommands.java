@@ -15,6 +15,7 @@ import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.NaturalOrder;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
@@ -91,7 +92,12 @@ final class MapCommands {
         String why = state.why().isEmpty() ? "" : ", " + state.why();
         String whose = state.boats().isEmpty()
                 ? ""
-                : ", of " + String.join(", ", state.boats().stream().sorted().toList());
+                : ", of "
+                        + String.join(
+                                ", ",
+                                state.boats().stream()
+                                        .sorted(NaturalOrder.INSTANCE)
+                                        .toList());
         return word(state.layer()) + "  " + (state.on() ? ON : OFF) + why + whose;
     }
 

@@ -1,11 +1,11 @@
-package org.sami.crw.decision;
+package org.sami.spn.value;
 
 import java.util.Comparator;
 import java.util.Locale;
 
-/** The alphabet, without regard to case, with numbers by their size: boat-2 comes before boat-10. */
-final class NaturalOrder implements Comparator<String> {
-    static final NaturalOrder INSTANCE = new NaturalOrder();
+/** The order of names in lists: the alphabet, without regard to case, with numbers by their size: boat-2 comes before boat-10. */
+public final class NaturalOrder implements Comparator<String> {
+    public static final NaturalOrder INSTANCE = new NaturalOrder();
 
     private NaturalOrder() {}
 
