@@ -16,6 +16,8 @@ import org.sami.spn.protocol.Decision;
  * @param atMillis when it answers, on the session's clock; empty where it does not, or where the operator has stopped its timer
  */
 public record MixedInitiative(Trigger trigger, Optional<Answer> answer, String words, OptionalLong atMillis) {
+    private static final int MOST_NAMED = 3; // of boats
+
     /** When autonomy answers instead of the operator. */
     public enum Trigger {
         NEVER,
@@ -35,6 +37,23 @@ public record MixedInitiative(Trigger trigger, Optional<Answer> answer, String w
                 .constant("MixedInitiativeTrigger", "trigger", Trigger.class)
                 .orElse(Trigger.NEVER);
         return new MixedInitiative(trigger, decision.automatic(), words, decision.deadlineMillis());
+    }
+
+    /**
+     * What autonomy does when its time comes, as a phrase: {@code chooses 5 boats}, {@code answers yes}; that it gives no answer where it has
+     * none.
+     */
+    public String phrase() {
+        if (answer.isEmpty()) {
+            return "gives no answer";
+        }
+        if (answer.get() instanceof Answer.Proxies chosen
+                && (chosen.proxies().isEmpty() || chosen.proxies().size() > MOST_NAMED)) {
+            return "chooses "
+                    + (chosen.proxies().isEmpty() ? "no boat" : chosen.proxies().size() + " boats");
+        }
+        boolean chooses = answer.get() instanceof Answer.Proxies || answer.get() instanceof Answer.Option;
+        return (chooses ? "chooses " : answer.get() instanceof Answer.Fields ? "enters " : "answers ") + words;
     }
 
     /** Whether a timer runs that the operator can stop. */

@@ -42,7 +42,7 @@ class UnseenDecisionWindowTest {
                     fleet.addresses(),
                     Optional.empty(),
                     Optional.of(Theme.LIGHT),
-                    Optional.of(150),
+                    Optional.of(200),
                     Optional.of(false));
             OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
             try {
@@ -66,6 +66,7 @@ class UnseenDecisionWindowTest {
                 robot.until("decisions are in front", () -> isSeen(window, "decisions"));
                 robot.until("nothing is said of it", () -> !unseen.isVisible());
                 robot.press(KeyEvent.VK_8, KeyEvent.VK_ALT);
+                robot.press(KeyEvent.VK_4, KeyEvent.VK_ALT);
                 robot.clickRow("boats-table", "anna");
                 robot.untilFocused("boats-table");
                 robot.untilShown("decision-unseen");

@@ -20,6 +20,7 @@ final class RowFit<R> {
     private final JTable table;
     private final List<RowColumn<R>> columns;
     private final Supplier<List<R>> rows;
+    private int mostPossible = MOST_LINES;
     private int leastSeen = LEAST_SEEN;
     private boolean whole;
     private boolean offered;
@@ -43,6 +44,11 @@ final class RowFit<R> {
         leastSeen = least;
         whole = true;
         pane.revalidate();
+    }
+
+    /** Has rows of one line each; the tooltip has what is cut. */
+    void showOneLine() {
+        mostPossible = 1;
     }
 
     /** Keeps the first selected row in view from now on. */
@@ -115,7 +121,7 @@ final class RowFit<R> {
             RowColumn<R> shown = columns.get(column.getModelIndex());
             lines = Math.max(
                     lines,
-                    RowCell.lines(table, shown, rows.get().get(row), column.getWidth(), MOST_LINES)
+                    RowCell.lines(table, shown, rows.get().get(row), column.getWidth(), mostPossible)
                             .size());
         }
         return lines;

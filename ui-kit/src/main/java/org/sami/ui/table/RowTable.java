@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -15,7 +16,9 @@ import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.JViewport;
 import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
@@ -41,6 +44,7 @@ public final class RowTable<R> extends JScrollPane {
     private final List<Runnable> selectionListeners = new ArrayList<>();
     private List<R> rows = List.of();
     private boolean replacing;
+    private boolean all;
 
     /**
      * An empty table.
@@ -69,7 +73,7 @@ public final class RowTable<R> extends JScrollPane {
             }
         });
         setViewportView(table);
-        addMouseWheelListener(e -> rowFit.leave());
+        addMouseWheelListener(this::wheelTurned);
         getVerticalScrollBar().addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
@@ -78,6 +82,12 @@ public final class RowTable<R> extends JScrollPane {
         });
         setBorder(BorderFactory.createEmptyBorder());
         scale();
+        setColumnHeader(new JViewport() {
+            @Override
+            public Dimension getPreferredSize() {
+                return table.getTableHeader().isVisible() ? super.getPreferredSize() : new Dimension(0, 0);
+            }
+        });
     }
 
     private TableCellRenderer header(TableCellRenderer standard) {
@@ -111,6 +121,53 @@ public final class RowTable<R> extends JScrollPane {
         rowFit.showWhole(least);
     }
 
+    /** Has rows of one line each: what has no room ends in dots, and is in the tooltip. */
+    public void showOneLine() {
+        rowFit.showOneLine();
+    }
+
+    /** Is as high as all rows, and leaves scrolling to the pane in which it lies: two bars beside one another are one too many. */
+    public void showAllRows(boolean all) {
+        this.all = all;
+        revalidate();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return all ? whole() : super.getPreferredSize();
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return all ? whole() : super.getMinimumSize();
+    }
+
+    private Dimension whole() {
+        int head = table.getTableHeader().getPreferredSize().height;
+        return new Dimension(0, head + table.getPreferredSize().height);
+    }
+
+    private void wheelTurned(MouseWheelEvent turned) {
+        rowFit.leave();
+        if (all && getParent() != null) {
+            getParent().dispatchEvent(SwingUtilities.convertMouseEvent(this, turned, getParent()));
+        }
+    }
+
+    /** Whether the titles of the columns are seen; where there is little room, rows matter more. */
+    public void showTitles(boolean shown) {
+        if (table.getTableHeader().isVisible() != shown) {
+            table.getTableHeader().setVisible(shown);
+            revalidate();
+        }
+    }
+
+    /** How high it is with so many rows of one line, in pixels. */
+    public int heightOf(int rows) {
+        int titles = table.getTableHeader().isVisible() ? table.getTableHeader().getPreferredSize().height : 0;
+        return titles + rows * table.getRowHeight();
+    }
+
     /** Replaces the rows. */
     public void show(List<R> next) {
         if (next.equals(rows)) {
@@ -130,6 +187,9 @@ public final class RowTable<R> extends JScrollPane {
         select(selected);
         replacing = false;
         rowFit.fit();
+        if (all && !same) {
+            revalidate();
+        }
     }
 
     private void select(Set<Object> keys) {

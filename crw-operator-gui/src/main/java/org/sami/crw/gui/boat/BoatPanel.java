@@ -31,9 +31,9 @@ import org.sami.ui.look.WidthTrackingPanel;
 public final class BoatPanel extends JPanel {
     private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3, wrap 1";
     private static final String LOW_HEAD = "insets 4 12 4 12, fillx, hidemode 3";
-    private static final String QUEUE = "hmin 96";
-    private static final String LOW_QUEUE = "hmin 60"; // a whole row below the titles of the columns
+    private static final String QUEUE = "hmin 60"; // a whole row below the titles of the columns
     private static final int LOW = 240;
+    private static final int TIGHT = 178; // lower, the buttons would leave the commands no row
 
     private final OperatorContext context;
     private final JLabel name = new JLabel();
@@ -52,6 +52,7 @@ public final class BoatPanel extends JPanel {
             new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]");
     private final JPanel commands = new JPanel(commandsLayout);
     private boolean isLow;
+    private boolean isTight;
 
     /** The panel of whichever boat is selected first. */
     public BoatPanel(OperatorContext context) {
@@ -95,9 +96,14 @@ public final class BoatPanel extends JPanel {
             headLayout.setColumnConstraints(low ? "[]16[grow]" : "[grow]");
             facts.setVisible(!low && !facts.getText().isEmpty());
             head.revalidate();
-            commandsLayout.setComponentConstraints(queue.table(), low ? LOW_QUEUE : QUEUE);
-            commands.revalidate();
             byHand.setLow(low);
+        }
+        boolean tight = getHeight() < Look.px(TIGHT);
+        if (tight != isTight) {
+            isTight = tight;
+            queue.table().showAllRows(tight); // all of the tab is scrolled then, and nothing within it
+            commandsLayout.setComponentConstraints(queue.table(), tight ? "" : QUEUE);
+            commands.revalidate();
         }
         super.doLayout();
     }

@@ -10,7 +10,7 @@ import org.sami.ui.table.RowTable;
 
 /** What all tables with a row for each boat share: the column of names with their marks, and the session's selection. */
 public final class BoatTables {
-    private static final int NAME_WIDTH = 96;
+    private static final int NAME_WIDTH = 92;
 
     private BoatTables() {}
 

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.spn.value.NaturalOrder;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -16,7 +17,7 @@ public final class BoatsPanel extends JPanel {
     private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
                     (Shown shown) -> BoatWords.trouble(shown.boat()))
             .reversed()
-            .thenComparing(shown -> shown.boat().boat());
+            .thenComparing(shown -> shown.boat().boat(), NaturalOrder.INSTANCE);
 
     private final OperatorContext context;
     private final RowTable<Shown> table;
@@ -40,15 +41,16 @@ public final class BoatsPanel extends JPanel {
                         BoatTables.names(context, Shown::name),
                         RowColumn.<Shown>words("What it does", 0, shown -> BoatWords.brief(shown.boat()))
                                 .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
-                        number("Battery", 76, shown -> BoatWords.battery(shown.boat()))
+                        number("Battery", 68, shown -> BoatWords.battery(shown.boat()))
                                 .colored(shown -> batteryColor(shown)),
-                        number("Speed", 84, shown -> BoatWords.speed(shown.boat()))
+                        number("Speed", 72, shown -> BoatWords.speed(shown.boat()))
                                 .asSpare(),
                         number("Path", 72, shown -> BoatWords.path(shown.boat()))
                                 .asSpare(),
-                        RowColumn.<Shown>number("Link", 104, Shown::link)
+                        RowColumn.<Shown>number("Link", 90, Shown::link)
                                 .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)
                                 .asLastSpare())); // what it does says when the link is lost
+        table.showOneLine();
         BoatTables.shareSelection(context, table, Shown::name);
         context.models()
                 .fleet()

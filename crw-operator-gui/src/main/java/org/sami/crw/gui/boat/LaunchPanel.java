@@ -44,7 +44,8 @@ final class LaunchPanel extends JPanel {
         CommandRow head = new CommandRow();
         head.left(summary).right(new CommandButton(motor.command()));
         add(head);
-        add(table, "hmin 96");
+        table.showAllRows(true); // the tab scrolls, with what stands above the checks
+        add(table);
     }
 
     /** Shows how a boat stands now. */

@@ -29,6 +29,48 @@ final class DecisionWords {
                 : String.format(Locale.ROOT, "%d h %02d min", seconds / MINUTE / MINUTE, seconds / MINUTE % MINUTE);
     }
 
+    /** The same in one unit, for a column: {@code 12 s}, {@code 3 min}, {@code 2 h}. */
+    static String brief(long millis) {
+        long seconds = Math.max(0, millis) / SECOND;
+        if (seconds < 2 * MINUTE) {
+            return seconds + " s";
+        }
+        return seconds < 2 * MINUTE * MINUTE ? seconds / MINUTE + " min" : seconds / MINUTE / MINUTE + " h";
+    }
+
+    /** How long autonomy leaves to the operator, as {@link #brief}; {@code stopped} where its timer was stopped, a dash where it has none. */
+    static String left(PendingDecision pending, long nowMillis) {
+        OptionalLong left = pending.autonomyInMillis(nowMillis);
+        if (left.isPresent()) {
+            return brief(roundedUp(left.getAsLong()));
+        }
+        return pending.presentation().autonomy().isHeld() ? "stopped" : "–";
+    }
+
+    /** Who asks, in a few words: the mission by the name that it was given, and its plan where that is not the same. */
+    static String mission(DecisionPresentation decision) {
+        String mission = decision.asker().mission();
+        String plan = decision.asker().planTitle();
+        if (mission.isBlank()) {
+            return plan.isBlank() ? "the system" : plan;
+        }
+        boolean named = !plan.isBlank() && !mission.equals(decision.asker().plan()) && !mission.equals(plan);
+        return named ? mission + " · " + plan : plan.isBlank() ? mission : plan;
+    }
+
+    /** How urgent it is, as a mark before its question. */
+    static String mark(Priority priority) {
+        return switch (priority) {
+            case CRITICAL -> "▲ ";
+            case HIGH -> "△ ";
+            default -> "";
+        };
+    }
+
+    private static long roundedUp(long millis) {
+        return millis + SECOND - 1;
+    }
+
     /**
      * What is asked, as a heading: where the question is no more than its event's name and its place's, as {@code Operator Create Area (Draw
      * the area)}, the place says what is to be done. What the system asks about a mission begins with the mission's name.
@@ -81,10 +123,7 @@ final class DecisionWords {
         DecisionPresentation decision = pending.presentation();
         OptionalLong left = decision.autonomy().remainingMillis(nowMillis);
         if (left.isPresent()) {
-            String answer = decision.autonomy().words().isBlank()
-                    ? "has no answer and gives up"
-                    : "answers " + decision.autonomy().words();
-            return "Autonomy " + answer + " in " + span(left.getAsLong() + SECOND - 1);
+            return "Autonomy " + decision.autonomy().phrase() + " in " + span(roundedUp(left.getAsLong()));
         }
         return decision.autonomy().isHeld() ? "The timer was stopped: only you answer" : "";
     }

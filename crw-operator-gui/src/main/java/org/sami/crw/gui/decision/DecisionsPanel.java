@@ -2,6 +2,7 @@ package org.sami.crw.gui.decision;
 
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
+import java.awt.GraphicsEnvironment;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ import org.sami.crw.session.RefusedException;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Ids;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.Look;
@@ -36,6 +38,7 @@ public final class DecisionsPanel extends JPanel {
     private static final String NONE = "none";
     private static final String ONE = "one";
     private static final int LOW = 230;
+    private static final double MOST_WAITING = 0.5; // of the panel's height
 
     private final DecisionActions actions;
     private final DecisionMap map;
@@ -113,18 +116,18 @@ public final class DecisionsPanel extends JPanel {
         column.add(header);
         column.add(scroll, "hmin 0");
         column.add(bar, "wmin 0");
+        column.add(waiting, "dock south, wmin 0");
         return column;
     }
 
     /** What may go out of sight in a low panel, so that title, timer and buttons never do. */
     private JComponent scrolled() {
         JPanel scrolled = new JPanel(new MigLayout(
-                "novisualpadding, insets 0, gap 8 8, fillx, hidemode 3, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+                "novisualpadding, insets 0, gap 8 8, fillx, hidemode 3, wrap 1", "[grow,fill]", "[][grow,fill]"));
         scrolled.setOpaque(false);
         body.setOpaque(false);
         scrolled.add(header.description(), "wmin 60");
         scrolled.add(body, "wmin 0");
-        scrolled.add(waiting, "wmin 0");
         return scrolled;
     }
 
@@ -134,6 +137,7 @@ public final class DecisionsPanel extends JPanel {
         boolean low = getHeight() < Look.px(LOW);
         header.setLow(low);
         bar.fit(getWidth(), low);
+        waiting.fit((int) (MOST_WAITING * getHeight()), low);
         super.doLayout();
     }
 
@@ -163,13 +167,27 @@ public final class DecisionsPanel extends JPanel {
             header.show(one, actions.nowMillis());
             frame.show(one.attention());
         });
-        waiting.show(shown.others(), actions.nowMillis());
+        showQueue(other);
         tellProblem();
         bar.showPosition(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
         commands.refresh();
         bar.offer(
                 whyNotRefuse().isEmpty(),
                 current.flatMap(view -> view.editor().sketch()).isPresent());
+    }
+
+    /**
+     * Lines of the queue stay under a pointer that is down. The queue becomes higher or lower, which moves what is above it, only as another
+     * decision is shown, or while the pointer is elsewhere.
+     */
+    private void showQueue(boolean other) {
+        if (!shown.rests()) {
+            long inFull = shown.shown().map(one -> one.decision().id()).orElse(Ids.NONE);
+            waiting.show(shown.queue(), inFull, actions.nowMillis());
+        }
+        if (other || GraphicsEnvironment.isHeadless() || getMousePosition(true) == null) {
+            waiting.showRows(shown.waiting());
+        }
     }
 
     private void turnTo(Optional<PendingDecision> pending) {

@@ -122,12 +122,9 @@ final class ShownDecision {
         return -1;
     }
 
-    /** Those that wait besides the shown one, the most urgent first. */
-    List<PendingDecision> others() {
-        return queue.stream()
-                .filter(one -> shown.isEmpty()
-                        || one.decision().id() != shown.get().decision().id())
-                .toList();
+    /** Those that wait, the most urgent first. */
+    List<PendingDecision> queue() {
+        return queue;
     }
 
     /** How many wait. */

@@ -1,100 +1,107 @@
 package org.sami.crw.gui.decision;
 
-import java.util.ArrayList;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.util.List;
+import java.util.Set;
 import java.util.function.LongConsumer;
-import javax.swing.JButton;
-import javax.swing.JLabel;
+import javax.swing.BorderFactory;
 import javax.swing.JPanel;
-import javax.swing.SwingConstants;
-import net.miginfocom.swing.MigLayout;
-import org.sami.crw.decision.DecisionPresentation;
+import javax.swing.ListSelectionModel;
 import org.sami.crw.operator.message.PendingDecision;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
-import org.sami.ui.look.Fonts;
-import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
-import org.sami.ui.look.Spacing;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
 
-/** The decisions that wait behind the shown one: a line each, the most urgent first; pressing one shows it and answers nothing. */
+/**
+ * All decisions that wait, a line each, the most urgent first; the shown one is selected. Selecting one shows it and answers nothing. Where there is
+ * no room for all of them the list scrolls by itself. On the event thread.
+ */
 final class WaitingList extends JPanel {
-    private static final int MOST = 6;
+    private static final int LEAST_ROWS = 2;
 
-    private final LongConsumer selected;
-    private final JLabel more = new JLabel();
-    private List<PendingDecision> shown = List.of();
-    private final List<JLabel> ages = new ArrayList<>();
+    private final RowTable<WaitingRow> table = new RowTable<>(
+            "decisions-queue",
+            "No decision waits.",
+            WaitingRow::decision,
+            List.of(
+                    RowColumn.words("Waits for you", 0, WaitingRow::question).colored(WaitingList::color),
+                    RowColumn.words("Mission", 190, WaitingRow::mission),
+                    RowColumn.number("Since", 64, WaitingRow::age),
+                    RowColumn.<WaitingRow>number("Left", 72, WaitingRow::left)
+                            .colored(row -> row.left().equals("–") ? SemanticColor.MUTED : SemanticColor.WARNING)));
+    private long inFull = Ids.NONE;
+    private int rows;
+    private int room = Integer.MAX_VALUE;
 
+    /** @param selected is given the id of a decision that is to be shown */
     WaitingList(LongConsumer selected) {
-        super(new MigLayout("novisualpadding, insets 0, gap 8 2, fillx, hidemode 3, wrap 2", "[grow,fill][right]"));
-        this.selected = selected;
-        setOpaque(false);
+        super(new BorderLayout());
         setName("decisions-waiting");
-        more.setName("decisions-more");
+        setVisible(false);
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
+        table.showOneLine();
+        table.table().setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        table.table().getAccessibleContext().setAccessibleName("Decisions that wait");
+        table.addSelectionListener(() -> table.selected().ifPresent(row -> selected.accept(row.decision())));
+        add(table);
+    }
+
+    private static SemanticColor color(WaitingRow row) {
+        return row.priority() == Priority.CRITICAL
+                ? SemanticColor.CRITICAL
+                : row.priority() == Priority.HIGH ? SemanticColor.WARNING : SemanticColor.TEXT;
+    }
+
+    /**
+     * Shows these as they are now.
+     *
+     * @param shown the id of the decision that is shown in full
+     */
+    void show(List<PendingDecision> queue, long shown, long nowMillis) {
+        table.show(queue.stream().map(one -> WaitingRow.of(one, nowMillis)).toList());
+        if (shown != inFull) {
+            inFull = shown;
+            table.offer(Set.of(shown));
+        } else {
+            table.selectKeys(Set.of(shown));
+        }
+    }
+
+    /** Is so high from now on that this many rows are seen, as far as there is room; a single one is shown in full already. */
+    void showRows(int count) {
+        if (rows != count) {
+            rows = count;
+            setVisible(count > 1);
+            revalidate();
+        }
+    }
+
+    /**
+     * Takes no more than this height, in pixels, but for two rows.
+     *
+     * @param low whether the titles of its columns are left out
+     */
+    void fit(int most, boolean low) {
+        table.showTitles(!low);
+        if (room != most) {
+            room = most;
+            invalidate();
+        }
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (ages != null) {
-            ages.forEach(WaitingList::dress);
-        }
+    public Dimension getPreferredSize() {
+        int head = getInsets().top + table.heightOf(0);
+        int fitting = Math.max(LEAST_ROWS, (room - head) / (table.heightOf(1) - table.heightOf(0)));
+        return new Dimension(0, getInsets().top + table.heightOf(Math.min(rows, fitting)));
     }
 
-    private static void dress(JLabel age) {
-        age.setFont(Fonts.small());
-        LookColors.foreground(age, SemanticColor.MUTED);
-    }
-
-    /** Shows these; what is shown already stays where it is. */
-    void show(List<PendingDecision> others, long nowMillis) {
-        if (!ids(others).equals(ids(shown))) {
-            removeAll();
-            ages.clear();
-            others.stream().limit(MOST).forEach(this::addRow);
-            more.setText(others.size() > MOST ? "and " + (others.size() - MOST) + " more" : "");
-            more.setVisible(others.size() > MOST);
-            LookColors.foreground(more, SemanticColor.MUTED);
-            add(more, "span 2");
-            revalidate();
-            repaint();
-        }
-        shown = List.copyOf(others);
-        for (int i = 0; i < ages.size(); i++) {
-            ages.get(i).setText(DecisionWords.span(shown.get(i).ageMillis(nowMillis)));
-        }
-    }
-
-    private static List<Long> ids(List<PendingDecision> some) {
-        return some.stream().map(one -> one.decision().id()).toList();
-    }
-
-    private void addRow(PendingDecision pending) {
-        Priority priority = pending.decision().priority();
-        String mark = priority == Priority.CRITICAL ? "▲ " : priority == Priority.HIGH ? "△ " : "";
-        JButton row = new JButton(mark + words(pending.presentation()));
-        row.setName("decision-waiting-" + (ages.size() + 1));
-        row.setHorizontalAlignment(SwingConstants.LEADING);
-        row.putClientProperty("JButton.buttonType", "borderless");
-        row.setToolTipText(DecisionWords.asker(pending.presentation()) + ": "
-                + pending.presentation().title());
-        row.addActionListener(event -> selected.accept(pending.decision().id()));
-        JLabel age = new JLabel();
-        age.setName("decision-waiting-age-" + (ages.size() + 1));
-        dress(age);
-        ages.add(age);
-        add(row, "wmin 0, hmin " + (Look.hasHighRows() ? Spacing.HIT_TARGET_FIELD : Spacing.HIT_TARGET));
-        add(age);
-    }
-
-    /** What is asked, and about whom: several boats may be asked about alike. */
-    private static String words(DecisionPresentation decision) {
-        String boats = DecisionWords.boats(decision);
-        return (boats.isEmpty() ? "" : boats + ": ") + shortened(DecisionWords.heading(decision));
-    }
-
-    private static String shortened(String title) {
-        return title.length() <= 40 ? title : title.substring(0, 39).strip() + "…";
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
     }
 }

@@ -20,12 +20,13 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.crw.operator.mission.TaskMovePreview;
+import org.sami.spn.value.NaturalOrder;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
-import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 import org.sami.ui.value.WrappedText;
@@ -35,12 +36,17 @@ import org.sami.ui.value.WrappedText;
  * menu; what that changes stands below while it is dragged, and in the menu.
  */
 public final class AllocationPanel extends JPanel {
+    private static final int LOW = 200;
     private static final String HINT = "Drag a task to another boat, or give it by the button.";
 
     private final OperatorContext context;
     private final RowTable<Row> table;
     private final WrappedText effect = new WrappedText(HINT);
+    private final JPanel tools = new JPanel(
+            new MigLayout("novisualpadding, hidemode 3, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
     private final Command give;
+    private final CommandButton giveButton;
+    private final CommandButton beside;
     private List<Row> rows = List.of();
 
     /** A task and whose it is (empty text where nobody has it), or a boat without a task. */
@@ -67,6 +73,8 @@ public final class AllocationPanel extends JPanel {
                         .unless(() -> chosen().isPresent()
                                 ? Optional.empty()
                                 : Optional.of("select a task in the table of tasks first")));
+        giveButton = new CommandButton(give);
+        beside = CommandButton.iconOnly(give);
         table.addSelectionListener(give::refresh);
         JTable view = table.table();
         view.getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "give");
@@ -77,16 +85,31 @@ public final class AllocationPanel extends JPanel {
         view.setDragEnabled(context.whyNotAct().isEmpty() && !GraphicsEnvironment.isHeadless());
         effect.setName("allocation-effect");
         effect.setColor(SemanticColor.MUTED);
-        JPanel tools =
-                new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
         tools.add(effect, "wmin 60");
-        tools.add(new CommandButton(give));
-        JPanel all = new JPanel(new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]"));
-        all.add(table, "hmin 96");
-        all.add(tools);
-        add(WidthTrackingPanel.fromLeastHeight(all));
+        tools.add(giveButton);
+        beside.setName("allocation-give-icon");
+        beside.setVisible(false);
+        add(table);
+        add(tools, BorderLayout.SOUTH);
+        JPanel edge = new JPanel(new MigLayout("novisualpadding, insets 2, hidemode 3"));
+        edge.add(beside);
+        add(edge, BorderLayout.EAST);
         context.models().allocation().addListener(this::show);
         show(context.models().allocation().snapshot());
+    }
+
+    /** A low panel has its button beside the table, and says below it what a task that is dragged there would change, and nothing else. */
+    @Override
+    public void doLayout() {
+        showTools();
+        super.doLayout();
+    }
+
+    private void showTools() {
+        boolean low = getHeight() < Look.px(LOW);
+        beside.setVisible(low);
+        giveButton.setVisible(!low);
+        tools.setVisible(!low || !effect.getText().equals(HINT));
     }
 
     private String words(Row row) {
@@ -124,8 +147,8 @@ public final class AllocationPanel extends JPanel {
 
     /** All boats that are known or have a task, by name. */
     private List<String> boats() {
-        TreeSet<String> all =
-                new TreeSet<>(context.models().allocation().snapshot().queues().keySet());
+        TreeSet<String> all = new TreeSet<>(NaturalOrder.INSTANCE);
+        all.addAll(context.models().allocation().snapshot().queues().keySet());
         context.models().fleet().snapshot().stream().map(BoatSnapshot::boat).forEach(all::add);
         return List.copyOf(all);
     }
@@ -153,6 +176,7 @@ public final class AllocationPanel extends JPanel {
     private void say(Optional<TaskMovePreview> preview) {
         effect.setText(preview.map(TaskMovePreview::words).orElse(HINT));
         effect.setColor(preview.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
+        showTools();
     }
 
     private void give(TaskMovePreview preview) {

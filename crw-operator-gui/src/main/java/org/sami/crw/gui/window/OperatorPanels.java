@@ -38,11 +38,11 @@ public final class OperatorPanels implements AutoCloseable {
     public static final Arrangements FIRST = new Arrangements(
             Arrangement.of("map")
                     .right("missions", "map", 0.42)
-                    .below("boats", "map", 0.3)
+                    .below("boats", "map", 0.34)
                     .behind("boat", "boats")
                     .behind("communication", "boats")
-                    .below("decisions", "missions", 0.58)
-                    .below("interrupts", "decisions", 0.38)
+                    .below("decisions", "missions", 0.7)
+                    .below("interrupts", "decisions", 0.32)
                     .right("messages", "interrupts", 0.62)
                     .behind("alarms", "messages")
                     .behind("health", "messages")
@@ -50,16 +50,16 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("log", "messages"),
             Arrangement.of("map")
                     .right("missions", "map", 0.48)
-                    .below("boats", "map", 0.38)
+                    .below("boats", "map", 0.4)
                     .behind("communication", "boats")
                     .behind("alarms", "boats")
                     .behind("health", "boats")
                     .behind("log", "boats")
-                    .below("decisions", "missions", 0.57)
-                    .behind("boat", "decisions") // the higher stack; the list of boats stays in sight
-                    .behind("interrupts", "decisions")
-                    .behind("messages", "decisions")
-                    .behind("allocation", "decisions"),
+                    .below("decisions", "missions", 0.6) // by themselves, so that what waits stays in sight
+                    .behind("boat", "missions") // the list of boats stays in sight
+                    .behind("interrupts", "missions")
+                    .behind("messages", "missions")
+                    .behind("allocation", "missions"),
             Arrangement.of("map")
                     .right("decisions", "map", 0.5)
                     .behind("missions", "map")

@@ -63,7 +63,7 @@ class BoatsPanelTest {
                 Rectangle seen = ((JViewport) table.getParent()).getViewRect();
                 assertThat(seen.contains(table.getCellRect(rows - 1, 0, true))).isTrue();
                 assertThat(width(table, "What it does")).isGreaterThanOrEqualTo(width / 3);
-                assertThat(width(table, "Battery")).isGreaterThanOrEqualTo(Look.px(76));
+                assertThat(width(table, "Battery")).isGreaterThanOrEqualTo(Look.px(68));
                 return null;
             });
         }

@@ -48,13 +48,39 @@ class DecisionWordsTest {
         Optional<Answer> all = Optional.of(new Answer.Proxies(List.of("anna", "bert")));
         PendingDecision running = pending(all, OptionalLong.of(20_000), Priority.MEDIUM);
 
-        assertThat(DecisionWords.autonomy(running, 8_000))
-                .startsWith("Autonomy answers ")
-                .contains("anna")
-                .endsWith(" in 12 s");
+        assertThat(DecisionWords.autonomy(running, 8_000)).isEqualTo("Autonomy chooses anna, bert in 12 s");
         assertThat(DecisionWords.autonomy(running, 19_999)).endsWith(" in 1 s");
         assertThat(DecisionWords.autonomy(pending(all, OptionalLong.empty(), Priority.MEDIUM), 8_000))
                 .isEqualTo("The timer was stopped: only you answer");
+    }
+
+    @Test
+    void autonomyNamesFewBoatsAndCountsMany() {
+        Optional<Answer> five = Optional.of(new Answer.Proxies(List.of("a", "b", "c", "d", "e")));
+
+        assertThat(DecisionWords.autonomy(pending(five, OptionalLong.of(41_000), Priority.MEDIUM), 1_000))
+                .isEqualTo("Autonomy chooses 5 boats in 40 s");
+        assertThat(DecisionWords.autonomy(
+                        pending(Optional.of(new Answer.YesNo(true)), OptionalLong.of(41_000), Priority.MEDIUM), 1_000))
+                .isEqualTo("Autonomy answers yes in 40 s");
+        assertThat(DecisionWords.autonomy(pending(Optional.empty(), OptionalLong.of(41_000), Priority.MEDIUM), 1_000))
+                .isEqualTo("Autonomy gives no answer in 40 s");
+    }
+
+    @Test
+    void aLineOfTheQueueSaysWhoAsksSinceWhenAndHowLongThereIs() {
+        Optional<Answer> all = Optional.of(new Answer.Proxies(List.of("anna", "bert")));
+        PendingDecision plain = pending(all, OptionalLong.of(200_000), Priority.HIGH);
+        Asker bay = new Asker("explore", "Explore Area", "the bay", "choose", "Choose boats", "Select Boats");
+
+        assertThat(WaitingRow.of(plain, 14_000))
+                .isEqualTo(new WaitingRow(1, Priority.HIGH, "△ Which boats?", "the system", "13 s", "3 min"));
+        assertThat(DecisionWords.mission(asked(1, bay))).isEqualTo("the bay · Explore Area");
+        assertThat(DecisionWords.mission(
+                        asked(1, new Asker("explore", "Explore Area", "explore", "choose", "Choose boats", ""))))
+                .isEqualTo("Explore Area");
+        assertThat(DecisionWords.left(pending(all, OptionalLong.empty(), Priority.MEDIUM), 0))
+                .isEqualTo("stopped");
     }
 
     @Test

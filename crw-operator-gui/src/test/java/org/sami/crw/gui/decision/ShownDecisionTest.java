@@ -47,7 +47,7 @@ class ShownDecisionTest {
 
         shown.queue(List.of(URGENT, FIRST, SECOND));
         assertThat(id()).isEqualTo(3);
-        assertThat(shown.others()).containsExactly(FIRST, SECOND);
+        assertThat(shown.queue()).containsExactly(URGENT, FIRST, SECOND);
     }
 
     @Test

@@ -72,7 +72,7 @@ final class OperatorCommands {
         long seconds = Math.round(autonomy.remainingMillis(nowMillis).orElse(0) / 1000.0);
         return autonomy.words().isEmpty()
                 ? ", autonomy has no answer"
-                : ", autonomy answers " + autonomy.words() + " in " + seconds + " s (hold "
+                : ", autonomy " + autonomy.phrase() + " in " + seconds + " s (hold "
                         + pending.decision().id() + " stops it)";
     }
 

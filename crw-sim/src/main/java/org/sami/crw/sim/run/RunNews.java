@@ -82,7 +82,7 @@ public final class RunNews implements AutoCloseable {
         double seconds = autonomy.remainingMillis(pending.openedAtMillis()).orElse(0) / 1000.0;
         return autonomy.words().isEmpty()
                 ? ", autonomy has no answer"
-                : String.format(Locale.ROOT, ", autonomy answers %s in %.0f s", autonomy.words(), seconds);
+                : String.format(Locale.ROOT, ", autonomy %s in %.0f s", autonomy.phrase(), seconds);
     }
 
     private void settled(PendingDecision pending, Optional<Answer> answer, Optional<Answerer> by) {
