@@ -15,18 +15,24 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
 
-/** Simulated boats in this process, in a row along the quay of Katara Beach, each behind a loopback socket; each can be ended by itself. */
+/**
+ * Simulated boats in this process, in rows of five along the quay of Katara Beach, each behind a loopback socket; each can be ended by
+ * itself.
+ */
 final class LoopbackFleet implements AutoCloseable {
     static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
 
     private static final double APART_DEG = 0.0002; // 22 m
+    private static final int IN_A_ROW = 5;
 
     private final Map<String, BoatOnTcp> boats = new LinkedHashMap<>();
 
     /** Launches one boat a name. */
     LoopbackFleet(List<String> names) throws IOException {
         for (String name : names) {
-            GeoPoint at = GeoPoint.of(QUAY.latDeg() - boats.size() * APART_DEG, QUAY.lonDeg());
+            int row = boats.size() / IN_A_ROW;
+            GeoPoint at =
+                    GeoPoint.of(QUAY.latDeg() - boats.size() % IN_A_ROW * APART_DEG, QUAY.lonDeg() + row * APART_DEG);
             InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
             boats.put(
                     name,

@@ -1,0 +1,224 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
+import javax.swing.table.TableColumn;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** What is in sight with 20 boats, 14 decisions and 50 messages. */
+@Tag("window")
+@TestInstance(Lifecycle.PER_CLASS)
+class BusyWindowTest {
+    private BusySituation situation;
+    private WindowInMemory shown;
+
+    @BeforeAll
+    void open(@TempDir Path folder) throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        situation = new BusySituation(folder, Theme.LIGHT, 100);
+        shown = new WindowInMemory(situation.window());
+    }
+
+    @AfterAll
+    void close() throws Exception {
+        if (situation != null) {
+            situation.close();
+        }
+    }
+
+    private void size(int width, int height, int percent) {
+        shown.look(Theme.LIGHT, percent);
+        shown.size(width, height);
+    }
+
+    private <C extends Component> C find(String name, Class<C> type) {
+        return Layout.find(situation.window().frame(), name, type)
+                .orElseThrow(() -> new AssertionError("there is no " + name));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1600, 1000, 100, 5", "1280, 800, 100, 5", "1600, 1000, 150, 3", "1280, 800, 150, 2"})
+    void decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(int width, int height, int percent, int least) {
+        size(width, height, percent);
+
+        assertThat(WindowRobot.<List<String>>ask(() -> columns("decisions-queue")))
+                .containsExactly("Waits for you", "Mission", "Since", "Left");
+        assertThat(WindowRobot.<Integer>ask(() -> rowsInSight("decisions-queue")))
+                .isGreaterThanOrEqualTo(least);
+        assertThat(WindowRobot.<Integer>ask(
+                        () -> find("decisions-queue", JTable.class).getRowCount()))
+                .isEqualTo(BusySituation.DECISIONS);
+        assertThat(WindowRobot.<List<Object>>ask(() -> column("decisions-queue", 1)))
+                .contains("Look once more · Explore Area", "Watch the links · Communications Monitoring");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1600, 1000, 100, 6", "1280, 800, 100, 5", "1600, 1000, 150, 4", "1280, 800, 150, 2"})
+    void eachBoatHasOneLineWithItsColumns(int width, int height, int percent, int least) {
+        size(width, height, percent);
+
+        List<String> columns = WindowRobot.ask(() -> columns("boats-table"));
+        if (percent == 100) {
+            assertThat(columns).containsExactly("Boat", "What it does", "Battery", "Speed", "Path", "Link");
+        } else {
+            assertThat(columns).contains("Boat", "What it does", "Battery", "Link");
+        }
+        JTable boats = find("boats-table", JTable.class);
+        assertThat(WindowRobot.<List<Integer>>ask(() -> IntStream.range(0, boats.getRowCount())
+                        .map(boats::getRowHeight)
+                        .distinct()
+                        .boxed()
+                        .toList()))
+                .containsExactly(WindowRobot.<Integer>ask(() -> Look.px(30)));
+        assertThat(WindowRobot.<Integer>ask(() -> rowsInSight("boats-table"))).isGreaterThanOrEqualTo(least);
+        assertThat(WindowRobot.<Boolean>ask(
+                        () -> pane(boats).getHorizontalScrollBar().isVisible()))
+                .isFalse();
+    }
+
+    @Test
+    void boatsAreListedByTheirNumbers() {
+        WindowRobot robot = new WindowRobot();
+        robot.until("boats are in order", () -> column("boats-table", 0).equals(BusySituation.boats()));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1600, 1000, 100", "1280, 800, 100", "1600, 1000, 150", "1280, 800, 150"})
+    void nothingIsScrolledWithinWhatIsScrolled(int width, int height, int percent) {
+        size(width, height, percent);
+        List<String> nested = new ArrayList<>();
+        WindowRobot.ask(() -> {
+            find("boats-table", JTable.class).setRowSelectionInterval(0, 0);
+            return null;
+        });
+        JTabbedPane parts = find("boat-tabs", JTabbedPane.class);
+        for (int i = 0; i < parts.getTabCount(); i++) {
+            int tab = i;
+            nested.addAll(WindowRobot.ask(() -> {
+                front(parts);
+                parts.setSelectedIndex(tab);
+                return nestedAfterLayout("boat");
+            }));
+        }
+        nested.addAll(WindowRobot.ask(() -> {
+            front(find("allocation", Container.class));
+            return nestedAfterLayout("allocation");
+        }));
+
+        assertThat(nested.stream().distinct()).isEmpty();
+    }
+
+    private List<String> nestedAfterLayout(String panel) {
+        Container root = situation.window().frame().getRootPane();
+        Layout.layOut(root, root.getWidth(), root.getHeight());
+        Layout.layOut(root, root.getWidth(), root.getHeight());
+        return nested(find(panel, Container.class), panel);
+    }
+
+    private static void front(Container panel) {
+        for (Component at = panel; at.getParent() != null; at = at.getParent()) {
+            if (at.getParent() instanceof JTabbedPane tabs) {
+                tabs.setSelectedComponent(at);
+            }
+        }
+    }
+
+    private static List<String> nested(Container root, String where) {
+        List<String> found = new ArrayList<>();
+        for (JScrollPane pane : all(root, JScrollPane.class)) {
+            boolean scrolls = isShown(pane) && pane.getVerticalScrollBar().isVisible();
+            JScrollPane outer = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, pane);
+            if (scrolls && outer != null && outer.getVerticalScrollBar().isVisible()) {
+                Component view = pane.getViewport().getView();
+                found.add(where + ": " + (view == null ? pane.getName() : view.getName()) + " in " + outer.getName());
+            }
+        }
+        return found;
+    }
+
+    private static boolean isShown(Component component) {
+        for (Component at = component; at != null; at = at.getParent()) {
+            if (!at.isVisible()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static <C extends Component> List<C> all(Container root, Class<C> type) {
+        List<C> found = new ArrayList<>();
+        for (Component child : root.getComponents()) {
+            if (type.isInstance(child)) {
+                found.add(type.cast(child));
+            }
+            if (child instanceof Container inner) {
+                found.addAll(all(inner, type));
+            }
+        }
+        return found;
+    }
+
+    private static JScrollPane pane(JTable table) {
+        return (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, table);
+    }
+
+    /** How many whole rows are seen of a table, in all that it lies in. */
+    private int rowsInSight(String name) {
+        JTable table = find(name, JTable.class);
+        Rectangle seen = table.getBounds();
+        seen.setLocation(0, 0);
+        for (Component at = table; at.getParent() != null; at = at.getParent()) {
+            Rectangle parent = SwingUtilities.convertRectangle(
+                    at.getParent(), new Rectangle(at.getParent().getSize()), table);
+            seen = seen.intersection(parent);
+        }
+        Rectangle sight = seen;
+        return (int) IntStream.range(0, table.getRowCount())
+                .filter(row -> sight.contains(table.getCellRect(row, 0, true)))
+                .count();
+    }
+
+    private List<String> columns(String name) {
+        List<String> titles = new ArrayList<>();
+        for (TableColumn column :
+                Collections.list(find(name, JTable.class).getColumnModel().getColumns())) {
+            titles.add(column.getHeaderValue().toString());
+        }
+        return titles;
+    }
+
+    private List<Object> column(String name, int column) {
+        JTable table = find(name, JTable.class);
+        return IntStream.range(0, table.getRowCount())
+                .mapToObj(row -> table.getValueAt(row, column))
+                .toList();
+    }
+}
