@@ -40,6 +40,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final MessageList messages;
     private final MissionModel missions = new MissionModel();
     private final FleetModel fleet;
+    private final UnreachedModel unreached;
     private final CommandModel commands = new CommandModel();
     private final InterruptModel interrupts = new InterruptModel();
     private final OperatorLog log;
@@ -82,6 +83,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         messages = new MessageList(MESSAGES_KEPT, inbox::post, log, nowMillis);
         alarms = new AlarmModel(inbox::post, commands, log, missions::title);
         health = new HealthModel(inbox::post, nowMillis);
+        unreached = new UnreachedModel(inbox::post);
         alarms.addListener(health::alarms);
         map = new MapModel(inbox::post, commands, variables, missions::words, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
@@ -121,6 +123,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                         messages,
                         missions,
                         fleet,
+                        unreached,
                         commands,
                         interrupts,
                         alarms,
@@ -161,6 +164,11 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** Boats. */
     public FleetModel fleet() {
         return fleet;
+    }
+
+    /** Addresses at which no boat has answered. */
+    public UnreachedModel unreached() {
+        return unreached;
     }
 
     /** What missions have boats do. */
@@ -270,6 +278,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             messages.clear();
             missions.clear();
             fleet.clear();
+            unreached.clear();
             commands.clear();
             interrupts.show(List.of());
             alarms.clear();

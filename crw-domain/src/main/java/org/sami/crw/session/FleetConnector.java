@@ -45,6 +45,11 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
     /** How the links stand; from any thread. */
     CompletionStage<List<LinkReport>> links();
 
+    /** How the links stand; empty where boats are reached without any. For the fleet's thread. */
+    default List<LinkReport> linkReports() {
+        return List.of();
+    }
+
     @Override
     void close();
 }

@@ -14,6 +14,7 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.CrwDomain;
 import org.sami.crw.handler.planning.ServiceThreads;
@@ -55,6 +56,8 @@ final class SessionParts {
     final FleetEvents events;
     final FleetListener boats;
     final BoatMonitor monitor;
+    private final LinkWatch linkWatch;
+    private final UnreachedWatch unreachedWatch;
     final PoseLog poses;
     final BoatLog boatLog;
     final PostedInputs posted;
@@ -79,6 +82,7 @@ final class SessionParts {
 
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private volatile boolean halted;
+    private volatile boolean listensNoLonger;
     private boolean replayed; // before it begins
     private long shown; // for the engine's thread
 
@@ -137,12 +141,15 @@ final class SessionParts {
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs, guard);
         monitor = new BoatMonitor(
                 history, telemetry, messages, models.missions()::title, loop.isPresent(), scheduler::nowMs);
+        linkWatch = new LinkWatch(models.health());
+        unreachedWatch = new UnreachedWatch(models, messages, remembered);
         poses = new PoseLog(history, telemetry);
         boatLog = new BoatLog(
                 connector::boats, setup.services().error(), models.missions()::title, telemetry, scheduler::nowMs);
         if (journal.keepsTelemetry()) {
             events.subscribe(boatLog::take);
         }
+        events.subscribe(this::watchLinks);
         settings = new SettingReplies(replies);
         events.subscribe(settings::happened);
         connector.open(boats);
@@ -259,6 +266,8 @@ final class SessionParts {
         try {
             connector.executor().execute(() -> {
                 monitor.look(connector.boats());
+                linkWatch.look(scheduler.nowMs());
+                unreachedWatch.look(connector.linkReports(), scheduler.nowMs());
                 if (journal.keepsTelemetry()) {
                     boatLog.look();
                     poses.look(scheduler.nowMs());
@@ -267,6 +276,12 @@ final class SessionParts {
             care.ifPresent(one -> one.look(scheduler.nowMs()));
         } finally {
             scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
+        }
+    }
+
+    private void watchLinks(FleetEvent event) {
+        if (!listensNoLonger) {
+            linkWatch.take(event, scheduler.nowMs());
         }
     }
 
@@ -307,6 +322,7 @@ final class SessionParts {
 
     /** What becomes of links now is the session's own doing. */
     void listenNoLonger() {
+        listensNoLonger = true;
         boats.close();
         boatLog.close();
         messages.close();

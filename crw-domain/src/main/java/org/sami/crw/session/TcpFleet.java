@@ -119,6 +119,11 @@ final class TcpFleet implements FleetConnector {
     }
 
     @Override
+    public List<LinkReport> linkReports() {
+        return base.linkReports();
+    }
+
+    @Override
     public void close() {
         base.close();
         simulated.ifPresent(SimulatedBoats::close);

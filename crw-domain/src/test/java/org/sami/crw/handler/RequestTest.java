@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.TrackingError;
@@ -347,6 +349,30 @@ class RequestTest {
                 .extracting(Occurrence::proxies)
                 .containsExactly(List.of("west"), List.of("east"));
         assertThat(messages()).anyMatch(text -> text.contains("east is back"));
+    }
+
+    @Test
+    void lossesOfALinkThatIsLostAgainAndAgainAreCounted() {
+        SortedMap<Long, String> told = new TreeMap<>();
+        world.operator
+                .messages()
+                .addListener(entries -> entries.forEach(
+                        entry -> told.put(entry.number(), entry.message().text())));
+        for (int i = 0; i < 3; i++) {
+            world.cutLinks(true);
+            world.run(6);
+            world.cutLinks(false);
+            world.run(6);
+        }
+
+        assertThat(told.values())
+                .filteredOn(text -> text.contains("link to east"))
+                .hasSize(6)
+                .contains("The link to east is lost; its commands wait", "The link to east is back")
+                .anyMatch(text -> text.matches("The link to east is lost again, 3 times in \\d+ s; its commands wait"))
+                .last()
+                .asString()
+                .matches("The link to east is back; it was lost 3 times in \\d+ s");
     }
 
     @Test

@@ -12,6 +12,7 @@ import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.link.LinkLosses;
 import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
@@ -40,6 +41,7 @@ public final class BoatNews implements BoatListener {
     private final Set<String> observed = new HashSet<>();
     private final Map<String, String> levels = new HashMap<>();
     private final Set<String> faults = new HashSet<>();
+    private final Map<String, LinkLosses> links = new HashMap<>();
 
     public BoatNews(EngineHost host, NewBoats newBoats, MessageSink messages, BatterySubscriptions batteries) {
         this.batteries = batteries;
@@ -56,10 +58,16 @@ public final class BoatNews implements BoatListener {
     @Override
     public void onLinkChange(BoatStatus status) {
         String boat = status.boatId();
+        LinkLosses losses = links.computeIfAbsent(boat, id -> new LinkLosses());
+        long now = host.nowMillis();
         if (status.link() == LinkState.LOST) {
-            tell(boat, Priority.MEDIUM, "The link to " + boat + " is lost; its commands wait");
+            losses.lost(now);
+            String again = losses.count(now) > 1 ? " again, " + losses.words(now) : "";
+            tell(boat, Priority.MEDIUM, "The link to " + boat + " is lost" + again + "; its commands wait");
         } else if (status.link() == LinkState.LINKED && !joined.add(boat)) {
-            tell(boat, Priority.LOW, "The link to " + boat + " is back");
+            losses.back();
+            String often = losses.count(now) > 1 ? "; it was lost " + losses.words(now) : "";
+            tell(boat, Priority.LOW, "The link to " + boat + " is back" + often);
         } else if (status.link() == LinkState.LINKED
                 && !host.ask(view -> view.proxies().contains(boat))) {
             host.post(newBoats.joined(boat, host.ask(view -> view.awaits(EventNames.PROXY_CREATED))));
@@ -100,6 +108,7 @@ public final class BoatNews implements BoatListener {
     @Override
     public void onRetired(String boatId) {
         joined.remove(boatId);
+        links.remove(boatId);
     }
 
     @Override

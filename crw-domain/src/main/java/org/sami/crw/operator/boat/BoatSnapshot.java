@@ -54,6 +54,24 @@ public record BoatSnapshot(
         UNKNOWN
     }
 
+    /** A boat of which nothing has been heard. */
+    static BoatSnapshot unknown(String boat, BoatExplanation why) {
+        return new BoatSnapshot(
+                boat,
+                LinkState.CONNECTING,
+                OptionalLong.empty(),
+                Optional.empty(),
+                0,
+                Optional.empty(),
+                Optional.empty(),
+                Commander.UNKNOWN,
+                Optional.empty(),
+                0,
+                0,
+                why,
+                List.of());
+    }
+
     public BoatSnapshot {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(link, "link");

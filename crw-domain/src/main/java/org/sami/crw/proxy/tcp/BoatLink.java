@@ -68,6 +68,9 @@ final class BoatLink implements FrameSink {
     private long lastHeardMs;
     private long nextTryMs = Long.MIN_VALUE;
     private long connections;
+    private long triedAtMs;
+    private long failedTries;
+    private long failingSinceMs;
     private String lastEvent = "";
 
     BoatLink(InetSocketAddress address, TcpBaseConfig config, Base base, long seed) {
@@ -110,8 +113,20 @@ final class BoatLink implements FrameSink {
         released.ifPresent(known -> known.closed(nowMs));
     }
 
-    LinkReport report() {
-        return new LinkReport(address, proxy.map(BoatProxy::boatId), open, connections, lastEvent);
+    /** The boat that it carries. */
+    Optional<String> boatId() {
+        return proxy.map(BoatProxy::boatId);
+    }
+
+    LinkReport report(long nowMs) {
+        return new LinkReport(
+                address,
+                boatId(),
+                open,
+                connections,
+                lastEvent,
+                failedTries,
+                failedTries == 0 ? 0 : nowMs - failingSinceMs);
     }
 
     /** Puts a frame of the proxy on its way; it is lost if there is no connection. */
@@ -129,6 +144,7 @@ final class BoatLink implements FrameSink {
         } else if (connection.isEmpty() && nowMs >= nextTryMs) {
             BoatConnection next = new BoatConnection(address, config, base.owner(this));
             connection = Optional.of(next);
+            triedAtMs = nowMs;
             next.start();
         } else if (open && nowMs - lastHeardMs > config.proxy().lostAfterMs()) {
             connection.orElseThrow().close(silence());
@@ -185,6 +201,7 @@ final class BoatLink implements FrameSink {
             understood = true;
             lastHeardMs = nowMs;
             backoff.reset();
+            failedTries = 0;
         }
         carried.otherBoat().ifPresent(other -> base.leftBy(this, carried.boatId()));
     }
@@ -229,6 +246,9 @@ final class BoatLink implements FrameSink {
         connection = Optional.empty();
         found = Optional.empty();
         open = false;
+        if (failedTries++ == 0) {
+            failingSinceMs = triedAtMs;
+        }
         nextTryMs = nowMs + (refused ? backoff.longest() : backoff.next());
         lastEvent = refused ? refusal : why; // the boat may have hung up before
         refused = false;

@@ -10,6 +10,14 @@ import java.util.Optional;
  * @param connected whether a connection stands now
  * @param connections how many have stood so far
  * @param lastEvent what happened last, in words; empty if nothing has
+ * @param failedTries how many connections could not be had, or ended, since a boat was heard over one
+ * @param failingForMs how long ago the first of them was tried; 0 if there was none
  */
 public record LinkReport(
-        InetSocketAddress address, Optional<String> boatId, boolean connected, long connections, String lastEvent) {}
+        InetSocketAddress address,
+        Optional<String> boatId,
+        boolean connected,
+        long connections,
+        String lastEvent,
+        long failedTries,
+        long failingForMs) {}

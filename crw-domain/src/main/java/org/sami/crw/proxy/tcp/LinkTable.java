@@ -65,7 +65,7 @@ final class LinkTable {
     }
 
     List<LinkReport> reports() {
-        return links.stream().map(BoatLink::report).toList();
+        return links.stream().map(link -> link.report(nowMs)).toList();
     }
 
     /** Every connection that stands or is tried. */
@@ -106,7 +106,7 @@ final class LinkTable {
         nowMs = atMs;
         Optional<BoatLink> found =
                 links.stream().filter(link -> link.address().equals(address)).findFirst();
-        found.ifPresent(link -> link.report().boatId().ifPresentOrElse(this::remove, () -> drop(link)));
+        found.ifPresent(link -> link.boatId().ifPresentOrElse(this::remove, () -> drop(link)));
         return found.isPresent();
     }
 
@@ -204,7 +204,7 @@ final class LinkTable {
 
         @Override
         public void speaksVersion(BoatLink link, int version) {
-            String boatId = link.report().boatId().orElse("");
+            String boatId = link.boatId().orElse("");
             String text = "what answers at " + words(link) + " speaks link version " + version + ", this base version "
                     + LinkCodec.VERSION + "; it gets no command until both are of the same version";
             tell(new LinkAlarm(LinkAlarm.Kind.OTHER_VERSION, boatId, link.address(), text));

@@ -104,6 +104,11 @@ public final class TcpBase implements AutoCloseable {
         return links.proxies();
     }
 
+    /** How the links stand. For the base's thread alone. */
+    public List<LinkReport> linkReports() {
+        return links.reports();
+    }
+
     /** How the links stand. */
     public CompletableFuture<List<LinkReport>> links() {
         return CompletableFuture.supplyAsync(links::reports, thread);

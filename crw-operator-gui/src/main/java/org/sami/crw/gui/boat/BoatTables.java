@@ -1,7 +1,6 @@
 package org.sami.crw.gui.boat;
 
 import java.util.HashSet;
-import java.util.Optional;
 import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.ui.look.MarkIcon;
@@ -15,19 +14,25 @@ public final class BoatTables {
     private BoatTables() {}
 
     /**
-     * The column with each boat's mark and name.
+     * The column with each boat's mark and name; what is no boat yet has no mark.
      *
      * @param boat the boat of a row
      */
     public static <R> RowColumn<R> names(OperatorContext context, Function<R, String> boat) {
         return RowColumn.words("Boat", NAME_WIDTH, boat)
-                .withIcon(row -> Optional.of(new MarkIcon(context.marks().of(boat.apply(row)))));
+                .withIcon(row -> context.models()
+                        .fleet()
+                        .boat(boat.apply(row))
+                        .map(known -> new MarkIcon(context.marks().of(known.boat()))));
     }
 
     /** Keeps the selected rows of a table and the session's selected boats the same; rows are keyed by their boats. */
     public static <R> void shareSelection(OperatorContext context, RowTable<R> table, Function<R, String> boat) {
-        table.addSelectionListener(() ->
-                context.boats().select(table.allSelected().stream().map(boat).toList()));
+        table.addSelectionListener(() -> context.boats()
+                .select(table.allSelected().stream()
+                        .map(boat)
+                        .filter(one -> context.models().fleet().boat(one).isPresent())
+                        .toList()));
         context.boats()
                 .addListener(
                         () -> table.selectKeys(new HashSet<>(context.boats().boats())));

@@ -3,11 +3,16 @@ package org.sami.crw.gui.boat;
 import java.awt.BorderLayout;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.boat.FleetRows;
+import org.sami.crw.operator.boat.UnreachedBoat;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.NaturalOrder;
+import org.sami.ui.command.Command;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -52,6 +57,14 @@ public final class BoatsPanel extends JPanel {
                                 .asLastSpare())); // what it does says when the link is lost
         table.showOneLine();
         BoatTables.shareSelection(context, table, Shown::name);
+        Command giveUp = context.commands()
+                .add(new Command("address-give-up", "Give up the address", this::giveUpAddress)
+                        .withKey("alt shift X")
+                        .withIcon("link-lost")
+                        .unless(() -> selectedAddress().isPresent()
+                                ? context.whyNotAct()
+                                : Optional.of("select an address that does not answer")));
+        table.addSelectionListener(giveUp::refresh);
         context.models()
                 .fleet()
                 .addListener(boats -> context.boats()
@@ -76,12 +89,27 @@ public final class BoatsPanel extends JPanel {
                 .orElse(SemanticColor.MUTED);
     }
 
+    /** The address that is selected and does not answer; for a boat that is known by its name its address as well. */
+    private Optional<UnreachedBoat> selectedAddress() {
+        return table.selected()
+                .flatMap(shown -> context.models().unreached().snapshot().stream()
+                        .filter(one -> one.name().equals(shown.name()))
+                        .findFirst());
+    }
+
+    private void giveUpAddress() {
+        selectedAddress()
+                .ifPresent(one -> context.tell(
+                        context.session().fleet().disconnect(BoatAddress.parse(one.address())),
+                        one.address() + " is given up"));
+    }
+
     /** Shows them as they are known now; to be called a few times a second, as ages change by themselves. */
     public void refresh() {
         long now = context.nowMillis();
         List<BoatSnapshot> boats = context.models().fleet().snapshot();
         boats.forEach(boat -> context.marks().of(boat.boat()));
-        table.show(boats.stream()
+        table.show(FleetRows.of(boats, context.models().unreached().snapshot(), now).stream()
                 .map(boat -> new Shown(boat, BoatWords.link(boat, now), BoatWords.isStale(boat, now)))
                 .sorted(WORST_FIRST)
                 .toList());

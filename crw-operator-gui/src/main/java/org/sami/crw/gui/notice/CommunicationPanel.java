@@ -11,6 +11,7 @@ import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.boat.BoatCommunication.InMission;
+import org.sami.crw.operator.boat.FleetCount;
 import org.sami.crw.operator.boat.ProxyStatus;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
@@ -71,7 +72,10 @@ public final class CommunicationPanel extends JPanel {
         MissionsSnapshot missions = context.models().missions().snapshot();
         long now = context.nowMillis();
         table.show(boats.stream().map(boat -> shown(boat, missions, now)).toList());
-        summary.setText(summary(boats));
+        FleetCount count = FleetCount.of(
+                context.models().fleet().snapshot(),
+                context.models().unreached().snapshot());
+        summary.setText(summary(boats, count));
         summary.setToolTipText(summary.getText());
         LookColors.foreground(
                 summary,
@@ -100,13 +104,12 @@ public final class CommunicationPanel extends JPanel {
     }
 
     /** How many boats there are of each status: what a look from afar is to find. */
-    static String summary(List<BoatCommunication> boats) {
+    static String summary(List<BoatCommunication> boats, FleetCount count) {
         long severe = count(boats, ProxyStatus.SEVERE);
         long warning = count(boats, ProxyStatus.WARNING);
-        long lost = boats.stream().filter(boat -> boat.link() == LinkState.LOST).count();
         String mark = severe > 0 ? "▲ " : warning > 0 ? "△ " : "● ";
         return mark + severe + " severe  ·  " + warning + " warning  ·  " + count(boats, ProxyStatus.NOMINAL)
-                + " nominal" + (lost == 0 ? "" : "  ·  " + lost + (lost == 1 ? " link lost" : " links lost"));
+                + " nominal  ·  " + count.words() + (count.lost() == 0 ? "" : "  ·  " + count.lostWords());
     }
 
     private static long count(List<BoatCommunication> boats, ProxyStatus status) {

@@ -16,7 +16,7 @@ import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.operator.boat.FleetCount;
 import org.sami.spn.protocol.Ids;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
@@ -163,10 +163,10 @@ public final class StatusStrip extends JPanel {
         showUnseen();
         LookColors.foreground(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
-        long linked =
-                fleet.stream().filter(boat -> boat.link() == LinkState.LINKED).count();
-        say(boats, linked + " of " + count(fleet.size(), "boat"), narrow ? linked + " / " + fleet.size() : "");
-        showLinks(fleet);
+        FleetCount count = FleetCount.of(fleet, context.models().unreached().snapshot());
+        say(boats, count.words(), narrow ? count.linked() + " / " + count.all() : "");
+        LookColors.foreground(boats, count.linked() < count.all() ? SemanticColor.WARNING : SemanticColor.TEXT);
+        showLinks(fleet, count);
         clock.setFont(narrow ? Fonts.strong() : Fonts.heading());
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
         showAlarms(context.models().alarms().snapshot());
@@ -181,15 +181,15 @@ public final class StatusStrip extends JPanel {
         label.getAccessibleContext().setAccessibleName(words);
     }
 
-    private void showLinks(List<BoatSnapshot> fleet) {
-        long lost = fleet.stream().filter(boat -> boat.link() == LinkState.LOST).count();
+    private void showLinks(List<BoatSnapshot> fleet, FleetCount count) {
+        int lost = count.lost();
         long worst = fleet.stream()
                 .mapToLong(boat -> boat.linkAgeMillis(context.nowMillis()).orElse(0))
                 .max()
                 .orElse(0);
         say(
                 links,
-                lost > 0 ? count(lost, "link") + " lost" : fleet.isEmpty() ? "no links" : "links fresh",
+                lost > 0 ? count.lostWords() : fleet.isEmpty() ? "no links" : "links fresh",
                 narrow ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : "fresh") : "");
         boolean bad = lost > 0 || worst > BoatWords.STALE_MS;
         links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT));

@@ -52,6 +52,7 @@ public final class WindowMenus {
                 "boat-clear-block",
                 "boat-try-motor",
                 "boat-disconnect",
+                "address-give-up",
                 "",
                 "fleet-stop",
                 "fleet-release",

@@ -5,9 +5,13 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import static org.sami.crw.gui.SessionWorld.find;
 import static org.sami.crw.gui.SessionWorld.get;
 import static org.sami.crw.gui.SessionWorld.laidOut;
+import static org.sami.crw.gui.SessionWorld.rows;
+import static org.sami.crw.gui.SessionWorld.select;
 import static org.sami.crw.gui.SessionWorld.until;
 
 import java.awt.Rectangle;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.util.Collections;
 import java.util.List;
 import javax.swing.JTable;
@@ -19,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.TextScale;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 
@@ -41,6 +46,34 @@ class BoatsPanelTest {
                     () -> world.context.models().fleet().boat("anna").isEmpty());
             assertThat(onEventThread(() -> world.context.boats().boats())).containsExactly("bert");
         }
+    }
+
+    @Test
+    void aBoatThatNeverAnsweredHasARowAndItsAddressCanBeGivenUp() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna");
+                ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            BoatAddress nobody = new BoatAddress("127.0.0.1", taken.getLocalPort());
+            taken.close();
+            BoatsPanel panel = laidOut(() -> new BoatsPanel(world.context));
+            world.session.fleet().connect(nobody);
+
+            shows(panel, nobody + "|△ no answer · connection refused · tried ");
+            select(panel, "boats-table", 0); // worst first
+            assertThat(onEventThread(() -> world.context.boats().boats())).isEmpty();
+            world.run("address-give-up");
+
+            until("the row is gone", () -> {
+                panel.refresh();
+                return !rows(panel, "boats-table").contains(nobody.toString());
+            });
+        }
+    }
+
+    private static void shows(BoatsPanel panel, String text) {
+        until(text, () -> {
+            panel.refresh();
+            return rows(panel, "boats-table").contains(text);
+        });
     }
 
     /** The sizes are those that the panel has in a window of 1280 by 800. */

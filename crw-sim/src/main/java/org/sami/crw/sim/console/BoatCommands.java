@@ -7,6 +7,9 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.boat.FleetCount;
+import org.sami.crw.operator.boat.FleetRows;
+import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Fleet;
 import org.sami.spn.value.GeoPoint;
@@ -31,7 +34,10 @@ final class BoatCommands {
                         "connect HOST:PORT[,HOST:PORT...]",
                         "Connects to boats' servers, and keeps at it.",
                         this::connect),
-                withBoat("disconnect BOAT", "Gives a boat up; missions keep it until it is dropped.", this::disconnect),
+                withBoat(
+                        "disconnect BOAT|HOST:PORT",
+                        "Gives a boat up, or an address that does not answer; missions keep a boat until it is dropped.",
+                        this::disconnect),
                 ConsoleCommand.of(
                         "add NAME LAT,LON [COUNT]", "Adds simulated boats, which move in real time.", this::add),
                 withBoat(
@@ -87,11 +93,13 @@ final class BoatCommands {
 
     private void boats(Arguments arguments, Consumer<String> out) {
         arguments.end();
-        List<BoatSnapshot> boats = context.models().fleet().snapshot();
+        long now = context.session().scheduler().nowMs();
+        List<UnreachedBoat> unreached = context.models().unreached().snapshot();
+        List<BoatSnapshot> known = context.models().fleet().snapshot();
+        List<BoatSnapshot> boats = FleetRows.of(known, unreached, now);
         if (boats.isEmpty()) {
             out.accept("there is no boat; connect one with: connect HOST:PORT");
         }
-        long now = context.session().scheduler().nowMs();
         for (BoatSnapshot boat : boats) {
             StringBuilder line = new StringBuilder(boat.boat()).append("  link ");
             line.append(boat.link().name().toLowerCase(Locale.ROOT));
@@ -115,6 +123,10 @@ final class BoatCommands {
             }
             out.accept(line.append("  ").append(boat.why().text()).toString());
         }
+        FleetCount count = FleetCount.of(known, unreached);
+        if (count.linked() < count.all()) {
+            out.accept(count.words() + " linked");
+        }
     }
 
     private void connect(Arguments arguments, Consumer<String> out) {
@@ -136,7 +148,9 @@ final class BoatCommands {
     private void disconnect(Arguments arguments, Consumer<String> out) {
         String boat = arguments.next("boat");
         arguments.end();
-        boolean known = context.await(fleet().disconnect(boat));
+        boolean address = context.models().unreached().snapshot().stream()
+                .anyMatch(one -> one.address().equals(boat));
+        boolean known = context.await(address ? fleet().disconnect(BoatAddress.parse(boat)) : fleet().disconnect(boat));
         out.accept(known ? boat + " is given up" : "there is no boat '" + boat + "'");
     }
 

@@ -31,10 +31,12 @@ public final class RunNews implements AutoCloseable {
     private final RunObserver.News news;
     private final LongSupplier nowMillis;
     private final List<Registration> registrations;
-    private final Map<String, Long> lastToldAt = new HashMap<>(); // by the text of a message
+    private final Map<String, Told> lastTold = new HashMap<>(); // by a message's keyword; by its text where it has none
     private long lastMessage;
     private final HealthNews health;
     private long lastAlarm;
+
+    private record Told(String text, long atMillis) {}
 
     /**
      * Begins with what is new from now on.
@@ -114,12 +116,16 @@ public final class RunNews implements AutoCloseable {
                 .forEach(this::message);
     }
 
+    /** Leaves out what was told within the last minute, unless something else was told of the same since: the last line always says what is so now. */
     private void message(MessageEntry entry) {
         String text = entry.message().text();
         long atMillis = entry.message().atMillis();
-        Long told = lastToldAt.get(text);
-        if (news.isDetailed() || told == null || atMillis - told >= REPEATED_MILLIS) {
-            lastToldAt.put(text, atMillis);
+        String keyword = entry.message().keyword();
+        String subject = keyword.isEmpty() ? text : keyword;
+        Told before = lastTold.get(subject);
+        boolean repeated = before != null && before.text.equals(text) && atMillis - before.atMillis < REPEATED_MILLIS;
+        if (news.isDetailed() || !repeated) {
+            lastTold.put(subject, new Told(text, atMillis));
             tell(atMillis, "message: " + text);
         }
     }

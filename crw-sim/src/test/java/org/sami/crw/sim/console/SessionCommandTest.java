@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -109,6 +110,31 @@ class SessionCommandTest {
                     .containsPattern("1 or more of (anna, bo|bo, anna), or all")
                     .contains("1  clv  runs since", "mission 1 of clv: ended", "All boats have finished");
             assertThat(ran.out()).doesNotContain("crw: ");
+            assertThat(ran.exitCode()).isZero();
+        }
+    }
+
+    @Test
+    void boatThatNeverAnsweredIsListedCountedAndGivenUp() throws IOException {
+        int nobodys;
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            nobodys = taken.getLocalPort();
+        }
+        try (BoatOnTcp anna = boat("anna")) {
+            CommandResult ran = session(
+                    List.of("--connect", address(anna) + ",127.0.0.1:" + nobodys),
+                    "wait boats 1 within 120",
+                    "wait 3",
+                    "boats",
+                    "disconnect 127.0.0.1:" + nobodys,
+                    "quit");
+
+            assertThat(ran.out())
+                    .containsPattern("127.0.0.1:" + nobodys
+                            + "  link connecting  127.0.0.1:" + nobodys
+                            + " no answer · connection refused · tried \\d+ times in \\d")
+                    .contains("1 of 2 boats linked")
+                    .contains("127.0.0.1:" + nobodys + " is given up");
             assertThat(ran.exitCode()).isZero();
         }
     }

@@ -1,0 +1,37 @@
+package org.sami.crw.operator.boat;
+
+import java.util.Collection;
+import org.sami.crw.proxy.status.LinkState;
+
+/**
+ * How many boats there are, and how their links are: the one count of them, for every panel, the console and reports.
+ *
+ * @param linked whose link stands
+ * @param lost whose link stood and is lost
+ * @param all that the session was to have: those that never answered as well
+ */
+public record FleetCount(int linked, int lost, int all) {
+    /** That of boats, and of addresses at which none has answered. */
+    public static FleetCount of(Collection<BoatSnapshot> boats, Collection<UnreachedBoat> unreached) {
+        long nobody = unreached.stream()
+                .filter(one -> boats.stream().noneMatch(boat -> boat.boat().equals(one.boat())))
+                .count();
+        return new FleetCount(
+                count(boats, LinkState.LINKED), count(boats, LinkState.LOST), boats.size() + Math.toIntExact(nobody));
+    }
+
+    private static int count(Collection<BoatSnapshot> boats, LinkState link) {
+        return Math.toIntExact(
+                boats.stream().filter(boat -> boat.link() == link).count());
+    }
+
+    /** Such as {@code 3 of 4 boats}. */
+    public String words() {
+        return linked + " of " + all + (all == 1 ? " boat" : " boats");
+    }
+
+    /** Such as {@code 2 links lost}; empty text where none is. */
+    public String lostWords() {
+        return lost == 0 ? "" : lost + (lost == 1 ? " link lost" : " links lost");
+    }
+}

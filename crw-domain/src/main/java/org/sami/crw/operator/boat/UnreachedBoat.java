@@ -1,0 +1,49 @@
+package org.sami.crw.operator.boat;
+
+import java.util.Objects;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+
+/**
+ * An address at which no boat has answered yet, though the base tries.
+ *
+ * @param address as {@code HOST:PORT}
+ * @param boat id of the boat that was there in an earlier process; empty text where none is known
+ * @param reason what came of the last try, in words
+ * @param tries how often it was tried in vain
+ * @param sinceMillis when it was tried first, on the session's clock
+ */
+public record UnreachedBoat(String address, String boat, String reason, long tries, long sinceMillis) {
+    public UnreachedBoat {
+        Objects.requireNonNull(address, "address");
+        Objects.requireNonNull(boat, "boat");
+        Objects.requireNonNull(reason, "reason");
+    }
+
+    /** What people call it: the boat where that is known, else the address. */
+    public String name() {
+        return boat.isEmpty() ? address : boat;
+    }
+
+    /** How it stands, to be read beside its name, such as {@code no answer · connection refused · tried 12 times in 2 min}. */
+    public String state(long nowMillis) {
+        return "no answer" + (reason.isEmpty() ? "" : " · " + reason) + " · tried " + times() + " in "
+                + Age.words(nowMillis - sinceMillis);
+    }
+
+    /** The same as a sentence, such as {@code 10.0.0.9:11411 does not answer (connection refused, tried 12 times)}. */
+    public String sentence() {
+        String who = boat.isEmpty() ? address : boat + " at " + address;
+        return who + " does not answer (" + (reason.isEmpty() ? "" : reason + ", ") + "tried " + times() + ")";
+    }
+
+    /** The same as a row among boats: a boat of which nothing is known. */
+    BoatSnapshot row(long nowMillis) {
+        return BoatSnapshot.unknown(
+                name(),
+                new BoatExplanation(false, BoatExplanation.Cause.NEVER_ANSWERED, name() + " " + state(nowMillis)));
+    }
+
+    private String times() {
+        return tries == 1 ? "once" : tries + " times";
+    }
+}
