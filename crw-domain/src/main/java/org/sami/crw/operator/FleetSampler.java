@@ -123,6 +123,7 @@ final class FleetSampler {
                 current.map(CommandQueueSnapshot.Entry::visited).orElse(0),
                 current.map(CommandQueueSnapshot.Entry::points).orElse(0),
                 why,
+                boat.drift(),
                 boat.wayHome());
     }
 

@@ -41,6 +41,7 @@ import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.Drift;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
@@ -306,7 +307,11 @@ public final class MapModel extends Model<MapSnapshot> {
                             boat.boat(),
                             pose.position(),
                             pose.headingRad(),
-                            pose.speedMps(),
+                            boat.drift()
+                                    .filter(Drift::isMoving)
+                                    .map(Drift::courseRad)
+                                    .orElse(pose.headingRad()),
+                            boat.speedMps().orElse(0),
                             boat.poseAtMillis(),
                             boat.battery()
                                     .map(BatteryState::percent)

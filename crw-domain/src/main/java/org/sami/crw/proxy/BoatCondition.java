@@ -53,6 +53,9 @@ final class BoatCondition {
     /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
     Optional<GeoPoint> home = Optional.empty();
 
+    /** How the boat is carried over ground while it does not drive. */
+    final DriftTrack drift = new DriftTrack();
+
     /** The way on which the boat is expected to come home by itself. */
     final ExpectedWayHome wayHome = new ExpectedWayHome(() -> home);
 

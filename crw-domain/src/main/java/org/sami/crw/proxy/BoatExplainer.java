@@ -20,6 +20,7 @@ import org.sami.crw.proxy.explanation.Obstacle;
 import org.sami.crw.proxy.queue.QueuedCommand;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
+import org.sami.crw.proxy.status.Drift;
 
 /** Answers "why is this boat not moving?" from its proxy's link and queue. */
 final class BoatExplainer {
@@ -206,6 +207,7 @@ final class BoatExplainer {
     }
 
     private BoatExplanation still(Cause cause, String why) {
-        return new BoatExplanation(false, cause, proxy.boatId() + " does not move: " + why);
+        String does = proxy.drift().filter(Drift::isMoving).map(Drift::words).orElse("does not move");
+        return new BoatExplanation(false, cause, proxy.boatId() + " " + does + ": " + why);
     }
 }

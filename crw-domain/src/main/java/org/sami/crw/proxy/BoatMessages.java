@@ -166,6 +166,7 @@ final class BoatMessages {
         Optional<BatteryState> battery =
                 condition.status.battery().map(known -> new BatteryState(telemetry.batteryPercent(), known.level()));
         condition.status = condition.status.with(pose, battery, telemetry.mode());
+        condition.drift.says(pose.position(), telemetry.mode(), telemetry.boatTimeMs());
         condition.wayHome.says(telemetry.mode());
         announce(BoatListener::onStatus);
         if (telemetry.mode() == BoatMode.FLEET_STOP) {

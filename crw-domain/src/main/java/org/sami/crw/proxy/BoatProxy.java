@@ -22,6 +22,7 @@ import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
@@ -88,6 +89,15 @@ public final class BoatProxy {
     /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */
     public Optional<CrossTrackError> error() {
         return condition.error;
+    }
+
+    /** How it is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard. */
+    public Optional<Drift> drift() {
+        return condition.status.link() == LinkState.LINKED
+                ? condition.drift.drift(condition.error.map(CrossTrackError::positionM).stream()
+                        .mapToDouble(Double::doubleValue)
+                        .findFirst())
+                : Optional.empty();
     }
 
     /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */

@@ -91,7 +91,8 @@ final class UnreachedWatch {
                                 one.address(),
                                 Priority.HIGH,
                                 one.sentence(),
-                                "Switch the boat on, look at the address and the network; disconnect the address if no boat is there",
+                                "Switch the boat on, look at the address and the network; disconnect the address if no"
+                                        + " boat is there",
                                 one.boat(),
                                 Ids.NONE));
             }

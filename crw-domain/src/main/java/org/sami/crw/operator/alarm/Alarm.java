@@ -46,6 +46,8 @@ public record Alarm(
         APPROACH(Priority.HIGH, "Hold one of the two"),
         /** The boat should follow its path, and comes no nearer to its next point. */
         NO_PROGRESS(Priority.HIGH, "Look whether it is stuck; send its path again, or take it over by hand"),
+        /** The boat was carried away from where it was left, or from the station that it is to keep. */
+        DRIFT(Priority.HIGH, "Have it hold its place, send it home, or fetch it"),
         /** The link stands, and the boat has not said for a while where it is. */
         STALE_POSE(Priority.MEDIUM, "Look at the position sensor of its phone; hold the boat meanwhile"),
         /** The boat says that it is where it cannot be. */

@@ -19,6 +19,7 @@ public final class BoatAlarms {
 
     private final PoseCheck poses = new PoseCheck();
     private final RangeCheck ranges = new RangeCheck();
+    private final DriftCheck drifts = new DriftCheck();
     private final FenceCheck fence;
 
     public BoatAlarms(FenceCheck fence) {
@@ -28,6 +29,7 @@ public final class BoatAlarms {
     public void remove(String boat) {
         poses.remove(boat);
         ranges.remove(boat);
+        drifts.remove(boat);
         fence.remove(boat);
     }
 
@@ -48,6 +50,7 @@ public final class BoatAlarms {
                         cause == Cause.STARTED_ANEW || cause == Cause.REFUSES || cause == Cause.BATTERY_EMPTY,
                         boat.why().text()));
         wrong.put(Kind.NO_PROGRESS, when(cause == Cause.NO_PROGRESS, id + " comes no nearer to its next point"));
+        wrong.put(Kind.DRIFT, drifts.of(boat));
         Optional<PoseCheck.Doubt> doubt = boat.pose().map(pose -> poses.at(id, pose));
         wrong.put(Kind.POSITION_DOUBTFUL, doubt.flatMap(PoseCheck.Doubt::position));
         wrong.put(Kind.COMPASS_DOUBTFUL, doubt.flatMap(PoseCheck.Doubt::heading));

@@ -1,14 +1,17 @@
 package org.sami.crw.operator.boat;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.value.GeoPoint;
 
@@ -25,6 +28,7 @@ import org.sami.spn.value.GeoPoint;
  * @param visited points of that command's path that are behind it
  * @param points points of that path; 0 for a command that has none
  * @param why why it moves or does not
+ * @param drift how it is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard
  * @param wayHome from where it was seen last to its home, with the turns between, where it is expected to come home by itself; else empty
  */
 public record BoatSnapshot(
@@ -40,6 +44,7 @@ public record BoatSnapshot(
         int visited,
         int points,
         BoatExplanation why,
+        Optional<Drift> drift,
         List<GeoPoint> wayHome) {
 
     /** Who commands a boat. */
@@ -52,6 +57,38 @@ public record BoatSnapshot(
         SOMEBODY_ELSE,
         /** It has not said so yet. */
         UNKNOWN
+    }
+
+    /** A boat that is not known to drift. */
+    public BoatSnapshot(
+            String boat,
+            LinkState link,
+            OptionalLong heardAtMillis,
+            Optional<BoatPose> pose,
+            long poseAtMillis,
+            Optional<BatteryState> battery,
+            Optional<BoatMode> mode,
+            Commander commander,
+            Optional<BoatCommand> command,
+            int visited,
+            int points,
+            BoatExplanation why,
+            List<GeoPoint> wayHome) {
+        this(
+                boat,
+                link,
+                heardAtMillis,
+                pose,
+                poseAtMillis,
+                battery,
+                mode,
+                commander,
+                command,
+                visited,
+                points,
+                why,
+                Optional.empty(),
+                wayHome);
     }
 
     /** A boat of which nothing has been heard. */
@@ -82,12 +119,34 @@ public record BoatSnapshot(
         Objects.requireNonNull(commander, "commander");
         Objects.requireNonNull(command, "command");
         Objects.requireNonNull(why, "why");
+        Objects.requireNonNull(drift, "drift");
         wayHome = List.copyOf(wayHome);
     }
 
     /** How old the pose is, in ms; empty where there is none. */
     public OptionalLong poseAgeMillis(long nowMillis) {
         return pose.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Math.max(0, nowMillis - poseAtMillis));
+    }
+
+    /** How fast it is over ground, in m/s: carried where it does not drive, else as it says; negative astern. Empty before it has said where it is. */
+    public OptionalDouble speedMps() {
+        OptionalDouble carried = drift.filter(Drift::isMoving).stream()
+                .mapToDouble(Drift::speedMps)
+                .findFirst();
+        return carried.isPresent()
+                ? carried
+                : pose.stream().mapToDouble(BoatPose::speedMps).findFirst();
+    }
+
+    /** The same in words: {@code 1.4 m/s}, or {@code 0.25 m/s} where it is carried; empty text before it has said where it is. */
+    public String speedWords() {
+        if (speedMps().isEmpty()) {
+            return "";
+        }
+        double mps = speedMps().getAsDouble();
+        return drift.filter(Drift::isMoving).isPresent()
+                ? String.format(Locale.ROOT, "%.2f m/s", mps)
+                : String.format(Locale.ROOT, "%.1f m/s", Math.round(mps * 10) / 10.0);
     }
 
     /** For how long nothing has come over the link, in ms; empty where nothing ever has. */

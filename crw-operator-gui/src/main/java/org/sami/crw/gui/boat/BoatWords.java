@@ -62,14 +62,19 @@ public final class BoatWords {
                 .orElse(UNKNOWN);
     }
 
-    /** Its speed in m/s. */
+    /** Its speed over ground in m/s; where it is carried, with the decimals of a drift. */
     public static String speed(BoatSnapshot boat) {
-        return boat.pose().map(pose -> speed(pose.speedMps())).orElse(UNKNOWN);
+        return boat.speedWords().isEmpty() ? UNKNOWN : boat.speedWords();
     }
 
     /** A speed in m/s; one that is rounded to nothing has no sign. */
     public static String speed(double mps) {
         return String.format(Locale.ROOT, "%.1f m/s", Math.round(mps * 10) / 10.0);
+    }
+
+    /** The speed of a drift in m/s. */
+    public static String drift(double mps) {
+        return String.format(Locale.ROOT, "%.2f m/s", mps);
     }
 
     /** How far it is on its path. */

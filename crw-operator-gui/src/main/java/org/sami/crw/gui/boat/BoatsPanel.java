@@ -40,7 +40,8 @@ public final class BoatsPanel extends JPanel {
         this.context = context;
         table = new RowTable<>(
                 "boats-table",
-                "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears here with what it does.",
+                "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears here with"
+                        + " what it does.",
                 Shown::name,
                 List.of(
                         BoatTables.names(context, Shown::name),

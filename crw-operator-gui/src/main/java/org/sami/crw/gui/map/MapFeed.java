@@ -160,7 +160,7 @@ final class MapFeed {
                 context.marks().of(boat.boat()),
                 boat.position(),
                 boat.headingRad(),
-                boat.headingRad(),
+                boat.courseRad(),
                 boat.speedMps(),
                 Math.max(0, context.nowMillis() - boat.poseAtMillis()) / 1000.0,
                 context.boats().contains(boat.boat()) || standsOut);
@@ -168,7 +168,7 @@ final class MapFeed {
 
     /** Its charge, if it has told that, and its speed. */
     private static String state(ShownBoat boat) {
-        String speed = BoatWords.speed(boat.speedMps());
+        String speed = boat.isCarried() ? BoatWords.drift(boat.speedMps()) : BoatWords.speed(boat.speedMps());
         return boat.batteryPercent().isPresent()
                 ? String.format(
                         Locale.ROOT, "%.0f %% · %s", boat.batteryPercent().getAsDouble(), speed)

@@ -46,7 +46,8 @@ public final class CommunicationPanel extends JPanel {
         this.context = context;
         table = new RowTable<>(
                 "communication-table",
-                "No boat is known. Each stands here as missions see it, such as Monitor Communications, and with its link.",
+                "No boat is known. Each stands here as missions see it, such as Monitor Communications, and with its"
+                        + " link.",
                 Shown::name,
                 List.of(
                         BoatTables.names(context, Shown::name),

@@ -88,7 +88,7 @@ class FirstViewTest {
     }
 
     private static ShownBoat boat(String id, GeoPoint at) {
-        return new ShownBoat(id, at, 0, 0, 0, OptionalDouble.empty(), LinkState.LINKED, false);
+        return new ShownBoat(id, at, 0, 0, 0, 0, OptionalDouble.empty(), LinkState.LINKED, false);
     }
 
     private static MapSnapshot with(ShownBoat... boats) {

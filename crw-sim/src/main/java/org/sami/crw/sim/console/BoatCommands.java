@@ -36,7 +36,8 @@ final class BoatCommands {
                         this::connect),
                 withBoat(
                         "disconnect BOAT|HOST:PORT",
-                        "Gives a boat up, or an address that does not answer; missions keep a boat until it is dropped.",
+                        "Gives a boat up, or an address that does not answer; missions keep a boat until it is"
+                                + " dropped.",
                         this::disconnect),
                 ConsoleCommand.of(
                         "add NAME LAT,LON [COUNT]", "Adds simulated boats, which move in real time.", this::add),
@@ -114,8 +115,8 @@ final class BoatCommands {
             boat.pose()
                     .ifPresent(pose -> line.append(String.format(
                             Locale.ROOT,
-                            "  %.1f m/s  %.5f,%.5f",
-                            pose.speedMps(),
+                            "  %s  %.5f,%.5f",
+                            boat.speedWords(),
                             pose.position().latDeg(),
                             pose.position().lonDeg())));
             if (boat.points() > 0) {

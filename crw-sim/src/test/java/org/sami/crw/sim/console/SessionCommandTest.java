@@ -27,39 +27,39 @@ class SessionCommandTest {
 
     /** One plan that waits for an interrupt, and a global variable. */
     private static final String LAKE = """
+        {
+          "formatVersion": 1,
+          "id": "lake",
+          "name": "Lake",
+          "domain": "crw",
+          "globals": [{"name": "@depth", "type": "real", "initial": 2.5}],
+          "plans": [
             {
-              "formatVersion": 1,
-              "id": "lake",
-              "name": "Lake",
-              "domain": "crw",
-              "globals": [{"name": "@depth", "type": "real", "initial": 2.5}],
-              "plans": [
+              "id": "wait",
+              "name": "Wait",
+              "places": [
+                {"id": "here", "name": "Here", "start": true},
+                {"id": "end", "name": "End", "end": true}
+              ],
+              "transitions": [
                 {
-                  "id": "wait",
-                  "name": "Wait",
-                  "places": [
-                    {"id": "here", "name": "Here", "start": true},
-                    {"id": "end", "name": "End", "end": true}
-                  ],
-                  "transitions": [
-                    {
-                      "id": "go",
-                      "name": "Go",
-                      "inputs": [
-                        {"id": "go-on", "type": "OperatorInterruptReceived", "fields": {"interruptName": "go on"}}
-                      ]
-                    }
-                  ],
-                  "inEdges": [
-                    {"id": "i", "place": "here", "transition": "go", "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}
-                  ],
-                  "outEdges": [
-                    {"id": "o", "transition": "go", "place": "end", "requirements": [{"action": "take", "n": "all", "kind": "generic"}]}
+                  "id": "go",
+                  "name": "Go",
+                  "inputs": [
+                    {"id": "go-on", "type": "OperatorInterruptReceived", "fields": {"interruptName": "go on"}}
                   ]
                 }
+              ],
+              "inEdges": [
+                {"id": "i", "place": "here", "transition": "go", "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}
+              ],
+              "outEdges": [
+                {"id": "o", "transition": "go", "place": "end", "requirements": [{"action": "take", "n": "all", "kind": "generic"}]}
               ]
             }
-            """;
+          ]
+        }
+        """;
 
     @TempDir
     Path folder;
@@ -293,11 +293,11 @@ class SessionCommandTest {
         Path project = Files.writeString(
                 folder.resolve("beach.json"),
                 LAKE.replace("{\"name\": \"@depth\", \"type\": \"real\", \"initial\": 2.5}", """
-                        {"name": "@water", "type": "area", "initial": {"outline": [
-                          {"lat": 45.3, "lon": 10.8}, {"lat": 45.3, "lon": 11}, {"lat": 45.5, "lon": 11}]}},
-                        {"name": "@noGo", "type": "list<area>", "initial": [{"outline": [
-                          {"lat": 45.31, "lon": 10.9}, {"lat": 45.31, "lon": 10.95}, {"lat": 45.33, "lon": 10.95}]}]}
-                        """));
+                    {"name": "@water", "type": "area", "initial": {"outline": [
+                      {"lat": 45.3, "lon": 10.8}, {"lat": 45.3, "lon": 11}, {"lat": 45.5, "lon": 11}]}},
+                    {"name": "@noGo", "type": "list<area>", "initial": [{"outline": [
+                      {"lat": 45.31, "lon": 10.9}, {"lat": 45.31, "lon": 10.95}, {"lat": 45.33, "lon": 10.95}]}]}
+                    """));
 
         CommandResult ran = session(
                 List.of(project.toString()),
