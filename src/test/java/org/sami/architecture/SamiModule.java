@@ -48,13 +48,13 @@ enum SamiModule {
             List.of("org.sami.crw.sim.."),
             List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, NET_PICTURE, SPN_CORE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */
-    UI_KIT("ui-kit", 225, List.of("org.sami.ui.."), List.of(SPN_CORE)),
+    UI_KIT("ui-kit", 245, List.of("org.sami.ui.."), List.of(SPN_CORE)),
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
     DREAMM_IDE("dreamm-ide", 225, List.of("org.sami.dreamm.."), List.of(UI_KIT, NET_PICTURE, SPN_CORE)),
     /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
-            100,
+            110,
             List.of("org.sami.crw.gui.."),
             List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
 

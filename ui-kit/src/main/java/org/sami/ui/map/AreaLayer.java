@@ -21,8 +21,10 @@ import org.sami.ui.look.SemanticColor;
 /** Areas: filled where something is to be done, hatched where none may go, dashed where none may leave. The latter two are never dimmed. */
 public final class AreaLayer extends MapLayer {
     private static final int HATCH_PX = 9;
+    private static final int HATCH_ON_IMAGERY_PX = 14;
     private static final double NAME_PX = 4;
     private static final BasicStroke RIM = new BasicStroke(2);
+    private static final BasicStroke FENCE = new BasicStroke(2.5f);
     private static final BasicStroke DASHED =
             new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {10, 6}, 0);
 
@@ -79,10 +81,10 @@ public final class AreaLayer extends MapLayer {
         Graphics2D g = paint.g();
         Path2D path = shown.path(paint.frame());
         switch (shown.area().kind()) {
-            case WORK -> fill(g, path, SemanticColor.MAP_AREA.withAlpha(40), SemanticColor.MAP_AREA.get());
-            case NO_GO -> fill(g, path, hatch(SemanticColor.MAP_NO_GO.withAlpha(150)), SemanticColor.MAP_NO_GO.get());
+            case WORK -> fill(paint, path, SemanticColor.MAP_AREA.withAlpha(40), SemanticColor.MAP_AREA.get());
+            case NO_GO -> fill(paint, path, hatch(paint.imagery()), SemanticColor.MAP_NO_GO.get());
             case FENCE -> {
-                g.setColor(SemanticColor.MAP_FENCE.get());
+                Casing.draw(paint, path, SemanticColor.MAP_FENCE.get(), FENCE);
                 g.setStroke(DASHED);
                 g.draw(path);
             }
@@ -128,26 +130,38 @@ public final class AreaLayer extends MapLayer {
         }
     }
 
-    private static void fill(Graphics2D g, Path2D path, Paint paint, Color rim) {
-        g.setPaint(paint);
-        g.fill(path);
-        g.setColor(rim);
-        g.setStroke(RIM);
-        g.draw(path);
+    private static void fill(MapPaint paint, Path2D path, Paint inside, Color rim) {
+        paint.g().setPaint(inside);
+        paint.g().fill(path);
+        Casing.draw(paint, path, rim, RIM);
+        paint.g().draw(path);
     }
 
-    /** Lines from the lower left to the upper right. */
-    private static TexturePaint hatch(Color color) {
-        BufferedImage tile = new BufferedImage(HATCH_PX, HATCH_PX, BufferedImage.TYPE_INT_ARGB);
+    /** Lines from the lower left to the upper right; on imagery farther apart, each with its casing. */
+    private static TexturePaint hatch(boolean imagery) {
+        int side = imagery ? HATCH_ON_IMAGERY_PX : HATCH_PX;
+        BufferedImage tile = new BufferedImage(side, side, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = tile.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setColor(color);
-        g.setStroke(new BasicStroke(1.6f));
-        g.drawLine(-1, HATCH_PX + 1, HATCH_PX + 1, -1);
-        g.drawLine(-1, 1, 1, -1);
-        g.drawLine(HATCH_PX - 1, HATCH_PX + 1, HATCH_PX + 1, HATCH_PX - 1);
+        if (imagery) {
+            g.setColor(Casing.of(SemanticColor.MAP_NO_GO.get()));
+            g.setStroke(new BasicStroke(4));
+            lines(g, side);
+            g.setColor(SemanticColor.MAP_NO_GO.get());
+            g.setStroke(new BasicStroke(2));
+        } else {
+            g.setColor(SemanticColor.MAP_NO_GO.withAlpha(150));
+            g.setStroke(new BasicStroke(1.6f));
+        }
+        lines(g, side);
         g.dispose();
-        return new TexturePaint(tile, new Rectangle2D.Double(0, 0, HATCH_PX, HATCH_PX));
+        return new TexturePaint(tile, new Rectangle2D.Double(0, 0, side, side));
+    }
+
+    private static void lines(Graphics2D g, int side) {
+        g.drawLine(-side, side, side, -side);
+        g.drawLine(-side, 2 * side, 2 * side, -side);
+        g.drawLine(0, 2 * side, 2 * side, 0);
     }
 
     @Override

@@ -219,14 +219,16 @@ final class MapCanvas extends JXMapViewer {
         g.setColor(SemanticColor.MAP_WATER.get());
         g.fillRect(0, 0, getWidth(), getHeight());
         MapPaint paint = paint(g);
-        if (grid && layers.visible().stream().noneMatch(MapCanvas::isImagery)) {
+        if (grid && !hasImagery()) {
             scale.paintGrid(paint);
         }
         layers.visible().forEach(layer -> layer.paintStill(paint));
     }
 
-    private static boolean isImagery(MapLayer layer) {
-        return layer instanceof BaseLayer base && base.source().isImagery();
+    private boolean hasImagery() {
+        return layers.visible().stream()
+                .anyMatch(layer ->
+                        layer instanceof BaseLayer base && base.source().isImagery());
     }
 
     /** The box around all base maps that are shown. */
@@ -279,6 +281,6 @@ final class MapCanvas extends JXMapViewer {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setFont(Fonts.small());
-        return new MapPaint(g, frame(), highlighted, labels);
+        return new MapPaint(g, frame(), highlighted, labels, hasImagery());
     }
 }

@@ -16,8 +16,9 @@ import org.sami.ui.look.SemanticColor;
  * @param frame which pixels are which points
  * @param highlighted ids of what is spoken of; where there are any, everything else is dimmed
  * @param labels where something is written already
+ * @param imagery whether all lies on imagery, which may be of any colour
  */
-public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, MapLabels labels) {
+public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, MapLabels labels, boolean imagery) {
     private static final float DIMMED = 0.3f;
     private static final int PAD = 4;
 

@@ -64,6 +64,9 @@ public final class PathLayer extends MapLayer {
         }
         int next = shown.path().next();
         Color color = shown.path().mark().color();
+        if (paint.imagery()) {
+            casing(g, line, frame, next, color);
+        }
         g.setColor(color);
         if (next >= 2) {
             g.setStroke(DASHED);
@@ -78,6 +81,17 @@ public final class PathLayer extends MapLayer {
             line.drawLegs(g, frame, next, last);
         }
         dots(paint, line, next, color);
+    }
+
+    private static void casing(Graphics2D g, WorldLine line, MapFrame frame, int next, Color color) {
+        int last = line.size() - 1;
+        g.setColor(Casing.of(color));
+        g.setStroke(Casing.stroke(THIN));
+        g.draw(line.path(frame));
+        if (next >= 1 && next <= last) {
+            g.setStroke(Casing.stroke(THICK));
+            line.drawLegs(g, frame, next - 1, next);
+        }
     }
 
     /** A filled dot for each point to come, a hollow one for each that is done. */

@@ -1,6 +1,8 @@
 package org.sami.ui.map;
 
 import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.geom.Path2D;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -89,8 +91,9 @@ public final class TrackLayer extends MapLayer {
             int from = last * (shade - 1) / SHADES;
             int to = last * shade / SHADES;
             if (to > from) {
-                shade(paint, shown, shade);
-                paint.g().draw(shown.line().path(paint.frame(), from, to));
+                Path2D part = shown.line().path(paint.frame(), from, to);
+                Casing.draw(paint, part, shade(paint, shown, shade), STROKE);
+                paint.g().draw(part);
             }
         }
     }
@@ -101,18 +104,23 @@ public final class TrackLayer extends MapLayer {
         tracks.values().stream()
                 .filter(Shown::hasGrown)
                 .forEach(shown -> paint.paint(shown.track().id(), () -> {
-                    shade(paint, shown, SHADES);
-                    shown.line()
-                            .drawLegs(
-                                    paint.g(),
-                                    paint.frame(),
-                                    shown.painted(),
-                                    shown.line().size() - 1);
+                    int last = shown.line().size() - 1;
+                    Color color = shade(paint, shown, SHADES);
+                    if (paint.imagery()) {
+                        paint.g().setColor(Casing.of(color));
+                        paint.g().setStroke(Casing.stroke(STROKE));
+                        shown.line().drawLegs(paint.g(), paint.frame(), shown.painted(), last);
+                        paint.g().setStroke(STROKE);
+                    }
+                    paint.g().setColor(color);
+                    shown.line().drawLegs(paint.g(), paint.frame(), shown.painted(), last);
                 }));
     }
 
-    private static void shade(MapPaint paint, Shown shown, int shade) {
-        paint.g().setColor(Painting.alpha(shown.track().mark().color(), 0.15 + 0.6 * shade / SHADES));
+    /** On imagery the oldest part is fainter by less: its casing has to be told from it. */
+    private static Color shade(MapPaint paint, Shown shown, int shade) {
+        double alpha = paint.imagery() ? 0.7 + 0.3 * shade / SHADES : 0.15 + 0.6 * shade / SHADES;
+        return Painting.alpha(shown.track().mark().color(), alpha);
     }
 
     @Override

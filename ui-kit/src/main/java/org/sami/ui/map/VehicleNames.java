@@ -131,7 +131,8 @@ final class VehicleNames {
                 name,
                 room.getWidth(),
                 room.getHeight(),
-                own -> new MapPaint(own, paint.frame(), paint.highlighted(), paint.labels()).write(name.text(), room));
+                own -> new MapPaint(own, paint.frame(), paint.highlighted(), paint.labels(), paint.imagery())
+                        .write(name.text(), room));
         g.setFont(font);
         return plate;
     }
