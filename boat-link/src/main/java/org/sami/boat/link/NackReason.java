@@ -21,5 +21,7 @@ public enum NackReason {
     /** The fleet stop is latched. */
     FLEET_STOPPED,
     /** The command is older than one that the boat has already taken. */
-    STALE
+    STALE,
+    /** The sender has used the id for another command. */
+    ID_TAKEN
 }

@@ -67,6 +67,7 @@ public final class BoatServer {
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
+    private String movedBy = ""; // who has set the boat in motion or released it last; empty once it moves for want of a link
     private long terms;
     private BatteryLevel reportedLevel;
 
@@ -93,10 +94,11 @@ public final class BoatServer {
      * not to be executed again, the waypoint list, the settings and the latched fleet stop. It moves nothing: what only
      * concerned motion is remembered, not done.
      *
+     * @param clientId who had sent it; empty if that is not known, and its id then counts for all clients
      * @param answer what the boat had answered
      */
-    public void restore(CommandMessage command, LinkMessage answer) {
-        ledger.record(command.commandId(), answer);
+    public void restore(String clientId, CommandMessage command, LinkMessage answer) {
+        ledger.record(clientId, command, answer);
         boolean moving = command instanceof StartWaypoints || command instanceof TakePanorama;
         boolean lasting = !moving && !isStoppingOnly(command);
         if (answer instanceof Ack && lasting && !CommandTransfer.isOne(command)) {
@@ -207,6 +209,7 @@ public final class BoatServer {
 
     private void loseCommander() {
         commanderLost = true;
+        movedBy = "";
         modes.linkLost(executor.lostLinkAction());
     }
 
@@ -249,18 +252,19 @@ public final class BoatServer {
     }
 
     private void command(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
-        Optional<LinkMessage> known = ledger.answerTo(command.commandId());
+        CommandLedger.Known known = ledger.of(session.clientId(), command);
         if (session.role().isPresent() && CommandTransfer.isOne(command)) {
-            LinkMessage answer = known.orElseGet(() -> transfer(session, command, nowMs));
-            session.send(answer, nowMs);
+            session.send(transfer(session, command, known, nowMs), nowMs);
         } else if (!isCommander(session)) {
             NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
             session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
         } else if (command instanceof ReadBack) { // changes nothing, so each one is answered afresh
             WaypointTrack track = modes.track();
             session.send(new HeldWaypoints(command.commandId(), track.listId(), track.waypoints()), nowMs);
-        } else if (known.isPresent()) {
-            session.send(known.get(), nowMs);
+        } else if (known == CommandLedger.Known.REPEATED && !isStopAgain(session, command, frame)) {
+            session.send(ledger.answerTo(session.clientId(), command), nowMs);
+        } else if (known == CommandLedger.Known.DIFFERS && !isStop(command)) {
+            session.send(idTaken(command), nowMs);
         } else if (session.isOfAnotherTerm(frame) && !isStopping(command)) {
             refuseLate(session, command, OTHER_TERM, nowMs);
         } else if (session.isOvertaken(frame) && !isStopping(command)) {
@@ -270,15 +274,25 @@ public final class BoatServer {
         }
     }
 
-    private LinkMessage transfer(ServerSession session, CommandMessage command, long nowMs) {
+    private static LinkMessage idTaken(CommandMessage command) {
+        String detail = "this client has sent another command under that id: " + command.type() + " is not executed";
+        return CommandExecutor.nack(command, NackReason.ID_TAKEN, detail);
+    }
+
+    private LinkMessage transfer(
+            ServerSession session, CommandMessage command, CommandLedger.Known known, long nowMs) {
+        if (known != CommandLedger.Known.NEW) {
+            boolean repeated = known == CommandLedger.Known.REPEATED;
+            return repeated ? ledger.answerTo(session.clientId(), command) : idTaken(command);
+        }
         Optional<ServerSession> present = commander.filter(commanding -> !commanderLost);
         CommandTransfer transfer = CommandTransfer.of(command, session, present, sessions);
         transfer.asked().ifPresent(commanding -> commanding.send(new CommandAsked(session.clientId()), nowMs));
         transfer.appointed().ifPresent(next -> appoint(next, nowMs));
         if (transfer.answer() instanceof Ack) { // a refusal may be otherwise the next time
-            ledger.record(command.commandId(), transfer.answer());
+            ledger.record(session.clientId(), command, transfer.answer());
         }
-        log.answered(nowMs, command, transfer.answer());
+        log.answered(nowMs, session.clientId(), command, transfer.answer());
         return transfer.answer();
     }
 
@@ -292,6 +306,21 @@ public final class BoatServer {
         return command instanceof FleetStop || (isStoppingOnly(command) && !rests);
     }
 
+    private static boolean isStop(LinkMessage command) {
+        return command instanceof StopMotors || command instanceof FleetStop;
+    }
+
+    /**
+     * Whether a stop that is sent again has to stop the boat again: it moves for somebody else, or for want of a link. What the sender
+     * itself has set in motion since goes on, and a late copy of a frame has done its work.
+     */
+    private boolean isStopAgain(ServerSession session, CommandMessage command, Frame frame) {
+        boolean latched = modes.mode() == BoatMode.FLEET_STOP;
+        boolean inForce = latched || (command instanceof StopMotors && modes.mode() == BoatMode.STOPPED);
+        boolean own = session.clientId().equals(movedBy);
+        return isStop(command) && !inForce && !own && !session.isOvertaken(frame);
+    }
+
     private static boolean isStoppingOnly(LinkMessage command) {
         return command instanceof StopMotors || command instanceof HoldPosition;
     }
@@ -299,9 +328,12 @@ public final class BoatServer {
     private void execute(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
         Progress before = modes.track().progress();
         LinkMessage answer = executor.execute(command);
-        ledger.record(command.commandId(), answer);
+        ledger.record(session.clientId(), command, answer);
+        if (CommandExecutor.isMoving(command) && answer instanceof Ack) {
+            movedBy = session.clientId();
+        }
         session.executed(frame);
-        log.answered(nowMs, command, answer);
+        log.answered(nowMs, session.clientId(), command, answer);
         session.send(answer, nowMs);
         if (CommandExecutor.isSetting(command)) {
             broadcast(executor.settings(), nowMs);
@@ -320,6 +352,7 @@ public final class BoatServer {
         } else if (!session.isOvertaken(frame)) {
             session.executed(frame);
             if (modes.mode() != BoatMode.FLEET_STOP) {
+                movedBy = session.clientId();
                 modes.teleoperate(hand.thrust(), hand.rudder(), nowMs);
             }
         }

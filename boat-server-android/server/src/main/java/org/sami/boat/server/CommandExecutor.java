@@ -45,6 +45,14 @@ final class CommandExecutor {
                 || command instanceof SetLostLinkAction;
     }
 
+    /** Whether a command sets a boat in motion, or ends what keeps it from moving. */
+    static boolean isMoving(CommandMessage command) {
+        return command instanceof StartWaypoints
+                || command instanceof TakePanorama
+                || command instanceof HoldPosition
+                || command instanceof FleetRelease;
+    }
+
     /** What is in force. */
     SettingsReport settings() {
         return new SettingsReport(

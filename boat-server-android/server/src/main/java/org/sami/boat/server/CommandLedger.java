@@ -1,29 +1,101 @@
 package org.sami.boat.server;
 
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Optional;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
 
 /**
- * The answers to the commands that this boat has had, so that a repeated id is answered and not executed again. It keeps
- * the newest 4,096: far more than can be under way.
+ * The commands that this boat has had and its answers to them, so that a command that comes again is answered and not executed
+ * again. An id counts for one client and one command: what other clients send under it is another command, and what differs under it
+ * is none that the boat has had.
+ *
+ * <p>It keeps the newest 4,096 commands, and beside them the newest 4,096 messages about who commands: so a client that only observes
+ * makes the boat forget no command.
  */
 final class CommandLedger {
-    private static final int CAPACITY = 4096;
-
-    private final Map<String, LinkMessage> answers = new LinkedHashMap<String, LinkMessage>() {
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, LinkMessage> eldest) {
-            return size() > CAPACITY;
-        }
-    };
-
-    Optional<LinkMessage> answerTo(String commandId) {
-        return Optional.ofNullable(answers.get(commandId));
+    /** What the ledger knows of a command that has come. */
+    enum Known {
+        /** Nothing. */
+        NEW,
+        /** The boat has had this very command of this client. */
+        REPEATED,
+        /** The client has used the id for another command. */
+        DIFFERS
     }
 
-    void record(String commandId, LinkMessage answer) {
-        answers.put(commandId, answer);
+    private static final int CAPACITY = 4096;
+
+    private final Map<String, Entry> commands = new Entries();
+    private final Map<String, Entry> transfers = new Entries();
+
+    Known of(String clientId, CommandMessage command) {
+        Entry entry = find(clientId, command.commandId());
+        if (entry == null) {
+            return Known.NEW;
+        }
+        return Arrays.equals(entry.digest, digest(command)) ? Known.REPEATED : Known.DIFFERS;
+    }
+
+    /** The answer to a command that is {@link Known#REPEATED}. */
+    LinkMessage answerTo(String clientId, CommandMessage command) {
+        return find(clientId, command.commandId()).answer;
+    }
+
+    /**
+     * Keeps the answer to a command.
+     *
+     * @param clientId who sent it; empty where a log of an earlier version does not say so: the id then counts for all clients
+     */
+    void record(String clientId, CommandMessage command, LinkMessage answer) {
+        String key = key(clientId, command.commandId());
+        boolean transfer = CommandTransfer.isOne(command);
+        (transfer ? commands : transfers).remove(key); // a stop is executed under whatever id it has
+        (transfer ? transfers : commands).put(key, new Entry(digest(command), answer));
+    }
+
+    private Entry find(String clientId, String commandId) {
+        Entry own = find(key(clientId, commandId));
+        return own == null ? find(key("", commandId)) : own;
+    }
+
+    private Entry find(String key) {
+        Entry command = commands.get(key);
+        return command == null ? transfers.get(key) : command;
+    }
+
+    private static String key(String clientId, String commandId) {
+        return clientId.length() + ":" + clientId + commandId;
+    }
+
+    private static byte[] digest(CommandMessage command) {
+        try {
+            return MessageDigest.getInstance("SHA-256").digest(LinkCodec.body(command));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java and every Android has it", e);
+        }
+    }
+
+    private static final class Entry {
+        private final byte[] digest;
+        private final LinkMessage answer;
+
+        Entry(byte[] digest, LinkMessage answer) {
+            this.digest = digest;
+            this.answer = answer;
+        }
+    }
+
+    private static final class Entries extends LinkedHashMap<String, Entry> {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Entry> eldest) {
+            return size() > CAPACITY;
+        }
     }
 }

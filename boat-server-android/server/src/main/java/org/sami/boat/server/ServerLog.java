@@ -6,8 +6,12 @@ import org.sami.boat.link.LinkMessage;
 /** Gets to know what the boat server executes; called on the thread that drives the server, before the answer leaves. */
 public interface ServerLog {
     /** Keeps nothing. */
-    ServerLog NONE = (nowMs, command, answer) -> {};
+    ServerLog NONE = (nowMs, clientId, command, answer) -> {};
 
-    /** A command with a new id was executed or refused; repeated ids do not come here. */
-    void answered(long nowMs, CommandMessage command, LinkMessage answer);
+    /**
+     * A command was executed or refused; those that are only answered again do not come here.
+     *
+     * @param clientId who sent it
+     */
+    void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer);
 }

@@ -33,7 +33,7 @@ class RestoreTest {
     private final ServerTestBench bench = new ServerTestBench();
 
     private void had(CommandMessage command) {
-        bench.server.restore(command, new Ack(command.commandId()));
+        bench.server.restore("test", command, new Ack(command.commandId()));
     }
 
     @Test
@@ -65,7 +65,7 @@ class RestoreTest {
 
     @Test
     void refusedCommandStaysRefused() {
-        bench.server.restore(new UploadWaypoints("u", "l", PATH), new Nack("u", NackReason.TOO_LONG, ""));
+        bench.server.restore("test", new UploadWaypoints("u", "l", PATH), new Nack("u", NackReason.TOO_LONG, ""));
         Client client = bench.commander();
 
         assertThat(client.command(new UploadWaypoints("u", "l", PATH))).isInstanceOf(Nack.class);

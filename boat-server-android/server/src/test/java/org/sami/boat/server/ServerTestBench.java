@@ -21,6 +21,7 @@ final class ServerTestBench {
     final Dummy vehicle = new Dummy();
     final List<String> log = new ArrayList<>();
     final BoatServer server;
+    private final List<String> clients = new ArrayList<>();
     private final List<CommandMessage> commands = new ArrayList<>(); // with its answer, what the boat's log holds
     private final List<LinkMessage> answers = new ArrayList<>();
     private final String boatId;
@@ -50,8 +51,9 @@ final class ServerTestBench {
                 config.apply(ServerConfig.of(boatId, "boot" + starts)).build(), vehicle, this::answered);
     }
 
-    private void answered(long ms, CommandMessage command, LinkMessage answer) {
+    private void answered(long ms, String clientId, CommandMessage command, LinkMessage answer) {
         log.add(command.commandId() + " " + answer.type());
+        clients.add(clientId);
         commands.add(command);
         answers.add(answer);
     }
@@ -60,7 +62,8 @@ final class ServerTestBench {
     ServerTestBench startedAnew() {
         ServerTestBench next = new ServerTestBench(boatId, starts + 1, config);
         for (int i = 0; i < commands.size(); i++) {
-            next.server.restore(commands.get(i), answers.get(i));
+            next.server.restore(clients.get(i), commands.get(i), answers.get(i));
+            next.clients.add(clients.get(i));
             next.commands.add(commands.get(i));
             next.answers.add(answers.get(i));
         }

@@ -94,7 +94,8 @@ public abstract class CommandRun {
     final Verdict refused(Nack nack) {
         return switch (nack.reason()) {
             case NOT_GREETED, NOT_COMMANDER, FLEET_STOPPED -> because(Verdict.WAIT, nack.detail());
-            case UNKNOWN_LIST, STALE -> because(Verdict.RETRY, nack.detail());
+            case UNKNOWN_LIST, STALE, ID_TAKEN -> // another try has an id of its own
+                    because(Verdict.RETRY, nack.detail());
             default -> because(Verdict.FAILED, "the boat refused it: " + nack.reason() + ", " + nack.detail());
         };
     }

@@ -69,8 +69,8 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
-    private void answered(long nowMs, CommandMessage command, LinkMessage answer) {
-        log.ifPresent(file -> file.answered(nowMs, command, answer));
+    private void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
+        log.ifPresent(file -> file.answered(nowMs, clientId, command, answer));
         if (command instanceof StartWaypoints && answer instanceof Ack) {
             hull.putToUse();
         }
@@ -89,7 +89,7 @@ public final class BoatOnTcp implements Closeable {
         }
         Files.createDirectories(folder);
         Consumer<LoggedCommand> takeBack = entry -> {
-            boat.restore(entry.command(), entry.answer());
+            boat.restore(entry.clientId(), entry.command(), entry.answer());
             restored++;
         };
         return Optional.of(CommandLogFile.open(

@@ -70,7 +70,7 @@ public final class SimulatedBoat {
         toBase.connect(proxy::receive);
     }
 
-    private void answered(long nowMs, CommandMessage command, LinkMessage answer) {
+    private void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
         keep(executed, new ExecutedCommand(nowMs, command.commandId(), command, answer));
         if (command instanceof StartWaypoints && answer instanceof Ack) {
             hull.putToUse();

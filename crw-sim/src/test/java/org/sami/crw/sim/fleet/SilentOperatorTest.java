@@ -87,12 +87,12 @@ class SilentOperatorTest {
 
     private void start(String bootId, LostLinkAction action, boolean withLog) {
         server = new BoatServer(
-                ServerConfig.of("anna", bootId).lostLinkAction(action).build(), vehicle, (ms, command, answer) -> {
+                ServerConfig.of("anna", bootId).lostLinkAction(action).build(), vehicle, (ms, client, command, answer) -> {
                     commands.add(command);
                     answers.add(answer);
                 });
         for (int i = 0; withLog && i < commands.size(); i++) {
-            server.restore(commands.get(i), answers.get(i));
+            server.restore("base", commands.get(i), answers.get(i));
         }
     }
 

@@ -83,12 +83,12 @@ public final class CommandLogFile implements ServerLog, Closeable {
     }
 
     @Override
-    public void answered(long nowMs, CommandMessage command, LinkMessage answer) {
+    public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
         if (broken) {
             return;
         }
         try {
-            write(LogLines.command(new LoggedCommand(bootId, nowMs, command, answer)));
+            write(LogLines.command(new LoggedCommand(bootId, nowMs, clientId, command, answer)));
         } catch (IOException e) {
             broken = true;
             onFault.accept(e);

@@ -4,6 +4,9 @@ import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UnsupportedEncodingException;
+import java.net.URLDecoder;
+import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,8 +20,9 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 
 /**
- * The lines of a boat's log: a checksum of the rest of the line, the boat's time, the start of the server, and the bodies of
- * the command and of its answer as they are on the link, between tabs. A line without bodies tells of a start.
+ * The lines of a boat's log: a checksum of the rest of the line, the boat's time, the start of the server, the bodies of the
+ * command and of its answer as they are on the link, and the client's name as in an address of the web, between tabs. A line without
+ * bodies tells of a start; lines of earlier versions name no client.
  */
 public final class LogLines {
     private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
@@ -65,8 +69,15 @@ public final class LogLines {
     }
 
     static String command(LoggedCommand entry) {
-        return checked(
-                entry.timeMs() + "\t" + entry.bootId() + "\t" + body(entry.command()) + "\t" + body(entry.answer()));
+        return checked(entry.timeMs()
+                + "\t"
+                + entry.bootId()
+                + "\t"
+                + body(entry.command())
+                + "\t"
+                + body(entry.answer())
+                + "\t"
+                + encoded(entry.clientId()));
     }
 
     private static String checked(String rest) {
@@ -86,7 +97,7 @@ public final class LogLines {
         if (parts.length < 2 || !parts[0].equals(String.format("%08x", checksum(parts[1])))) {
             return false;
         }
-        String[] fields = parts[1].split("\t", 4);
+        String[] fields = parts[1].split("\t", 5);
         if (fields.length < 4) {
             return true; // a start
         }
@@ -98,11 +109,16 @@ public final class LogLines {
     private static Optional<LoggedCommand> entry(String[] fields) {
         try {
             LinkMessage command = message(fields[2]);
+            String clientId = fields.length < 5 ? "" : decoded(fields[4]);
             return command instanceof CommandMessage
                     ? Optional.of(new LoggedCommand(
-                            fields[1], Long.parseLong(fields[0]), (CommandMessage) command, message(fields[3])))
+                            fields[1],
+                            Long.parseLong(fields[0]),
+                            clientId,
+                            (CommandMessage) command,
+                            message(fields[3])))
                     : Optional.empty();
-        } catch (LinkException | NumberFormatException e) {
+        } catch (LinkException | IllegalArgumentException e) {
             return Optional.empty(); // written by a server that knew other messages
         }
     }
@@ -110,6 +126,22 @@ public final class LogLines {
     /** A message's JSON; it has no tab and no line end, as JSON escapes both. */
     private static String body(LinkMessage message) {
         return new String(LinkCodec.body(message), StandardCharsets.UTF_8);
+    }
+
+    private static String encoded(String clientId) {
+        try {
+            return URLEncoder.encode(clientId, "UTF-8");
+        } catch (UnsupportedEncodingException e) {
+            throw new IllegalStateException("every Java has UTF-8", e);
+        }
+    }
+
+    private static String decoded(String clientId) {
+        try {
+            return URLDecoder.decode(clientId, "UTF-8");
+        } catch (UnsupportedEncodingException e) {
+            throw new IllegalStateException("every Java has UTF-8", e);
+        }
     }
 
     private static LinkMessage message(String body) throws LinkException {

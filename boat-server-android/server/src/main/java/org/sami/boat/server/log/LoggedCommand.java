@@ -4,17 +4,20 @@ import java.util.Objects;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 
-/** One entry of a boat's log: a command that the boat had under a new id, and how it was answered. */
+/** One entry of a boat's log: a command that the boat executed or refused, whose it was, and how it was answered. */
 public final class LoggedCommand {
     private final String bootId;
     private final long timeMs;
+    private final String clientId;
     private final CommandMessage command;
     private final LinkMessage answer;
 
     /** Makes an entry. */
-    public LoggedCommand(String bootId, long timeMs, CommandMessage command, LinkMessage answer) {
+    public LoggedCommand(
+            String bootId, long timeMs, String clientId, CommandMessage command, LinkMessage answer) {
         this.bootId = Objects.requireNonNull(bootId, "bootId");
         this.timeMs = timeMs;
+        this.clientId = Objects.requireNonNull(clientId, "clientId");
         this.command = Objects.requireNonNull(command, "command");
         this.answer = Objects.requireNonNull(answer, "answer");
     }
@@ -27,6 +30,11 @@ public final class LoggedCommand {
     /** The boat's clock in ms, which begins anew with each start. */
     public long timeMs() {
         return timeMs;
+    }
+
+    /** Who sent the command; empty in entries of earlier versions, which do not say so. */
+    public String clientId() {
+        return clientId;
     }
 
     /** What the boat was told. */

@@ -45,8 +45,8 @@ class CommandLogFileTest {
     @Test
     void givesBackWhatEarlierStartsHaveExecuted() throws IOException {
         try (CommandLogFile log = open("b1", new ArrayList<>())) {
-            log.answered(12, new UploadWaypoints("u\t1\n", "l", PATH), new Ack("u\t1\n"));
-            log.answered(13, new StopMotors("s"), new Nack("s", NackReason.STALE, "zu spät"));
+            log.answered(12, "base", new UploadWaypoints("u\t1\n", "l", PATH), new Ack("u\t1\n"));
+            log.answered(13, "base", new StopMotors("s"), new Nack("s", NackReason.STALE, "zu spät"));
         }
         List<LoggedCommand> earlier = new ArrayList<>();
         open("b2", earlier).close();
@@ -63,8 +63,8 @@ class CommandLogFileTest {
     @Test
     void everyCutOffLastLineIsTakenAwayAndWritingGoesOn() throws IOException {
         try (CommandLogFile log = open("b1", new ArrayList<>())) {
-            log.answered(1, new StopMotors("s1"), new Ack("s1"));
-            log.answered(2, new StopMotors("s2"), new Ack("s2"));
+            log.answered(1, "base", new StopMotors("s1"), new Ack("s1"));
+            log.answered(2, "base", new StopMotors("s2"), new Ack("s2"));
         }
         byte[] whole = Files.readAllBytes(file());
         int cuts = 0;
@@ -72,7 +72,7 @@ class CommandLogFileTest {
             Files.write(file(), Arrays.copyOf(whole, length));
             List<LoggedCommand> earlier = new ArrayList<>();
             try (CommandLogFile log = open("b2", earlier)) {
-                log.answered(3, new StopMotors("s3"), new Ack("s3"));
+                log.answered(3, "base", new StopMotors("s3"), new Ack("s3"));
             }
             List<LoggedCommand> now = read();
             assertThat(now).hasSize(earlier.size() + 1);
@@ -85,8 +85,8 @@ class CommandLogFileTest {
     @Test
     void damagedLineSaysNothingAndTheOthersStay() throws IOException {
         try (CommandLogFile log = open("b1", new ArrayList<>())) {
-            log.answered(1, new StopMotors("first"), new Ack("first"));
-            log.answered(2, new StopMotors("second"), new Ack("second"));
+            log.answered(1, "base", new StopMotors("first"), new Ack("first"));
+            log.answered(2, "base", new StopMotors("second"), new Ack("second"));
         }
         String text = Files.readString(file());
         Files.writeString(file(), text.replace("\"first\"", "\"fisrt\""));
@@ -95,6 +95,28 @@ class CommandLogFileTest {
         try (CommandLogFile log = open("b2", new ArrayList<>())) {
             assertThat(log.unreadLines()).isEqualTo(1);
         }
+    }
+
+    @Test
+    void clientOfEachCommandIsGivenBackWhateverItsNameIs() throws IOException {
+        String odd = "base\t2 \n+%é\u4e2d";
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            log.answered(1, odd, new StopMotors("s"), new Ack("s"));
+        }
+
+        assertThat(read()).extracting(LoggedCommand::clientId).containsExactly(odd);
+    }
+
+    @Test
+    void linesOfEarlierVersionsWhichNameNoClientAreRead() throws IOException {
+        String earlier =
+                "c6777dea\t12\tb1\t{\"type\":\"stop\",\"seq\":0,\"command\":\"s\"}\t{\"type\":\"ack\",\"seq\":0,\"command\":\"s\"}\n";
+        Files.writeString(file(), earlier);
+
+        assertThat(read()).singleElement().satisfies(entry -> {
+            assertThat(entry.clientId()).isEmpty();
+            assertThat(entry.command()).isInstanceOf(StopMotors.class);
+        });
     }
 
     @ParameterizedTest
@@ -116,7 +138,7 @@ class CommandLogFileTest {
             assertThatThrownBy(() -> open("b2", new ArrayList<>()))
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("another boat server");
-            log.answered(1, new StopMotors("s"), new Ack("s"));
+            log.answered(1, "base", new StopMotors("s"), new Ack("s"));
         }
         assertThat(read()).hasSize(1);
     }
@@ -124,7 +146,7 @@ class CommandLogFileTest {
     @Test
     void entryIsInTheFileBeforeTheAnswerLeaves() throws IOException {
         try (CommandLogFile log = open("b1", new ArrayList<>())) {
-            log.answered(1, new StopMotors("s"), new Ack("s"));
+            log.answered(1, "base", new StopMotors("s"), new Ack("s"));
 
             assertThat(read()).hasSize(1);
         }
@@ -135,8 +157,8 @@ class CommandLogFileTest {
         List<IOException> faults = new ArrayList<>();
         CommandLogFile log = CommandLogFile.open(file(), "b1", entry -> {}, faults::add);
         log.close();
-        log.answered(1, new StopMotors("s1"), new Ack("s1"));
-        log.answered(2, new StopMotors("s2"), new Ack("s2"));
+        log.answered(1, "base", new StopMotors("s1"), new Ack("s1"));
+        log.answered(2, "base", new StopMotors("s2"), new Ack("s2"));
 
         assertThat(faults).hasSize(1);
     }

@@ -59,7 +59,7 @@ final class TcpBench implements AutoCloseable {
         BoatServer boatServer = new BoatServer(
                 boat.apply(ServerConfig.of("boat1", "boot1")).build(),
                 new Moored(),
-                (nowMs, command, answer) -> executed.add(command.commandId() + " " + answer.type()));
+                (nowMs, client, command, answer) -> executed.add(command.commandId() + " " + answer.type()));
         TcpServerConfig config = tcp.apply(TcpServerConfig.onLoopback(0).withPatience(LONG_MS, LONG_MS));
         server = new TcpBoatServer(
                 name,
