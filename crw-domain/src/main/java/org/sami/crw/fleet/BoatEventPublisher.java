@@ -3,6 +3,7 @@ package org.sami.crw.fleet;
 import java.util.function.Consumer;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.link.LeftOut;
 import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.queue.Withdrawal;
@@ -113,6 +114,11 @@ final class BoatEventPublisher implements BoatListener {
     @Override
     public void onReading(String boatId, BoatReading reading) {
         events.accept(new FleetEvent.Measured(boatId, reading));
+    }
+
+    @Override
+    public void onLeftOut(String boatId, LeftOut leftOut) {
+        events.accept(new FleetEvent.TooMuchSent(boatId, leftOut));
     }
 
     @Override

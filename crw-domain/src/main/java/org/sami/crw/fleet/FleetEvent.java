@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.link.LeftOut;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.crw.proxy.status.BatteryState;
@@ -62,6 +63,9 @@ public sealed interface FleetEvent {
             return alarm.boatId();
         }
     }
+
+    /** A boat sends more than the base takes, still does so, or no longer does: what was left out. */
+    record TooMuchSent(String boat, LeftOut leftOut) implements FleetEvent {}
 
     // ---- telemetry
 

@@ -198,12 +198,23 @@ public final class AlarmModel extends Model<List<Alarm>> {
     void apply(FleetEvent event, long atMillis) {
         if (event instanceof FleetEvent.LinkAlarmed e) {
             set(Key.of(kindOf(e.alarm()), e.boat()), Optional.of(e.alarm().text()), atMillis);
+        } else if (event instanceof FleetEvent.TooMuchSent e) {
+            tooMuchSent(e, atMillis);
         } else if (event instanceof FleetEvent.Moved) {
             set(Key.of(Kind.DUPLICATE_ID, event.boat()), Optional.empty(), atMillis);
         } else if (event instanceof FleetEvent.QueueChanged || event instanceof FleetEvent.UploadAdvanced) {
             Optional.ofNullable(boats.get(event.boat())).ifPresent(boat -> seen(boat, atMillis));
         } else if (event instanceof FleetEvent.Removed) {
             removed(event.boat(), atMillis);
+        }
+    }
+
+    /** What is over stays with what was left out in the end. */
+    private void tooMuchSent(FleetEvent.TooMuchSent event, long atMillis) {
+        Key key = Key.of(Kind.LINK_FLOOD, event.boat());
+        set(key, Optional.of(event.leftOut().words(event.boat())), atMillis);
+        if (!event.leftOut().active()) {
+            set(key, Optional.empty(), atMillis);
         }
     }
 

@@ -39,6 +39,7 @@ final class FleetFeed {
             }
             if (CommandModel.concerns(event)
                     || event instanceof FleetEvent.LinkAlarmed
+                    || event instanceof FleetEvent.TooMuchSent
                     || event instanceof FleetEvent.Moved) {
                 long at = nowMillis.getAsLong();
                 inbox.post(() -> {

@@ -14,6 +14,7 @@ import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.explanation.Obstacle;
+import org.sami.crw.proxy.link.Intake;
 import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.link.ProxyLink;
@@ -51,6 +52,7 @@ public final class BoatProxy {
     private final BoatMessages messages;
     private final ProxyTraffic traffic;
     private final ProxyCommands commands;
+    private final Intake intake = new Intake();
     private long announcedChanges; // of the queue
 
     /** A proxy that says hello at its first tick. */
@@ -210,11 +212,19 @@ public final class BoatProxy {
         condition.reached(atMs);
         if (!condition.disconnected) {
             link.received(condition.nowMs);
+            if (!intake.takes(frame, condition.nowMs)) {
+                return;
+            }
             messages.take(frame);
             if (!(frame.message() instanceof Motion)) { // no command depends on that, and it comes often
                 settle();
             }
         }
+    }
+
+    /** So many frames of the boat were left out before they were read, as it sends too many. */
+    public void leftOutUnread(long count) {
+        intake.leftOutUnread(count, condition.nowMs);
     }
 
     /** The boat that answers over this link now, if it is another one. */
@@ -228,6 +238,8 @@ public final class BoatProxy {
         if (condition.disconnected) {
             return;
         }
+        intake.due(condition.nowMs).forEach(messages::take);
+        intake.news(condition.nowMs).ifPresent(news -> announcements.add(l -> l.onLeftOut(boatId, news)));
         if (link.tick(condition.nowMs)) {
             messages.linkChanged();
         }
@@ -250,6 +262,7 @@ public final class BoatProxy {
     /** The transport has opened: says hello at once. */
     public void opened(long atMs) {
         condition.reached(atMs);
+        intake.linkEnded();
         condition.otherBoat = Optional.empty();
         if (!condition.disconnected) {
             link.hello(condition.nowMs);
@@ -259,6 +272,7 @@ public final class BoatProxy {
     /** The transport has closed: the link is lost at once. */
     public void closed(long atMs) {
         condition.reached(atMs);
+        intake.linkEnded();
         if (link.closed()) {
             messages.linkChanged();
         }

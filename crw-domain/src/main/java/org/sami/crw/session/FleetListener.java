@@ -2,9 +2,11 @@ package org.sami.crw.session;
 
 import java.net.InetSocketAddress;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.crw.fleet.FleetEvent;
@@ -37,6 +39,7 @@ final class FleetListener implements BaseListener {
     private final ThreadGuard guard;
     private final ListenerList<Consumer<BoatProxy>> finders = new ListenerList<>();
     private final Map<String, Integer> reported = new HashMap<>(); // points that were passed, by command
+    private final Set<String> flooding = new HashSet<>();
     private volatile boolean closed;
 
     FleetListener(
@@ -125,6 +128,8 @@ final class FleetListener implements BaseListener {
             linkChanged(changed.status());
         } else if (event instanceof FleetEvent.Measured measured) {
             measured(measured.boat(), measured.reading());
+        } else if (event instanceof FleetEvent.TooMuchSent sent) {
+            tooMuchSent(sent);
         } else if (event instanceof FleetEvent.Progressed progressed
                 && progressed.command() instanceof FollowPath path) {
             progressed(progressed.boat(), path, progressed.visited());
@@ -156,6 +161,17 @@ final class FleetListener implements BaseListener {
         } else if (boat.link() == LinkState.LOST) {
             history.lost(boat.boatId());
             telemetry.lost(boat.boatId());
+        }
+    }
+
+    /** When it begins and when it is over: the alarm counts meanwhile. */
+    private void tooMuchSent(FleetEvent.TooMuchSent sent) {
+        boolean begins = sent.leftOut().active() && flooding.add(sent.boat());
+        boolean ends = !sent.leftOut().active() && flooding.remove(sent.boat());
+        if (begins || ends) {
+            messages.ofLink(
+                    nowMillis.getAsLong(),
+                    (begins ? "ALARM: " : "") + sent.leftOut().words(sent.boat()));
         }
     }
 

@@ -67,7 +67,8 @@ public final class BoatServer {
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
-    private String movedBy = ""; // who has set the boat in motion or released it last; empty once it moves for want of a link
+    private String movedBy =
+            ""; // who has set the boat in motion or released it last; empty once it moves for want of a link
     private long terms;
     private BatteryLevel reportedLevel;
 
@@ -279,8 +280,7 @@ public final class BoatServer {
         return CommandExecutor.nack(command, NackReason.ID_TAKEN, detail);
     }
 
-    private LinkMessage transfer(
-            ServerSession session, CommandMessage command, CommandLedger.Known known, long nowMs) {
+    private LinkMessage transfer(ServerSession session, CommandMessage command, CommandLedger.Known known, long nowMs) {
         if (known != CommandLedger.Known.NEW) {
             boolean repeated = known == CommandLedger.Known.REPEATED;
             return repeated ? ledger.answerTo(session.clientId(), command) : idTaken(command);

@@ -30,11 +30,11 @@ final class CommandLedger {
 
     private static final int CAPACITY = 4096;
 
-    private final Map<String, Entry> commands = new Entries();
-    private final Map<String, Entry> transfers = new Entries();
+    private final Map<String, Answered> commands = new Bounded();
+    private final Map<String, Answered> transfers = new Bounded();
 
     Known of(String clientId, CommandMessage command) {
-        Entry entry = find(clientId, command.commandId());
+        Answered entry = find(clientId, command.commandId());
         if (entry == null) {
             return Known.NEW;
         }
@@ -55,16 +55,16 @@ final class CommandLedger {
         String key = key(clientId, command.commandId());
         boolean transfer = CommandTransfer.isOne(command);
         (transfer ? commands : transfers).remove(key); // a stop is executed under whatever id it has
-        (transfer ? transfers : commands).put(key, new Entry(digest(command), answer));
+        (transfer ? transfers : commands).put(key, new Answered(digest(command), answer));
     }
 
-    private Entry find(String clientId, String commandId) {
-        Entry own = find(key(clientId, commandId));
+    private Answered find(String clientId, String commandId) {
+        Answered own = find(key(clientId, commandId));
         return own == null ? find(key("", commandId)) : own;
     }
 
-    private Entry find(String key) {
-        Entry command = commands.get(key);
+    private Answered find(String key) {
+        Answered command = commands.get(key);
         return command == null ? transfers.get(key) : command;
     }
 
@@ -80,21 +80,21 @@ final class CommandLedger {
         }
     }
 
-    private static final class Entry {
+    private static final class Answered {
         private final byte[] digest;
         private final LinkMessage answer;
 
-        Entry(byte[] digest, LinkMessage answer) {
+        Answered(byte[] digest, LinkMessage answer) {
             this.digest = digest;
             this.answer = answer;
         }
     }
 
-    private static final class Entries extends LinkedHashMap<String, Entry> {
+    private static final class Bounded extends LinkedHashMap<String, Answered> {
         private static final long serialVersionUID = 1;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Entry> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<String, Answered> eldest) {
             return size() > CAPACITY;
         }
     }

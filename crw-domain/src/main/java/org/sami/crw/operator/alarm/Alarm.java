@@ -56,6 +56,10 @@ public record Alarm(
         COMPASS_DOUBTFUL(Priority.HIGH, "Hold the boat; look at its compass and its motor"),
         /** Two boats have one id, or one boat answers at two addresses. */
         DUPLICATE_ID(Priority.HIGH, "Give one of the boats another id, or disconnect one address"),
+        /** A boat sends more than the base takes in; the text says how much was left out. */
+        LINK_FLOOD(
+                Priority.HIGH,
+                "Look at the boat's server and its sensors, or disconnect it; its commands and answers still come through"),
         /** Something else about a link, such as a boat that speaks another version of it. */
         LINK_FAULT(Priority.MEDIUM, "Look at the address and at the version of the boat's server");
 

@@ -2,6 +2,7 @@ package org.sami.crw.proxy.listener;
 
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.link.LeftOut;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.crw.proxy.status.BatteryState;
@@ -75,6 +76,9 @@ public interface BoatListener {
 
     /** What one of the boat's sensors measured. */
     default void onReading(String boatId, BoatReading reading) {}
+
+    /** The boat sends more than the base takes, still does so, or no longer does: what was left out. */
+    default void onLeftOut(String boatId, LeftOut leftOut) {}
 
     /** The boat said which settings are in force on it: when the link came, and after each one that was set. */
     default void onTuning(String boatId, BoatTuning tuning) {}

@@ -3,6 +3,7 @@ package org.sami.crw.proxy.listener;
 import java.util.function.Consumer;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.link.LeftOut;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.crw.proxy.status.BatteryState;
@@ -116,6 +117,11 @@ public final class BoatListeners implements BoatListener {
     @Override
     public void onReading(String boatId, BoatReading reading) {
         each(listener -> listener.onReading(boatId, reading));
+    }
+
+    @Override
+    public void onLeftOut(String boatId, LeftOut leftOut) {
+        each(listener -> listener.onLeftOut(boatId, leftOut));
     }
 
     @Override

@@ -33,6 +33,7 @@ final class BoatConnection implements FrameSink {
     private final Owner owner;
     private final Socket socket = new Socket();
     private final FramePump pump;
+    private final ExcessFrames excess = new ExcessFrames(() -> System.nanoTime() / 1_000_000);
     private final FrameThreads threads;
 
     BoatConnection(InetSocketAddress address, TcpBaseConfig config, Owner owner) {
@@ -54,6 +55,11 @@ final class BoatConnection implements FrameSink {
         if (!pump.send(frame)) {
             close("the boat does not take what it is sent");
         }
+    }
+
+    /** How many frames were left out, as too many came, since this was asked last. */
+    long takeLeftOut() {
+        return excess.takeLeftOut();
     }
 
     /** Closes the socket, which ends both threads. */
@@ -78,7 +84,13 @@ final class BoatConnection implements FrameSink {
             socket.connect(resolved, config.connectWithinMs());
             owner.opened(this);
             threads.startWriting();
-            pump.read(socket.getInputStream(), (frame, done) -> owner.arrived(this, frame, done));
+            pump.read(socket.getInputStream(), (frame, done) -> {
+                if (excess.isExcess(frame)) {
+                    done.run();
+                } else {
+                    owner.arrived(this, frame, done);
+                }
+            });
             close("the boat has closed the link");
         } catch (LinkException e) {
             close("the boat sends what is no frame: " + e.getMessage());

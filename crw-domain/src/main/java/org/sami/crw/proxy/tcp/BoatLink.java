@@ -150,6 +150,10 @@ final class BoatLink implements FrameSink {
             connection.orElseThrow().close(silence());
         }
         found.ifPresent(this::claim);
+        connection.ifPresent(standing -> {
+            long leftOut = standing.takeLeftOut();
+            proxy.ifPresent(known -> known.leftOutUnread(leftOut));
+        });
         proxy.ifPresent(known -> known.tick(nowMs));
     }
 

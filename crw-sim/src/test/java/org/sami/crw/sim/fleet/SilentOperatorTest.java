@@ -87,7 +87,9 @@ class SilentOperatorTest {
 
     private void start(String bootId, LostLinkAction action, boolean withLog) {
         server = new BoatServer(
-                ServerConfig.of("anna", bootId).lostLinkAction(action).build(), vehicle, (ms, client, command, answer) -> {
+                ServerConfig.of("anna", bootId).lostLinkAction(action).build(),
+                vehicle,
+                (ms, client, command, answer) -> {
                     commands.add(command);
                     answers.add(answer);
                 });

@@ -13,8 +13,7 @@ public final class LoggedCommand {
     private final LinkMessage answer;
 
     /** Makes an entry. */
-    public LoggedCommand(
-            String bootId, long timeMs, String clientId, CommandMessage command, LinkMessage answer) {
+    public LoggedCommand(String bootId, long timeMs, String clientId, CommandMessage command, LinkMessage answer) {
         this.bootId = Objects.requireNonNull(bootId, "bootId");
         this.timeMs = timeMs;
         this.clientId = Objects.requireNonNull(clientId, "clientId");
