@@ -31,6 +31,7 @@ enum SamiModule {
                     "org.sami.crw.event..",
                     "org.sami.crw.fleet..",
                     "org.sami.crw.handler..",
+                    "org.sami.crw.judgement..",
                     "org.sami.crw.markup..",
                     "org.sami.crw.operator..",
                     "org.sami.crw.proxy..",

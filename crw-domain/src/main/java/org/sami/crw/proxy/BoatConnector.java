@@ -10,6 +10,9 @@ import org.sami.spn.value.GeoPoint;
  * {@link ProxyRegistry}, and its listener is told of its link as of any other's. For the fleet's thread.
  */
 public interface BoatConnector {
+    /** The most simulated boats that are made at once: as many as a base was measured with. */
+    int MOST_CREATED = 250;
+
     /** For a base whose boats are settled before it begins. */
     BoatConnector NONE = new BoatConnector() {
         @Override

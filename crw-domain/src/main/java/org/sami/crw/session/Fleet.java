@@ -126,8 +126,8 @@ public final class Fleet {
     public CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
         beforeTheFirst.run();
         return onFleet(boats -> {
-            if (count < 1) {
-                throw new RefusedException("1 boat or more can be added, not " + count);
+            if (count < 1 || count > BoatConnector.MOST_CREATED) {
+                throw new RefusedException("1 to " + BoatConnector.MOST_CREATED + " boats can be added, not " + count);
             }
             try {
                 List<String> made = connector.create(name, "", start, count);

@@ -17,6 +17,8 @@ import java.util.function.Function;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.area.OperatingArea;
@@ -68,6 +70,7 @@ public final class Session implements AutoCloseable {
     private final Fleet fleet;
     private final ByHand byHand;
     private final SessionProject project;
+    private final JudgedAnswers answers;
 
     private Session(SessionSetup setup) throws IOException {
         this.setup = setup;
@@ -84,6 +87,7 @@ public final class Session implements AutoCloseable {
                 this::noteBegin);
         byHand = new ByHand(fleet, parts, setup.services(), parts.drawing);
         project = new SessionProject(parts);
+        answers = new JudgedAnswers(fleet, parts, setup.services());
     }
 
     /**
@@ -348,6 +352,11 @@ public final class Session implements AutoCloseable {
         CompletionStage<WayLimits> limits = ask(view -> WayLimits.of(mission, view));
         return start.thenCombineAsync(limits, (from, water) -> from.map(one -> one.way(path, water)), parts.drawing)
                 .thenApplyAsync(found -> found, parts.front);
+    }
+
+    /** Judges what is filled in of an answer, as things stand now: what of it cannot be, what boats are not to enter, and what it takes. */
+    public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
+        return answers.judge(decision, draft);
     }
 
     /**

@@ -22,8 +22,9 @@ public final class CreateSimulatedProxyHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         double count = Numbers.real(ActivationFields.required(activation, "numberToCreate"));
-        if (count < 1 || count > Integer.MAX_VALUE) {
-            throw new IllegalArgumentException("\"numberToCreate\" is 1 or more, not " + (long) count);
+        if (count < 1 || count > BoatConnector.MOST_CREATED) {
+            throw new IllegalArgumentException(
+                    "\"numberToCreate\" is 1 to " + BoatConnector.MOST_CREATED + ", not " + (long) count);
         }
         newBoats.await(
                 activation,

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.MixedInitiative;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.message.MessageEntry;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Answer;
@@ -110,8 +112,17 @@ final class OperatorCommands {
         if (wrong.isPresent()) {
             throw new ConsoleFault(wrong.get());
         }
+        Judgement judged = context.await(context.session()
+                .judge(
+                        pending.decision(),
+                        DraftAnswer.of(answer, pending.decision().question())));
+        if (judged.refusal().isPresent()) {
+            throw new ConsoleFault(judged.refusal().get());
+        }
         context.await(context.session().answer(id, answer, NAME));
         out.accept("[" + id + "] is answered");
+        judged.doubts().forEach(words -> out.accept("    mind: " + words));
+        judged.costs().forEach(words -> out.accept("    " + words));
     }
 
     private List<String> timed(List<String> words) {

@@ -1,0 +1,32 @@
+package org.sami.crw.judgement;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * A boat that would go, as it is now. Immutable.
+ *
+ * @param from where it is, if that is known
+ * @param batteryPercent its charge in percent of full, if that is known
+ * @param home where it returns to, if that is known
+ * @param error how far it may be beside its ways
+ * @param cruiseMps its speed on paths that name none, in m/s
+ */
+public record JudgedBoat(
+        String name,
+        Optional<GeoPoint> from,
+        OptionalDouble batteryPercent,
+        Optional<GeoPoint> home,
+        CrossTrackError error,
+        double cruiseMps) {
+    public JudgedBoat {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(from, "from");
+        Objects.requireNonNull(batteryPercent, "batteryPercent");
+        Objects.requireNonNull(home, "home");
+        Objects.requireNonNull(error, "error");
+    }
+}

@@ -1,0 +1,69 @@
+package org.sami.crw.session;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.judgement.AnswerJudge;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.JudgedBoat;
+import org.sami.crw.judgement.JudgedQuestion;
+import org.sami.crw.judgement.Judgement;
+import org.sami.crw.judgement.QuestionReader;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatPose;
+import org.sami.spn.protocol.Decision;
+
+/** Judges drafts of answers by what engine and boats are now; computed beside both. From any thread. */
+final class JudgedAnswers {
+    private final Fleet fleet;
+    private final SessionParts parts;
+    private final CrwServices services;
+    private final AnswerJudge judge;
+
+    JudgedAnswers(Fleet fleet, SessionParts parts, CrwServices services) {
+        this.fleet = fleet;
+        this.parts = parts;
+        this.services = services;
+        judge = new AnswerJudge(services);
+    }
+
+    /** What is to be said of a draft. */
+    CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
+        return parts.replies
+                .of(parts.host.query(view -> QuestionReader.read(decision, view)))
+                .thenCompose(read -> read.map(question -> judge(question, draft))
+                        .orElse(CompletableFuture.completedFuture(Judgement.NOTHING)));
+    }
+
+    private CompletionStage<Judgement> judge(JudgedQuestion question, DraftAnswer draft) {
+        return fleet.ask(known -> boats(known, question.boats(draft)))
+                .thenCompose(boats ->
+                        parts.replies.on(parts.drawing, () -> judge.judge(question, boats, draft)));
+    }
+
+    private List<JudgedBoat> boats(ProxyRegistry known, List<String> names) {
+        return names.stream()
+                .map(known::find)
+                .flatMap(Optional::stream)
+                .map(this::judged)
+                .toList();
+    }
+
+    private JudgedBoat judged(BoatProxy boat) {
+        OptionalDouble percent = boat.status().battery().map(BatteryState::percent).stream()
+                .mapToDouble(Double::doubleValue)
+                .findFirst();
+        return new JudgedBoat(
+                boat.boatId(),
+                boat.status().pose().map(BoatPose::position),
+                percent,
+                boat.home(),
+                boat.error().orElse(services.error()),
+                boat.cruiseSpeedMps());
+    }
+}
