@@ -39,12 +39,13 @@ public final class MapView extends JPanel implements AutoCloseable {
     private transient Optional<MapPointer> pointer = Optional.empty();
     private final transient List<Command> commands = CanvasKey.commands(MapKey.values(), this::run, this::whyNot);
     private transient String valueSaid = "-";
+    private transient String hint = "";
     private final transient Runnable sketchChanged = this::sketchChanged;
 
     public MapView() {
         super(new BorderLayout());
         setName("map");
-        status = new MapStatusBar(this::press, this::typed, this::copy, canvas::say);
+        status = new MapStatusBar(this::press, this::typed, this::copy, this::say);
         base = new BaseMaps(canvas, this::tellProblem, () -> listeners.forEach(MapListener::baseMapsChanged));
         chooseTool = new ChooseTool(
                 canvas.layers(),
@@ -186,8 +187,29 @@ public final class MapView extends JPanel implements AutoCloseable {
         return base.stopReading();
     }
 
+    /**
+     * Says a line on the map whenever nothing else is said there, such as what a click does now; behind what a sketch still lacks.
+     *
+     * @param text empty for none
+     */
+    public void setHint(String text) {
+        if (!text.equals(hint)) {
+            boolean shown = canvas.said().equals(hint);
+            hint = text;
+            if (editing.isPresent()) {
+                sketchChanged();
+            } else if (shown) {
+                say("", false);
+            }
+        }
+    }
+
+    private void say(String text, boolean problem) {
+        canvas.say(text.isEmpty() ? hint : text, problem && !text.isEmpty());
+    }
+
     private void tellProblem(String problem) {
-        canvas.say(problem, true);
+        say(problem, true);
         listeners.forEach(listener -> listener.problem(problem));
     }
 
@@ -201,10 +223,11 @@ public final class MapView extends JPanel implements AutoCloseable {
         SketchTool tool = new SketchTool(
                 sketch,
                 false,
+                chooseTool,
                 canvas::frame,
                 () -> {
                     if (sketch.problem().isPresent()) {
-                        canvas.say(sketch.problem().get(), true);
+                        say(sketch.problem().get(), true);
                     } else {
                         stopEditing();
                         ended.accept(true);
@@ -214,19 +237,28 @@ public final class MapView extends JPanel implements AutoCloseable {
                     stopEditing();
                     ended.accept(false);
                 });
+        measuring = Optional.empty();
         editing = Optional.of(tool);
         sketch.addListener(sketchChanged);
         sketchChanged();
         canvas.setTool(tool);
     }
 
-    /** Ends drawing; the sketch stays as it is. Does nothing where nothing is drawn. */
+    /** Ends drawing; the sketch stays as it is, and so does a way that is measured. Does nothing where nothing is drawn. */
     public void stopEditing() {
         editing.ifPresent(tool -> tool.sketch().removeListener(sketchChanged));
-        editing = Optional.empty();
-        measuring = Optional.empty();
-        canvas.say("", false);
-        canvas.setTool(chooseTool);
+        if (editing.isPresent()) {
+            editing = Optional.empty();
+            if (measuring.isEmpty()) {
+                say("", false);
+                canvas.setTool(chooseTool);
+            }
+        }
+    }
+
+    /** Whether a way is measured, which comes before all else. */
+    public boolean isMeasuring() {
+        return measuring.isPresent();
     }
 
     /** Whether something is drawn. */
@@ -236,7 +268,13 @@ public final class MapView extends JPanel implements AutoCloseable {
 
     private void sketchChanged() {
         String ended = canvas.isInForm() ? "" : "Enter or a double click ends, Escape leaves, Ctrl+Z undoes";
-        editing.ifPresent(tool -> canvas.say(tool.sketch().problem().orElse(ended), false));
+        editing.ifPresent(tool -> {
+            Optional<String> problem = tool.sketch().problem();
+            String words = hint.isEmpty()
+                    ? problem.orElse(ended)
+                    : problem.map(lacks -> lacks + " · " + hint).orElse(hint);
+            say(words, false);
+        });
         canvas.repaint();
     }
 
@@ -245,15 +283,15 @@ public final class MapView extends JPanel implements AutoCloseable {
         if (measuring.isPresent()) {
             measuring = Optional.empty();
             canvas.setTool(editing.<MapTool>map(tool -> tool).orElse(chooseTool));
-            canvas.say("", false);
+            say("", false);
             return;
         }
         GeoSketch way = new GeoSketch(GeoShape.PATH);
         way.addListener(canvas::repaint);
-        SketchTool tool = new SketchTool(way, true, canvas::frame, () -> {}, this::toggleMeasuring);
+        SketchTool tool = new SketchTool(way, true, chooseTool, canvas::frame, () -> {}, this::toggleMeasuring);
         measuring = Optional.of(tool);
         canvas.setTool(tool);
-        canvas.say("Click the points of the way to measure; Escape ends", false);
+        say("Click the points of the way to measure; Escape ends", false);
     }
 
     /** Does what a key does. */
@@ -299,7 +337,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         Optional<String> text = at.flatMap(p -> layers().textAt(p.frame(), p.px(), p.py()));
         if (text.isPresent() || canvas.said().equals(valueSaid)) {
             valueSaid = text.orElse("");
-            canvas.say(valueSaid, false);
+            say(valueSaid, false);
         }
     }
 
@@ -307,7 +345,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         pointer.map(MapPointer::at).or(status::last).ifPresent(at -> {
             String text = status.notation().format(at);
             Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
-            canvas.say("Copied " + text, false);
+            say("Copied " + text, false);
         });
     }
 

@@ -8,7 +8,7 @@ import org.sami.ui.geo.MapFrame;
 
 /**
  * Draws and changes a sketch: a click puts a point, a corner can be dragged, the middle of a line is dragged to become a corner, a
- * right click takes a corner away; a double click or Enter ends it, Escape leaves it.
+ * right click takes a corner away; a double click or Enter ends it, Escape leaves it. A box with Shift held chooses, as ever.
  */
 final class SketchTool implements MapTool {
     private static final double REACH_PX = 11;
@@ -17,18 +17,28 @@ final class SketchTool implements MapTool {
     private final GeoSketch sketch;
     private final Supplier<MapFrame> map;
     private final SketchPainter painter;
+    private final MapTool boxes;
     private final Runnable finished;
     private final Runnable cancelled;
     private int dragged = -1;
+    private boolean boxing;
 
     /**
      * Makes a tool for one sketch.
      *
+     * @param boxes does what is done with Shift held
      * @param map which part of the world is shown
      * @param measuring whether lengths are written at all lines, and not only the total
      */
-    SketchTool(GeoSketch sketch, boolean measuring, Supplier<MapFrame> map, Runnable finished, Runnable cancelled) {
+    SketchTool(
+            GeoSketch sketch,
+            boolean measuring,
+            MapTool boxes,
+            Supplier<MapFrame> map,
+            Runnable finished,
+            Runnable cancelled) {
         this.sketch = sketch;
+        this.boxes = boxes;
         this.map = map;
         this.painter = new SketchPainter(sketch, measuring);
         this.finished = finished;
@@ -43,6 +53,10 @@ final class SketchTool implements MapTool {
     public boolean press(MapPointer pointer) {
         if (pointer.menu()) {
             return false;
+        }
+        boxing = pointer.box() && boxes.press(pointer);
+        if (boxing) {
+            return true;
         }
         int corner = cornerAt(pointer);
         int middle = corner >= 0 ? -1 : middleAt(pointer);
@@ -60,11 +74,20 @@ final class SketchTool implements MapTool {
 
     @Override
     public void drag(MapPointer pointer) {
-        sketch.move(dragged, pointer.at());
+        if (boxing) {
+            boxes.drag(pointer);
+        } else {
+            sketch.move(dragged, pointer.at());
+        }
     }
 
     @Override
     public void release(MapPointer pointer) {
+        if (boxing) {
+            boxing = false;
+            boxes.release(pointer);
+            return;
+        }
         sketch.endMove();
         dragged = -1;
         if (pointer.clicks() == 2) {
@@ -167,6 +190,9 @@ final class SketchTool implements MapTool {
     @Override
     public void paint(MapPaint paint) {
         painter.paint(paint);
+        if (boxing) {
+            boxes.paint(paint);
+        }
     }
 
     @Override

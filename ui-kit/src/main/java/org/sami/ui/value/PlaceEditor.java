@@ -18,6 +18,8 @@ import org.sami.ui.map.MapView;
  * each follows the other. What stands in the text is the value (component {@code Map}).
  */
 final class PlaceEditor extends ValueEditor {
+    private static final int ROOM = 520;
+    private static final String LAYOUT = "novisualpadding, insets 0, gap 8 4, fill, hidemode 3";
     private static final double PER_DEGREE = 1e7; // about 1 cm: what a pointer says beyond that is noise
 
     private final GeoSketch sketch;
@@ -47,10 +49,7 @@ final class PlaceEditor extends ValueEditor {
     }
 
     /** Puts the text beside the map where both have room there: so it can be seen in a panel that is low. */
-    private static final class Sides extends JPanel {
-        private static final int ROOM = 520;
-        private static final String LAYOUT = "novisualpadding, insets 0, gap 8 4, fill, hidemode 3";
-
+    private final class Sides extends JPanel {
         private final MigLayout layout = new MigLayout(LAYOUT + ", wrap 1", "[grow,fill]", "[grow,fill][]");
         private boolean beside;
 
@@ -60,7 +59,7 @@ final class PlaceEditor extends ValueEditor {
 
         @Override
         public void doLayout() {
-            boolean room = getWidth() >= Look.px(ROOM);
+            boolean room = map.isVisible() && getWidth() >= Look.px(ROOM);
             if (room != beside) {
                 beside = room;
                 layout.setLayoutConstraints(LAYOUT + (room ? "" : ", wrap 1"));
@@ -137,7 +136,18 @@ final class PlaceEditor extends ValueEditor {
 
     @Override
     public JComponent focusTarget() {
-        return map.canvas();
+        return map.isVisible() ? map.canvas() : text.focusTarget();
+    }
+
+    @Override
+    public void useOwnMap(boolean shown) {
+        if (map.isVisible() != shown) {
+            map.setVisible(shown);
+            panel.revalidate();
+            if (shown) {
+                map.fitAll();
+            }
+        }
     }
 
     @Override

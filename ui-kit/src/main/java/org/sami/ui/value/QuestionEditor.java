@@ -1,11 +1,15 @@
 package org.sami.ui.value;
 
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
@@ -163,17 +167,78 @@ public final class QuestionEditor {
                 .toList();
     }
 
-    /** What is drawn for the first field that has a place and no value yet, or else for the first that has a place; empty where none has. */
-    public Optional<GeoSketch> sketch() {
-        List<ValueEditor> drawn = single.isPresent()
+    /** What is filled in so far, by the keys of the question's items; nothing where options are offered. */
+    public Map<String, Value> given() {
+        Map<String, Value> given = new LinkedHashMap<>();
+        if (single.isEmpty()) {
+            fields.editors().forEach((key, editor) -> editor.entry().value().ifPresent(value -> given.put(key, value)));
+        }
+        return given;
+    }
+
+    /** The offered values that are chosen now, also where too few or too many are. */
+    public List<Value> chosen() {
+        return chooser()
+                .map(chooser -> chooser.chosen().stream()
+                        .map(i -> offered.get(i).row().value())
+                        .toList())
+                .orElse(List.of());
+    }
+
+    /** Chooses an offered value as the operator does: of several, one that is chosen already is chosen no longer. Gives whether it is offered. */
+    public boolean toggle(Value value) {
+        for (int i = 0; i < offered.size(); i++) {
+            if (offered.get(i).row().value().equals(value)) {
+                choose(i);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Chooses these of what is offered, and no others; where one is to be chosen, it is the first of them. */
+    public void chooseOnly(Collection<? extends Value> values) {
+        for (int i = 0; i < offered.size(); i++) {
+            boolean wanted = values.contains(offered.get(i).row().value());
+            if (wanted != chosen().contains(offered.get(i).row().value())) {
+                choose(i);
+            }
+        }
+    }
+
+    private Optional<ValueChooser> chooser() {
+        return single.filter(ValueChooser.class::isInstance).map(ValueChooser.class::cast);
+    }
+
+    /** Shows the maps of the fields whose places can be drawn ({@link #sketch}), or leaves them out where a large map has them. */
+    public void useOwnMaps(boolean shown) {
+        drawn().forEach(editor -> editor.useOwnMap(shown));
+    }
+
+    /** What is drawn for the field in which the focus is; empty where it is in none that has a place. */
+    public Optional<GeoSketch> focusedSketch() {
+        Component focused =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        return drawn().stream()
+                .filter(editor -> focused != null && SwingUtilities.isDescendingFrom(focused, editor.component()))
+                .findFirst()
+                .flatMap(ValueEditor::sketch);
+    }
+
+    private List<ValueEditor> drawn() {
+        return single.isPresent()
                 ? List.of()
                 : fields.editors().values().stream()
                         .filter(editor -> editor.sketch().isPresent())
                         .toList();
-        return drawn.stream()
+    }
+
+    /** What is drawn for the first field that has a place and no value yet, or else for the first that has a place; empty where none has. */
+    public Optional<GeoSketch> sketch() {
+        return drawn().stream()
                 .filter(editor -> editor.entry().value().isEmpty())
                 .findFirst()
-                .or(() -> drawn.stream().findFirst())
+                .or(() -> drawn().stream().findFirst())
                 .flatMap(ValueEditor::sketch);
     }
 

@@ -41,6 +41,13 @@ public abstract class ValueEditor {
         return Optional.empty();
     }
 
+    /**
+     * Shows the map that it has of its own, or leaves it out where the same is drawn on a large one. Does nothing where there is none.
+     *
+     * @param shown whether it is shown
+     */
+    public void useOwnMap(boolean shown) {}
+
     /** Shows a value of the field's type. */
     protected abstract void display(Value value);
 

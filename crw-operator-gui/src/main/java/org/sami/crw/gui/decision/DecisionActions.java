@@ -2,7 +2,10 @@ package org.sami.crw.gui.decision;
 
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
 import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
 
 /** What the panel has done with decisions. Returns at once; what comes of it arrives on the event thread. */
 interface DecisionActions {
@@ -11,6 +14,12 @@ interface DecisionActions {
 
     /** Says why an answer would be refused now; empty where it would not. */
     Optional<String> check(long decision, Answer answer);
+
+    /** Why nothing can be answered here, as in a replay; empty where it can. */
+    Optional<String> whyNotAct();
+
+    /** What is to be said of what is filled in of an answer. */
+    CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft);
 
     /** The operator has turned to a decision: no attention is drawn to it any longer. */
     void attend(long decision);

@@ -22,7 +22,7 @@ final class DecisionCommands {
         refuse = registry.add(new Command("decision-refuse", "None of these", panel::refuse)
                 .withKey("alt BACK_SPACE")
                 .unless(panel::whyNotRefuse));
-        draw = registry.add(new Command("decision-draw", "Draw on the map", panel::drawOnMap)
+        draw = registry.add(new Command("decision-draw", "Answer on the map", panel::drawOnMap)
                 .withKey("alt D")
                 .withIcon("map")
                 .unless(panel::whyNotDraw));

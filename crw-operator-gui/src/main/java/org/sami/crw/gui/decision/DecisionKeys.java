@@ -10,7 +10,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 
-/** The keys of the panel while the focus is in it: digits choose, Enter answers, Escape leaves. In a text, digits are text. */
+/** The keys of the panel while the focus is in it: digits choose, Enter answers, Escape puts the pen down or leaves. In a text, digits are text. */
 final class DecisionKeys {
     private static final int DIGITS = 9;
 
@@ -28,7 +28,7 @@ final class DecisionKeys {
             bind(panel, KeyEvent.VK_NUMPAD1 + i, "choose-" + (i + 1), choose);
         }
         bind(panel, KeyEvent.VK_ENTER, "answer", panel::answer);
-        bind(panel, KeyEvent.VK_ESCAPE, "leave", panel::leave);
+        bind(panel, KeyEvent.VK_ESCAPE, "leave", panel::escape);
     }
 
     private static void bind(JComponent panel, int key, String name, Runnable action) {

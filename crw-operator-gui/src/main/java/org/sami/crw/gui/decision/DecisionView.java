@@ -1,14 +1,20 @@
 package org.sami.crw.gui.decision;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JComponent;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.OfferedOption;
+import org.sami.crw.judgement.DraftAnswer;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.Value;
 import org.sami.ui.value.ChoiceRow;
 import org.sami.ui.value.OfferedRow;
 import org.sami.ui.value.QuestionEditor;
@@ -21,13 +27,20 @@ final class DecisionView {
     private final DecisionPresentation decision;
     private final QuestionEditor editor;
     private final boolean refusable;
+    private final JudgedDraft judged;
 
+    /**
+     * A decision with nothing filled in but what it proposes.
+     *
+     * @param rejudged is told when something else is to be said of what is filled in
+     */
     DecisionView(
             DecisionPresentation decision,
             Interactions interactions,
             ComponentChoice choice,
             ValueEditors editors,
-            DecisionActions actions) {
+            DecisionActions actions,
+            Consumer<DecisionView> rejudged) {
         this.decision = decision;
         ChosenComponent chosen = interactions
                 .of(decision.decision())
@@ -42,6 +55,62 @@ final class DecisionView {
         editor = new QuestionEditor(NAME, decision.question(), offered, chosen, editors);
         refusable = decision.question() instanceof Question.ChooseOption
                 && actions.check(decision.id(), new Answer.Rejected()).isEmpty();
+        judged = new JudgedDraft(
+                this::draft, draft -> actions.judge(decision.decision(), draft), () -> rejudged.accept(this));
+    }
+
+    private DraftAnswer draft() {
+        Question question = decision.question();
+        if (question instanceof Question.ChooseProxies) {
+            return new DraftAnswer(Map.of(), chosenBoats(), Optional.empty());
+        } else if (question instanceof Question.ChooseOption) {
+            return new DraftAnswer(
+                    Map.of(), List.of(), editor.chosen().stream().findFirst());
+        }
+        return DraftAnswer.of(editor.given());
+    }
+
+    private List<String> chosenBoats() {
+        return boats(editor.chosen());
+    }
+
+    private static List<String> boats(List<Value> values) {
+        return values.stream()
+                .filter(ProxyValue.class::isInstance)
+                .map(value -> ((ProxyValue) value).proxy())
+                .toList();
+    }
+
+    /** What is to be said of what is filled in. */
+    JudgedDraft judged() {
+        return judged;
+    }
+
+    /** The boats that are chosen for the answer; empty where it is about something else. */
+    Optional<BoatPick> pick() {
+        return decision.question() instanceof Question.ChooseProxies ? Optional.of(new Pick()) : Optional.empty();
+    }
+
+    private final class Pick implements BoatPick {
+        @Override
+        public List<String> offered() {
+            return boats(decision.options().stream().map(OfferedOption::value).toList());
+        }
+
+        @Override
+        public List<String> chosen() {
+            return chosenBoats();
+        }
+
+        @Override
+        public void toggle(String boat) {
+            editor.toggle(new ProxyValue(boat));
+        }
+
+        @Override
+        public void only(List<String> boats) {
+            editor.chooseOnly(boats.stream().map(ProxyValue::new).toList());
+        }
     }
 
     DecisionPresentation decision() {
@@ -66,6 +135,7 @@ final class DecisionView {
         Optional<Answer> answer = editor.answer();
         return answer.isEmpty()
                 ? editor.reason().or(() -> Optional.of("Nothing is chosen yet"))
-                : actions.check(decision.id(), answer.get());
+                : actions.check(decision.id(), answer.get())
+                        .or(() -> judged.isCurrent() ? judged.judgement().refusal() : Optional.empty());
     }
 }

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
@@ -15,6 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.component.ComponentChoice;
@@ -55,9 +57,12 @@ public final class DecisionsPanel extends JPanel {
     private final AttentionFrame frame = new AttentionFrame(this);
     private final WaitingList waiting;
     private final DecisionCommands commands;
+    private final DecisionPen pen;
+    private final JudgementView judgement = new JudgementView();
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
     private boolean underWay;
+    private boolean givenOnceJudged;
     private String refusal = "";
 
     DecisionsPanel(
@@ -74,6 +79,7 @@ public final class DecisionsPanel extends JPanel {
         this.choice = choice;
         this.editors = editors;
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
+        pen = new DecisionPen(map, this::penEnded);
         commands = new DecisionCommands(registry, this);
         bar = new AnswerBar(commands);
         header = new DecisionHeader(new CommandButton(commands.stopTimer()));
@@ -115,6 +121,7 @@ public final class DecisionsPanel extends JPanel {
         scroll.getVerticalScrollBar().setUnitIncrement(Look.px(16));
         column.add(header);
         column.add(scroll, "hmin 0");
+        column.add(judgement, "wmin 0");
         column.add(bar, "wmin 0");
         column.add(waiting, "dock south, wmin 0");
         return column;
@@ -136,6 +143,7 @@ public final class DecisionsPanel extends JPanel {
     public void doLayout() {
         boolean low = getHeight() < Look.px(LOW);
         header.setLow(low);
+        judgement.setLow(low);
         bar.fit(getWidth(), low);
         waiting.fit((int) (MOST_WAITING * getHeight()), low);
         super.doLayout();
@@ -144,8 +152,10 @@ public final class DecisionsPanel extends JPanel {
     /** What waits has changed. */
     void queue(List<PendingDecision> pending) {
         shown.queue(pending);
-        views.keySet()
-                .retainAll(pending.stream().map(one -> one.decision().id()).collect(Collectors.toSet()));
+        Set<Long> waiting =
+                pending.stream().map(one -> one.decision().id()).collect(Collectors.toSet());
+        views.keySet().retainAll(waiting);
+        pen.retain(waiting);
         refresh();
     }
 
@@ -168,12 +178,24 @@ public final class DecisionsPanel extends JPanel {
             frame.show(one.attention());
         });
         showQueue(other);
+        current.ifPresent(view -> view.judged().look());
+        tendPen();
         tellProblem();
         bar.showPosition(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
         commands.refresh();
+        offer();
+    }
+
+    private void tendPen() {
+        pen.tend(current, !shown.isOver() && !underWay && actions.whyNotAct().isEmpty());
+    }
+
+    /** Of the pen that is out nobody needs to be offered it. */
+    private void offer() {
         bar.offer(
                 whyNotRefuse().isEmpty(),
-                current.flatMap(view -> view.editor().sketch()).isPresent());
+                current.filter(view -> !pen.isOut(view) && pen.whyNot(view).isEmpty())
+                        .isPresent());
     }
 
     /**
@@ -193,6 +215,8 @@ public final class DecisionsPanel extends JPanel {
     private void turnTo(Optional<PendingDecision> pending) {
         boolean focused = DecisionKeys.hasFocusIn(this);
         refusal = "";
+        givenOnceJudged = false;
+        pen.lay();
         body.removeAll();
         current = pending.map(one -> views.computeIfAbsent(one.decision().id(), id -> view(one)));
         current.ifPresent(view -> body.add(view.component()));
@@ -206,7 +230,8 @@ public final class DecisionsPanel extends JPanel {
     }
 
     private DecisionView view(PendingDecision pending) {
-        DecisionView made = new DecisionView(pending.presentation(), interactions, choice, editors, actions);
+        DecisionView made = new DecisionView(
+                pending.presentation(), interactions, choice, editors, actions, this::rejudged);
         made.editor().addListener(() -> edited(made));
         made.editor().onPressed(this::answer);
         return made;
@@ -219,18 +244,53 @@ public final class DecisionsPanel extends JPanel {
                 attend();
             }
             refusal = "";
+            givenOnceJudged = false;
+            view.judged().look();
             map.show(view.decision(), view.editor().values());
             tellProblem();
             commands.refresh();
         }
     }
 
+    /** Something else is to be said of what is filled in; an answer that waited for it is given, unless something is to be minded first. */
+    private void rejudged(DecisionView view) {
+        if (current.filter(view::equals).isEmpty()) {
+            return;
+        }
+        boolean give = givenOnceJudged && view.judged().isCurrent();
+        if (give) {
+            givenOnceJudged = false;
+        }
+        tellProblem();
+        commands.refresh();
+        tendPen();
+        if (give && whyNot().isEmpty() && view.judged().judgement().doubts().isEmpty()) {
+            give(view.editor().answer().orElseThrow());
+        }
+    }
+
     private void tellProblem() {
         String text = shown.isOver() ? "This decision was answered meanwhile" : refusal;
         if (text.isEmpty()) {
-            text = whyNot().orElse("");
+            text = whyNot().orElseGet(this::askedFirst);
         }
-        bar.tell(text, !refusal.isEmpty());
+        judgement.show(
+                shown.isOver() ? Judgement.NOTHING : current.map(view -> view.judged().judgement()).orElse(Judgement.NOTHING));
+        boolean refused = !refusal.isEmpty()
+                || current.flatMap(view -> view.judged().judgement().refusal())
+                        .filter(text::equals)
+                        .isPresent();
+        bar.tell(text, refused);
+    }
+
+    /** What is to be known of an answer that can be given; empty text where nothing is. */
+    private String askedFirst() {
+        if (givenOnceJudged) {
+            return "It is looked at first, and given unless something is to be minded";
+        }
+        boolean doubted = current.filter(view -> !view.judged().judgement().doubts().isEmpty())
+                .isPresent();
+        return doubted ? "Answer gives it all the same" : "";
     }
 
     private void attend() {
@@ -264,25 +324,38 @@ public final class DecisionsPanel extends JPanel {
                 : Optional.of("this decision asks for a choice");
     }
 
-    /** Why nothing can be drawn on the main map for the shown decision; empty where something can. */
+    /** Why the shown decision cannot be answered on the large map; empty where it can. */
     Optional<String> whyNotDraw() {
-        return current.filter(view -> !shown.isOver())
-                        .flatMap(view -> view.editor().sketch())
-                        .isPresent()
-                ? Optional.empty()
-                : Optional.of("this decision asks for no place");
+        return current.filter(view -> !shown.isOver()).map(pen::whyNot).orElse(Optional.of("no decision waits"));
     }
 
-    /** Lets what is asked be drawn on the main map; a double click or Enter there leads back to the answer, which is not given by it. */
+    /** Takes up the pen for the large map; a double click or Enter there leads back to the answer, which is not given by it. */
     void drawOnMap() {
-        current.flatMap(view -> view.editor().sketch()).ifPresent(sketch -> {
+        current.ifPresent(view -> {
             shown.keep();
             attend();
-            map.draw(sketch, () -> {
-                edited(current.orElseThrow());
-                bar.focus();
-            });
+            pen.takeUp(view);
+            offer();
         });
+    }
+
+    /** The pen was put down on the large map: who is done there comes back to the answer. */
+    private void penEnded(DecisionMap.PenEnd end) {
+        current.ifPresent(this::edited);
+        offer();
+        if (end == DecisionMap.PenEnd.DONE) {
+            bar.focus();
+        }
+    }
+
+    /** Puts the pen down that is out for the shown decision, or else leaves the decision. */
+    void escape() {
+        if (pen.putDown()) {
+            current.ifPresent(this::edited);
+            refresh();
+        } else {
+            leave();
+        }
     }
 
     /** Why there is no timer to stop; empty where there is one. */
@@ -296,9 +369,13 @@ public final class DecisionsPanel extends JPanel {
 
     /** Gives the answer that is filled in. */
     void answer() {
-        if (whyNot().isEmpty()) {
+        if (whyNot().isPresent()) {
+            tellProblem();
+        } else if (current.get().judged().isCurrent()) {
             give(current.get().editor().answer().orElseThrow());
         } else {
+            givenOnceJudged = true;
+            current.get().judged().look();
             tellProblem();
         }
     }

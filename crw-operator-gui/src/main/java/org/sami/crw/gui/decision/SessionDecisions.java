@@ -1,13 +1,17 @@
 package org.sami.crw.gui.decision;
 
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.value.SessionEditors;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueEditors;
 
@@ -44,6 +48,18 @@ public final class SessionDecisions {
         public Optional<String> check(long decision, Answer answer) {
             return context.whyNotAct()
                     .or(() -> context.models().decisions().check(decision, answer, context.vocabulary()));
+        }
+
+        @Override
+        public Optional<String> whyNotAct() {
+            return context.whyNotAct();
+        }
+
+        @Override
+        public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
+            return context.whyNotAct().isPresent()
+                    ? CompletableFuture.completedFuture(Judgement.NOTHING)
+                    : context.session().judge(decision, draft);
         }
 
         @Override

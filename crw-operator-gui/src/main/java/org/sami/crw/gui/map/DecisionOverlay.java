@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.SessionWays;
+import org.sami.crw.gui.decision.BoatPick;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.map.PlacesInText;
 import org.sami.spn.protocol.Question;
@@ -29,17 +31,20 @@ final class DecisionOverlay implements DecisionMap {
     private final SessionWays ways;
     private final PlacesOnMap places;
     private final NamedPlaces named;
-    private long drawnFor;
+    private final MapPen pen;
+    private Optional<GeoSketch> drawn = Optional.empty();
     private long shownFor;
     private Optional<DoubtedPaths> doubted = Optional.empty();
 
     /**
      * Adds its layers to a map.
      *
+     * @param pen with which decisions are answered on the map
      * @param ways of boats: the paths of an option are drawn as they would be driven
      */
-    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways) {
+    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways, MapPen pen) {
         this.view = view;
+        this.pen = pen;
         this.ways = ways;
         places = new PlacesOnMap(view, "decision", marks::of);
         named = new NamedPlaces(view, "question");
@@ -47,9 +52,6 @@ final class DecisionOverlay implements DecisionMap {
 
     @Override
     public void show(DecisionPresentation decision, List<Value> values) {
-        if (drawnFor != decision.id()) {
-            endDrawing();
-        }
         if (shownFor != decision.id()) {
             doubted = Optional.empty();
         }
@@ -69,7 +71,7 @@ final class DecisionOverlay implements DecisionMap {
         places.show(
                 doubted.map(DecisionOverlay::value)
                         .map(List::of)
-                        .orElse(drawnFor == decision.id() ? List.of() : values),
+                        .orElse(drawn.isPresent() ? List.of() : values),
                 ways.of(doubted.map(DoubtedPaths::mission)
                         .orElse(decision.decision().mission())));
         String prompt = decision.decision().prompt();
@@ -94,7 +96,6 @@ final class DecisionOverlay implements DecisionMap {
 
     @Override
     public void clear() {
-        endDrawing();
         shownFor = 0;
         doubted = Optional.empty();
         places.show(List.of());
@@ -103,20 +104,46 @@ final class DecisionOverlay implements DecisionMap {
     }
 
     @Override
-    public void draw(GeoSketch sketch, Runnable ended) {
-        drawnFor = shownFor;
+    public boolean isSeen() {
+        return view.isShowing();
+    }
+
+    @Override
+    public boolean isFree() {
+        return pen.isFree();
+    }
+
+    @Override
+    public void draw(GeoSketch sketch, Consumer<PenEnd> ended) {
+        drawn = Optional.of(sketch);
         places.show(List.of());
-        view.edit(sketch, kept -> {
-            drawnFor = 0;
-            ended.run();
+        pen.draw(sketch, end -> {
+            drawn = Optional.empty();
+            ended.accept(end);
         });
+        if (sketch.points().stream().anyMatch(point -> !view.frame().isShown(point))) {
+            view.fitAll();
+        }
+    }
+
+    @Override
+    public void pick(BoatPick boats, Consumer<PenEnd> ended) {
+        pen.pick(boats, ended);
+    }
+
+    @Override
+    public void putDown() {
+        drawn = Optional.empty();
+        pen.putDown();
+    }
+
+    @Override
+    public void focus() {
         view.canvas().requestFocusInWindow();
     }
 
-    private void endDrawing() {
-        if (drawnFor != 0) {
-            drawnFor = 0;
-            view.stopEditing();
-        }
+    @Override
+    public void say(String words) {
+        view.setHint(words);
     }
 }

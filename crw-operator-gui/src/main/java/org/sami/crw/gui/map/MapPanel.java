@@ -19,10 +19,12 @@ import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.PlacesInText;
 import org.sami.crw.operator.map.ShownPart;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
@@ -63,6 +65,7 @@ public final class MapPanel extends JPanel {
     private final PlacesOnMap preview;
     private final NamedPlaces named = new NamedPlaces(view, "message");
     private final BaseMapMenu baseMaps = new BaseMapMenu(view);
+    private final MapPen pen;
     private boolean pointing;
     private long partShown;
 
@@ -73,6 +76,8 @@ public final class MapPanel extends JPanel {
         feed = new MapFeed(context, view.layers());
         guided = new GuidedMode(context);
         preview = new PlacesOnMap(view, "preview", context.marks()::of);
+        pen = new MapPen(view, () -> pointing, this::placeOf);
+        MapPen.onEscape(this, this::escape);
         addTools();
         consequence.setName("boats-consequence");
         int inset = Look.px(Spacing.NORMAL);
@@ -90,7 +95,9 @@ public final class MapPanel extends JPanel {
 
             @Override
             public void boxed(List<String> items) {
-                context.boats().select(boatsOf(items));
+                if (!pen.takes(items)) {
+                    context.boats().select(boatsOf(items));
+                }
             }
 
             @Override
@@ -169,17 +176,40 @@ public final class MapPanel extends JPanel {
                 : Optional.empty();
     }
 
+    private Optional<GeoPoint> placeOf(String boat) {
+        return context.models().fleet().boat(boat).flatMap(BoatSnapshot::pose).map(BoatPose::position);
+    }
+
+    /** Ends what waits for a click: sending boats somewhere first, then the pen. */
+    private void escape() {
+        if (pointing) {
+            endPointing();
+            context.notices().told("No boat is sent");
+        } else {
+            pen.escape();
+        }
+    }
+
+    private void endPointing() {
+        pointing = false;
+        view.canvas().setCursor(Cursor.getDefaultCursor());
+    }
+
     private void beginPointing() {
+        pen.interrupt();
         pointing = true;
+        view.canvas().requestFocusInWindow(); // Escape leaves it
         view.canvas().setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
         context.notices().told("Click where to go. " + guided.consequence());
     }
 
     private void clicked(MapClick click) {
         if (pointing) {
-            pointing = false;
-            view.canvas().setCursor(Cursor.getDefaultCursor());
+            endPointing();
             guided.goTo(click.at());
+            return;
+        }
+        if (pen.takes(click)) {
             return;
         }
         Set<String> next =
@@ -231,6 +261,7 @@ public final class MapPanel extends JPanel {
     public void refresh() {
         tellConsequence();
         feed.show(map().snapshot());
+        pen.refresh();
     }
 
     private void show(MapSnapshot now) {
@@ -296,7 +327,7 @@ public final class MapPanel extends JPanel {
 
     /** Where the shown decision is seen on this map; to be asked for once. */
     public DecisionMap decisionMap() {
-        return new DecisionOverlay(view, context.marks(), new SessionWays(context));
+        return new DecisionOverlay(view, context.marks(), new SessionWays(context), pen);
     }
 
     /** Shows the base maps that an earlier window of these settings had, and keeps in them those that this one has. */

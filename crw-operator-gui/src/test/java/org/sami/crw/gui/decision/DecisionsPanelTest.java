@@ -204,6 +204,9 @@ class DecisionsPanelTest {
 
             onEventThread(() -> {
                 Look.apply(Theme.LIGHT, 200);
+                world.map.seen = true;
+                world.map.free = false;
+                world.panel.refresh();
                 SwingUtilities.updateComponentTreeUI(world.panel);
                 Layout.layOut(world.panel, 620, 485);
 

@@ -36,6 +36,7 @@ final class PanelWorld implements AutoCloseable {
     final Session session;
     final OperatorContext context;
     final DecisionsPanel panel;
+    final PenMap map = new PenMap();
 
     PanelWorld(String plan, String... boats) throws Exception {
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1);
@@ -49,7 +50,7 @@ final class PanelWorld implements AutoCloseable {
         context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         panel = onEventThread(
-                () -> SessionDecisions.panel(context, LIBRARY.components(), DecisionMap.NONE, MapMaker.PLAIN));
+                () -> SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN));
         session.begin();
         for (String boat : boats) {
             session.fleet()

@@ -5,6 +5,7 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import static org.sami.crw.gui.SessionWorld.until;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.decision.DecisionPresentation;
@@ -39,7 +40,11 @@ class DecisionOverlayTest {
         try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
             DecisionOverlay overlay = onEventThread(() -> {
                 Layout.layOut(map, 400, 300);
-                return new DecisionOverlay(map, new IdentityMarks(), new SessionWays(world.context));
+                return new DecisionOverlay(
+                        map,
+                        new IdentityMarks(),
+                        new SessionWays(world.context),
+                        new MapPen(map, () -> false, boat -> Optional.empty()));
             });
             world.start("far");
             until(

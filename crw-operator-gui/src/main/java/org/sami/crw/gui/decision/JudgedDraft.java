@@ -1,0 +1,69 @@
+package org.sami.crw.gui.decision;
+
+import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
+
+/**
+ * What is to be said of an answer as it is filled in now: judged beside the event thread, one draft at a time, and anew every few seconds, as boats move. On the
+ * event thread.
+ */
+final class JudgedDraft {
+    private static final long ANEW_NANOS = 3_000_000_000L;
+
+    private final Supplier<DraftAnswer> draft;
+    private final Function<DraftAnswer, CompletionStage<Judgement>> judge;
+    private final Runnable changed;
+    private DraftAnswer asked = DraftAnswer.EMPTY;
+    private DraftAnswer answered = DraftAnswer.EMPTY;
+    private Judgement judgement = Judgement.NOTHING;
+    private boolean underWay;
+    private long askedNanos;
+
+    /**
+     * Nothing is judged yet.
+     *
+     * @param draft what is filled in now
+     * @param judge judges; its results arrive on the event thread
+     * @param changed is told when something else is to be said
+     */
+    JudgedDraft(
+            Supplier<DraftAnswer> draft, Function<DraftAnswer, CompletionStage<Judgement>> judge, Runnable changed) {
+        this.draft = draft;
+        this.judge = judge;
+        this.changed = changed;
+    }
+
+    /** Has the present draft judged, unless it is so already. */
+    void look() {
+        DraftAnswer now = draft.get();
+        boolean old = !now.equals(DraftAnswer.EMPTY) && System.nanoTime() - askedNanos > ANEW_NANOS;
+        if (underWay || now.equals(asked) && !old) {
+            return;
+        }
+        underWay = true;
+        asked = now;
+        askedNanos = System.nanoTime();
+        judge.apply(now).whenComplete((said, fault) -> {
+            underWay = false;
+            answered = now;
+            judgement = fault == null ? said : Judgement.NOTHING; // a draft that cannot be judged is checked when it is given
+            changed.run();
+            if (!draft.get().equals(asked)) {
+                look();
+            }
+        });
+    }
+
+    /** Whether what is said is about what is filled in now. */
+    boolean isCurrent() {
+        return draft.get().equals(answered);
+    }
+
+    /** What was said last; of what was filled in meanwhile nothing is said yet. */
+    Judgement judgement() {
+        return judgement;
+    }
+}
