@@ -1,7 +1,6 @@
 package org.sami.crw.gui;
 
 import static java.awt.event.KeyEvent.VK_ALT;
-import static java.awt.event.KeyEvent.VK_D;
 import static java.awt.event.KeyEvent.VK_ENTER;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
@@ -13,7 +12,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +27,7 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
+import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.look.Theme;
@@ -70,22 +74,22 @@ class ExploreWindowTest {
         robot.clickRow("plans-table", "Explore Area with interrupts");
         robot.click("mission-start");
 
-        robot.untilShown("value-area-canvas");
-        robot.press(VK_D, VK_ALT); // on the large map; Enter there leads back to the answer
-        robot.untilFocused("map-canvas");
         Component map = robot.find(Component.class, "map-canvas");
         MapView view = WindowRobot.ask(() -> (MapView) SwingUtilities.getAncestorOfClass(MapView.class, map));
+        robot.until("the pen is ready on the large map", view::isEditing);
         MapFrame frame = WindowRobot.ask(view::frame);
-        for (GeoPoint corner : CORNERS) {
-            robot.clickAt(map, (int) frame.px(corner), (int) frame.py(corner));
-        }
-        robot.press(VK_ENTER);
+        clickAt(robot, map, frame, CORNERS);
+        untilCosts(robot, window, "5 boats");
+        robot.press(VK_ENTER); // leads back to the answer
         robot.untilFocused("decision-answer");
         robot.press(VK_ENTER);
 
         robot.click("value-decision-none-chosen");
         robot.click("value-decision-option-1");
-        robot.click("value-decision-option-2");
+        untilCosts(robot, window, "anna: ");
+        clickAt(robot, map, frame, List.of(position(window, "bert")));
+        robot.untilSaid("value-decision-count", "2 of 5");
+        untilCosts(robot, window, "2 boats");
         robot.press(VK_ENTER, VK_ALT);
 
         robot.until("two boats are under way", () -> underWay(window) == 2);
@@ -94,12 +98,40 @@ class ExploreWindowTest {
                 .extracting(BoatSnapshot::boat)
                 .containsExactlyInAnyOrder("anna", "bert");
 
+        assertThat(window.session().models().clicks().clicks())
+                .as("a start, four corners and two boats, each of the two answers with a click to confirm")
+                .isEqualTo(1 + (4 + 1) + (2 + 1));
+
         robot.until("both sail towards the area", THERE_WITHIN_S, () -> sailing(window) == 2);
         robot.click("mission-complete");
         robot.click("mission-end-confirm");
 
         robot.untilSaid("mission-state", "completed");
         assertThat(mission(window).outcome()).contains(Outcome.COMPLETED);
+    }
+
+    /** What it takes is said in the panel, in one line where the panel is low. */
+    private static void untilCosts(WindowRobot robot, OperatorWindow window, String words) {
+        robot.until("it is said what it takes: " + words, () -> Stream.of("decision-costs", "decision-judgement-line")
+                .flatMap(name -> Layout.find(window.frame(), name, JComponent.class).stream())
+                .filter(Component::isShowing)
+                .map(said -> said instanceof JLabel line ? line.getText() : ((JTextComponent) said).getText())
+                .anyMatch(said -> said.contains(words)));
+    }
+
+    private static void clickAt(WindowRobot robot, Component map, MapFrame frame, List<GeoPoint> points) {
+        points.forEach(point -> robot.clickAt(map, (int) frame.px(point), (int) frame.py(point)));
+    }
+
+    private static GeoPoint position(OperatorWindow window, String boat) {
+        return window.session()
+                .models()
+                .fleet()
+                .boat(boat)
+                .orElseThrow()
+                .pose()
+                .orElseThrow()
+                .position();
     }
 
     /** How many boats are some metres east of the quay, where the area is. */
