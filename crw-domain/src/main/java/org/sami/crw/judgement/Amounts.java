@@ -28,7 +28,7 @@ final class Amounts {
     /** A part of something, 0 to 1, in percent: never all of it, or nothing, where it is not. */
     static String percent(double part) {
         double percent = 100 * part;
-        boolean coarse = percent >= 0.95 && percent < MANY || percent >= 100;
+        boolean coarse = (percent >= 0.95 && percent < MANY) || percent >= 100;
         return coarse
                 ? String.format(Locale.ROOT, "%.0f %%", percent)
                 : String.format(Locale.ROOT, "%.1f %%", Math.min(percent, 99.9));

@@ -53,7 +53,9 @@ public final class AnswerJudge {
         List<Remark> remarks = new ArrayList<>();
         for (JudgedRequest request : question.requests()) {
             for (String field : request.fieldsOf(item)) {
-                FieldRules.wrong(request.type(), field, value).map(Remark::refusal).ifPresent(remarks::add);
+                FieldRules.wrong(request.type(), field, value)
+                        .map(Remark::refusal)
+                        .ifPresent(remarks::add);
             }
         }
         if (value instanceof GeoArea area) {

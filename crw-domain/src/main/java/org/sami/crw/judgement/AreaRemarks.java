@@ -45,7 +45,8 @@ final class AreaRemarks {
             return;
         }
         List<JudgedRequest> work = question.requests().stream()
-                .filter(request -> request.type().equals(EXPLORE) || request.type().equals(DISTRIBUTE))
+                .filter(request ->
+                        request.type().equals(EXPLORE) || request.type().equals(DISTRIBUTE))
                 .filter(request -> !request.fieldsOf(item).isEmpty())
                 .toList();
         Optional<GeoArea> kept = work.stream()

@@ -47,9 +47,7 @@ public record JudgedQuestion(
 
     /** What people call an area to stay in. */
     String name(GeoArea within) {
-        return area.fence().filter(within::equals).isPresent()
-                ? "the fence"
-                : "the area in which the mission stays";
+        return area.fence().filter(within::equals).isPresent() ? "the fence" : "the area in which the mission stays";
     }
 
     /** What people call the areas that are avoided. */

@@ -63,10 +63,10 @@ final class PlaceRemarks {
         if (wrong.size() == 1) {
             int place = wrong.get(0);
             String name = places.size() == 1 ? "The place" : "Place " + (place + 1) + " of " + places.size();
-            return List.of(
-                    Remark.doubt(name + " " + one.apply(depthM.applyAsDouble(places.get(place)))));
+            return List.of(Remark.doubt(name + " " + one.apply(depthM.applyAsDouble(places.get(place)))));
         }
-        String numbers = wrong.stream().limit(NAMED).map(i -> String.valueOf(i + 1)).collect(Collectors.joining(", "));
+        String numbers =
+                wrong.stream().limit(NAMED).map(i -> String.valueOf(i + 1)).collect(Collectors.joining(", "));
         return List.of(Remark.doubt(wrong.size() + " of " + places.size() + " places " + several + ": " + numbers
                 + (wrong.size() > NAMED ? " and " + (wrong.size() - NAMED) + " more" : "")));
     }

@@ -115,9 +115,12 @@ public final class QuestionReader {
     private JudgedRequest request(OutputEventSpec output, Map<String, String> written) {
         Map<String, Value> known = new LinkedHashMap<>();
         Map<String, String> asked = new HashMap<>();
-        Set<String> keys = new HashSet<>(items().stream().map(Question.Item::key).toList());
-        view.vocabulary().event(output.type()).ifPresent(type -> type.fields()
-                .forEach(field -> field.defaultValue().ifPresent(value -> known.put(field.name(), value))));
+        Set<String> keys =
+                new HashSet<>(items().stream().map(Question.Item::key).toList());
+        view.vocabulary()
+                .event(output.type())
+                .ifPresent(type -> type.fields()
+                        .forEach(field -> field.defaultValue().ifPresent(value -> known.put(field.name(), value))));
         output.fields().forEach((field, source) -> {
             String key = output.id() + "." + field;
             if (source instanceof FieldSource.Fixed fixed) {
@@ -139,11 +142,13 @@ public final class QuestionReader {
     private List<String> boats() {
         Set<String> standing = new LinkedHashSet<>();
         view.mission(decision.mission())
-                .ifPresent(mission -> mission.marking().values().forEach(tokens -> tokens.forEach(token -> {
-                    if (token instanceof Token.Proxy proxy) {
-                        standing.add(proxy.proxy());
-                    }
-                })));
+                .ifPresent(mission -> mission.marking()
+                        .values()
+                        .forEach(tokens -> tokens.forEach(token -> {
+                            if (token instanceof Token.Proxy proxy) {
+                                standing.add(proxy.proxy());
+                            }
+                        })));
         return standing.isEmpty() ? view.proxies() : List.copyOf(standing);
     }
 }

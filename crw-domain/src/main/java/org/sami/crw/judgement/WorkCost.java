@@ -117,7 +117,9 @@ final class WorkCost {
         if (swaps) {
             return Optional.of(Remark.cost("Batteries are to be swapped on the way of " + names(some)));
         }
-        Leg worst = some.stream().max(Comparator.comparingDouble(leg -> leg.outM() - leg.sureM())).orElseThrow();
+        Leg worst = some.stream()
+                .max(Comparator.comparingDouble(leg -> leg.outM() - leg.sureM()))
+                .orElseThrow();
         return Optional.of(Remark.doubt(String.format(
                 Locale.ROOT,
                 "The way of %s is longer than the charge lasts: %s has %s to go, and its charge of %.0f %% is sure to last for %s",

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.sami.crw.event.Numbers;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.judgement.Judgement.Remark;
+import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.Candidate;
 import org.sami.crw.service.allocation.Division;
@@ -21,7 +22,6 @@ import org.sami.crw.service.reach.Range;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayCheck;
 import org.sami.crw.service.reach.WayDoubt;
-import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
@@ -85,12 +85,13 @@ final class WorkRemarks {
             return List.of();
         }
         Value spacing = values.get("spacing");
-        double spacingM =
-                spacing instanceof RealValue || spacing instanceof IntegerValue ? Numbers.real(spacing) : 0;
+        double spacingM = spacing instanceof RealValue || spacing instanceof IntegerValue ? Numbers.real(spacing) : 0;
         if (!(spacingM >= 0.1) || spacingM > 10_000) {
             return List.of();
         }
-        double trackM = Areas.polygon(area, new LocalPlane(area.outline().get(0)), "The area").getArea() / spacingM;
+        double trackM = Areas.polygon(area, new LocalPlane(area.outline().get(0)), "The area")
+                        .getArea()
+                / spacingM;
         double lastsM = boats.stream().mapToDouble(WorkRemarks::sureM).sum();
         if (trackM > MOST_TRACK_M) {
             return List.of(Remark.doubt("The area takes about " + Amounts.length(trackM) + " of track in lanes "
@@ -113,26 +114,27 @@ final class WorkRemarks {
             boat.batteryPercent().ifPresent(percent -> metres.put(boat.name(), Range.sureM(percent)));
             boat.home().ifPresent(home -> homes.put(boat.name(), home));
         }
-        Optional<Boolean> keep = values.get("keepHome") instanceof BooleanValue flag
-                ? Optional.of(flag.value())
-                : Optional.empty();
+        Optional<Boolean> keep =
+                values.get("keepHome") instanceof BooleanValue flag ? Optional.of(flag.value()) : Optional.empty();
         boolean looksHome = keep.orElse(true) && !question.swaps();
-        Ranges ranges = looksHome
-                ? new Ranges(metres, homes, false, keep.orElse(false))
-                : Ranges.out(metres, question.swaps());
+        Ranges ranges =
+                looksHome ? new Ranges(metres, homes, false, keep.orElse(false)) : Ranges.out(metres, question.swaps());
         Optional<GeoArea> within =
                 values.get(JudgedRequest.WITHIN) instanceof GeoArea one ? Optional.of(one) : Optional.empty();
         List<GeoArea> avoid = new ArrayList<>(question.limits().avoid());
         area.holes().forEach(hole -> avoid.add(new GeoArea(hole, List.of())));
-        CrossTrackError error =
-                boats.stream().map(JudgedBoat::error).reduce(CrossTrackError::atLeast).orElse(CrossTrackError.NONE);
+        CrossTrackError error = boats.stream()
+                .map(JudgedBoat::error)
+                .reduce(CrossTrackError::atLeast)
+                .orElse(CrossTrackError.NONE);
         return new CoverageProblem(from, area, spacingM, avoid, within, error, ranges);
     }
 
     private List<Remark> explore(Coverage coverage, double spacingM) {
         WorkCost cost = new WorkCost(question.swaps());
         List<Remark> remarks = new ArrayList<>();
-        remarks.add(Remark.cost(String.format(Locale.ROOT, "%,.0f m² in lanes %s apart", coverage.areaM2(), Amounts.length(spacingM))));
+        remarks.add(Remark.cost(
+                String.format(Locale.ROOT, "%,.0f m² in lanes %s apart", coverage.areaM2(), Amounts.length(spacingM))));
         Map<String, JudgedBoat> named = WorkCost.byName(boats);
         coverage.shares().forEach((name, share) -> {
             JudgedBoat boat = named.get(name);
@@ -168,7 +170,8 @@ final class WorkRemarks {
                 Candidate candidate = Candidate.at(boat.name(), boat.from().get());
                 candidates.add(
                         boat.batteryPercent().isPresent()
-                                ? candidate.within(Range.sureM(boat.batteryPercent().getAsDouble()))
+                                ? candidate.within(
+                                        Range.sureM(boat.batteryPercent().getAsDouble()))
                                 : candidate);
             }
         }
@@ -178,8 +181,9 @@ final class WorkRemarks {
         }
         Division division = new SequentialSingleItemAuction().divide(new AllocationProblem(candidates, work));
         Map<String, List<GeoPoint>> ways = new LinkedHashMap<>();
-        division.paths().forEach((boat, items) ->
-                ways.put(boat, items.stream().map(WorkItem::location).toList()));
+        division.paths()
+                .forEach((boat, items) ->
+                        ways.put(boat, items.stream().map(WorkItem::location).toList()));
         return drive(ways);
     }
 

@@ -42,8 +42,7 @@ final class JudgedAnswers {
 
     private CompletionStage<Judgement> judge(JudgedQuestion question, DraftAnswer draft) {
         return fleet.ask(known -> boats(known, question.boats(draft)))
-                .thenCompose(boats ->
-                        parts.replies.on(parts.drawing, () -> judge.judge(question, boats, draft)));
+                .thenCompose(boats -> parts.replies.on(parts.drawing, () -> judge.judge(question, boats, draft)));
     }
 
     private List<JudgedBoat> boats(ProxyRegistry known, List<String> names) {

@@ -88,34 +88,38 @@ class AnswerJudgeTest {
 
     @Test
     void whereThePlanKeepsBoatsNotInThatIsSaidToo() {
-        assertThat(judge(asks(FILL_IN, exploring(false)), "area", box(700, 400, 1154, 700)).doubts())
+        assertThat(judge(asks(FILL_IN, exploring(false)), "area", box(700, 400, 1154, 700))
+                        .doubts())
                 .containsExactly("34 % of the area is outside the fence, and boats will be sent there");
     }
 
     @Test
     void anAreaThatIsWhollyOutsideIsRefused() {
-        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(1100, 0, 1200, 100)).refusal())
+        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(1100, 0, 1200, 100))
+                        .refusal())
                 .contains("The whole area is outside the fence: nothing of it is left");
     }
 
     @Test
     void whatOfAnAreaLiesInANoGoAreaIsSaid() {
-        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(100, 100, 300, 300)).doubts())
+        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(100, 100, 300, 300))
+                        .doubts())
                 .containsExactly("25 % of the area lies in no-go areas and will be left out");
-        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(50, 50, 150, 150)).refusal())
+        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(50, 50, 150, 150))
+                        .refusal())
                 .contains("Nothing of the area is left without what lies in no-go areas");
     }
 
     @Test
     void anAreaThatIsDrawnAlongTheFenceIsNotSpokenOf() {
-        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(700, 400, 1000.05, 700)).doubts())
+        assertThat(judge(asks(FILL_IN, exploring(true)), "area", box(700, 400, 1000.05, 700))
+                        .doubts())
                 .isEmpty();
     }
 
     @Test
     void anAreaThatCrossesItselfIsRefused() {
-        GeoArea crossed =
-                new GeoArea(List.of(at(300, 300), at(400, 400), at(400, 300), at(300, 400)), List.of());
+        GeoArea crossed = new GeoArea(List.of(at(300, 300), at(400, 400), at(400, 300), at(300, 400)), List.of());
 
         assertThat(judge(asks(FILL_IN, exploring(true)), "area", crossed).refusal())
                 .hasValueSatisfying(words -> assertThat(words).contains("crosses or touches itself"));
@@ -129,31 +133,33 @@ class AnswerJudgeTest {
 
     @Test
     void placesInNoGoAreasAndOutsideTheFenceAreCounted() {
-        ListValue places = new ListValue(
-                List.of(at(100, 150), at(500, 500), at(1100, 500), at(1200, 500), at(1300, 500)));
+        ListValue places =
+                new ListValue(List.of(at(100, 150), at(500, 500), at(1100, 500), at(1200, 500), at(1300, 500)));
 
         assertThat(judge(asks(FILL_IN), "locations", places).doubts())
                 .containsExactly(
-                        "Place 1 of 5 lies 50.0 m inside a no-go area",
-                        "3 of 5 places lie outside the fence: 3, 4, 5");
+                        "Place 1 of 5 lies 50.0 m inside a no-go area", "3 of 5 places lie outside the fence: 3, 4, 5");
         assertThat(judge(asks(FILL_IN), "location", at(500, -20)).doubts())
                 .containsExactly("The place lies 20.0 m outside the fence");
     }
 
     @Test
     void valuesThatCannotBeAreRefused() {
-        JudgedRequest simulated = new JudgedRequest(
-                "CreateSimulatedProxy", Map.of(), Map.of("numberToCreate", "make.numberToCreate"));
-        JudgedRequest address =
-                new JudgedRequest("ConnectExistingProxy", Map.of(), Map.of("server", "call.server"));
+        JudgedRequest simulated =
+                new JudgedRequest("CreateSimulatedProxy", Map.of(), Map.of("numberToCreate", "make.numberToCreate"));
+        JudgedRequest address = new JudgedRequest("ConnectExistingProxy", Map.of(), Map.of("server", "call.server"));
 
-        assertThat(judge(asks(FILL_IN, simulated), "make.numberToCreate", new IntegerValue(99_999)).refusal())
+        assertThat(judge(asks(FILL_IN, simulated), "make.numberToCreate", new IntegerValue(99_999))
+                        .refusal())
                 .contains("1 to 250 simulated boats are added at once, not 99,999");
-        assertThat(judge(asks(FILL_IN, simulated), "make.numberToCreate", new IntegerValue(3)).remarks())
+        assertThat(judge(asks(FILL_IN, simulated), "make.numberToCreate", new IntegerValue(3))
+                        .remarks())
                 .isEmpty();
-        assertThat(judge(asks(FILL_IN, address), "call.server", new TextValue("  ")).refusal())
+        assertThat(judge(asks(FILL_IN, address), "call.server", new TextValue("  "))
+                        .refusal())
                 .contains("The address of the boat's server is empty: HOST:PORT, such as 192.168.1.101:11411");
-        assertThat(judge(asks(FILL_IN, address), "call.server", new TextValue("10.0.0.7")).refusal())
+        assertThat(judge(asks(FILL_IN, address), "call.server", new TextValue("10.0.0.7"))
+                        .refusal())
                 .hasValueSatisfying(words -> assertThat(words).contains("'10.0.0.7' is no HOST:PORT"));
     }
 
@@ -164,8 +170,9 @@ class AnswerJudgeTest {
 
         assertThat(judged.doubts()).isEmpty();
         assertThat(judged.costs()).first().isEqualTo("90,002 m² in lanes 50 m apart");
-        assertThat(judged.costs().get(1)).matches("2 boats: \\d\\.\\d km together; the longest way is (anna|bert)'s, "
-                + "\\d\\.\\d km, about \\d+ min, \\d+ % of a full charge");
+        assertThat(judged.costs().get(1))
+                .matches("2 boats: \\d\\.\\d km together; the longest way is (anna|bert)'s, "
+                        + "\\d\\.\\d km, about \\d+ min, \\d+ % of a full charge");
     }
 
     @Test
@@ -175,8 +182,8 @@ class AnswerJudgeTest {
         DraftAnswer draft = new DraftAnswer(Map.of(), List.of(), Optional.of(option));
         JudgedQuestion question = asks(new Question.ChooseOption(List.of(option)));
 
-        Judgement judged =
-                new AnswerJudge(CrwServices.STANDARD).judge(question, List.of(boat("anna", 40), boat("bert", 1)), draft);
+        Judgement judged = new AnswerJudge(CrwServices.STANDARD)
+                .judge(question, List.of(boat("anna", 40), boat("bert", 1)), draft);
 
         assertThat(judged.costs()).containsExactly("anna: 1.0 km, about 11 min, 29 % of a full charge");
         assertThat(judged.doubts())
@@ -218,14 +225,16 @@ class AnswerJudgeTest {
         List<GeoPoint> corners = new ArrayList<>(box(0, 0, 300_000, 300_000).outline());
         JudgedQuestion question = new JudgedQuestion(
                 FILL_IN,
-                List.of(new JudgedRequest("ProxyExploreArea", Map.of("spacing", new RealValue(1)), Map.of("area", "area"))),
+                List.of(new JudgedRequest(
+                        "ProxyExploreArea", Map.of("spacing", new RealValue(1)), Map.of("area", "area"))),
                 List.of(),
                 new WayLimits(List.of(), Optional.empty()),
                 OperatingArea.OPEN,
                 false,
                 List.of());
 
-        assertThat(judge(question, "area", new GeoArea(corners, List.of()), boat("anna", 100)).doubts())
+        assertThat(judge(question, "area", new GeoArea(corners, List.of()), boat("anna", 100))
+                        .doubts())
                 .singleElement()
                 .asString()
                 .contains("km of track in lanes 1 m apart")

@@ -112,11 +112,13 @@ class ExploreWindowTest {
 
     /** What it takes is said in the panel, in one line where the panel is low. */
     private static void untilCosts(WindowRobot robot, OperatorWindow window, String words) {
-        robot.until("it is said what it takes: " + words, () -> Stream.of("decision-costs", "decision-judgement-line")
-                .flatMap(name -> Layout.find(window.frame(), name, JComponent.class).stream())
-                .filter(Component::isShowing)
-                .map(said -> said instanceof JLabel line ? line.getText() : ((JTextComponent) said).getText())
-                .anyMatch(said -> said.contains(words)));
+        robot.until(
+                "it is said what it takes: " + words,
+                () -> Stream.of("decision-costs", "decision-judgement-line")
+                        .flatMap(name -> Layout.find(window.frame(), name, JComponent.class).stream())
+                        .filter(Component::isShowing)
+                        .map(said -> said instanceof JLabel line ? line.getText() : ((JTextComponent) said).getText())
+                        .anyMatch(said -> said.contains(words)));
     }
 
     private static void clickAt(WindowRobot robot, Component map, MapFrame frame, List<GeoPoint> points) {

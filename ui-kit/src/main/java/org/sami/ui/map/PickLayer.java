@@ -40,7 +40,8 @@ public final class PickLayer extends MapLayer {
 
     @Override
     protected void paint(MapPaint paint) {
-        places.forEach(place -> ring(paint, paint.frame().px(place), paint.frame().py(place)));
+        places.forEach(
+                place -> ring(paint, paint.frame().px(place), paint.frame().py(place)));
     }
 
     private static void ring(MapPaint paint, double x, double y) {
@@ -62,7 +63,7 @@ public final class PickLayer extends MapLayer {
         check.lineTo(markX - 0.2 * m, markY + 0.6 * m);
         check.lineTo(markX + 0.8 * m, markY - 0.7 * m);
         g.setColor(SemanticColor.MAP_HALO.get());
-        g.setStroke(new BasicStroke((float) Painting.px(1.6), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setStroke(new BasicStroke(Painting.px(1.6), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(check);
     }
 }

@@ -73,7 +73,9 @@ final class DecisionPen {
         if (!isFor(view)) {
             return Optional.of("this decision asks for no place and no boats");
         }
-        return map.isSeen() ? Optional.empty() : Optional.of("the map is not shown: bring it to the front, or draw here");
+        return map.isSeen()
+                ? Optional.empty()
+                : Optional.of("the map is not shown: bring it to the front, or draw here");
     }
 
     /** Whether it is out for a decision. */
@@ -106,8 +108,8 @@ final class DecisionPen {
         held = Optional.of(view);
         drawn = view.editor().focusedSketch().or(() -> view.editor().sketch());
         drawn.ifPresentOrElse(
-                        sketch -> map.draw(sketch, end -> ended(view, end)),
-                        () -> map.pick(view.pick().orElseThrow(), end -> ended(view, end)));
+                sketch -> map.draw(sketch, end -> ended(view, end)),
+                () -> map.pick(view.pick().orElseThrow(), end -> ended(view, end)));
         map.say(words(view));
     }
 

@@ -64,8 +64,7 @@ final class DecisionView {
         if (question instanceof Question.ChooseProxies) {
             return new DraftAnswer(Map.of(), chosenBoats(), Optional.empty());
         } else if (question instanceof Question.ChooseOption) {
-            return new DraftAnswer(
-                    Map.of(), List.of(), editor.chosen().stream().findFirst());
+            return new DraftAnswer(Map.of(), List.of(), editor.chosen().stream().findFirst());
         }
         return DraftAnswer.of(editor.given());
     }

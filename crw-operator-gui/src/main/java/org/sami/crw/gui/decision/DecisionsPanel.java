@@ -152,8 +152,7 @@ public final class DecisionsPanel extends JPanel {
     /** What waits has changed. */
     void queue(List<PendingDecision> pending) {
         shown.queue(pending);
-        Set<Long> waiting =
-                pending.stream().map(one -> one.decision().id()).collect(Collectors.toSet());
+        Set<Long> waiting = pending.stream().map(one -> one.decision().id()).collect(Collectors.toSet());
         views.keySet().retainAll(waiting);
         pen.retain(waiting);
         refresh();
@@ -230,8 +229,8 @@ public final class DecisionsPanel extends JPanel {
     }
 
     private DecisionView view(PendingDecision pending) {
-        DecisionView made = new DecisionView(
-                pending.presentation(), interactions, choice, editors, actions, this::rejudged);
+        DecisionView made =
+                new DecisionView(pending.presentation(), interactions, choice, editors, actions, this::rejudged);
         made.editor().addListener(() -> edited(made));
         made.editor().onPressed(this::answer);
         return made;
@@ -275,7 +274,9 @@ public final class DecisionsPanel extends JPanel {
             text = whyNot().orElseGet(this::askedFirst);
         }
         judgement.show(
-                shown.isOver() ? Judgement.NOTHING : current.map(view -> view.judged().judgement()).orElse(Judgement.NOTHING));
+                shown.isOver()
+                        ? Judgement.NOTHING
+                        : current.map(view -> view.judged().judgement()).orElse(Judgement.NOTHING));
         boolean refused = !refusal.isEmpty()
                 || current.flatMap(view -> view.judged().judgement().refusal())
                         .filter(text::equals)
@@ -288,7 +289,8 @@ public final class DecisionsPanel extends JPanel {
         if (givenOnceJudged) {
             return "It is looked at first, and given unless something is to be minded";
         }
-        boolean doubted = current.filter(view -> !view.judged().judgement().doubts().isEmpty())
+        boolean doubted = current.filter(
+                        view -> !view.judged().judgement().doubts().isEmpty())
                 .isPresent();
         return doubted ? "Answer gives it all the same" : "";
     }

@@ -40,7 +40,7 @@ final class JudgedDraft {
     void look() {
         DraftAnswer now = draft.get();
         boolean old = !now.equals(DraftAnswer.EMPTY) && System.nanoTime() - askedNanos > ANEW_NANOS;
-        if (underWay || now.equals(asked) && !old) {
+        if (underWay || (now.equals(asked) && !old)) {
             return;
         }
         underWay = true;
@@ -49,7 +49,9 @@ final class JudgedDraft {
         judge.apply(now).whenComplete((said, fault) -> {
             underWay = false;
             answered = now;
-            judgement = fault == null ? said : Judgement.NOTHING; // a draft that cannot be judged is checked when it is given
+            judgement = fault == null
+                    ? said
+                    : Judgement.NOTHING; // a draft that cannot be judged is checked when it is given
             changed.run();
             if (!draft.get().equals(asked)) {
                 look();

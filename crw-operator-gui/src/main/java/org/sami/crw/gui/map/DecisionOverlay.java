@@ -69,9 +69,7 @@ final class DecisionOverlay implements DecisionMap {
 
     private void draw(DecisionPresentation decision, List<Value> values) {
         places.show(
-                doubted.map(DecisionOverlay::value)
-                        .map(List::of)
-                        .orElse(drawn.isPresent() ? List.of() : values),
+                doubted.map(DecisionOverlay::value).map(List::of).orElse(drawn.isPresent() ? List.of() : values),
                 ways.of(doubted.map(DoubtedPaths::mission)
                         .orElse(decision.decision().mission())));
         String prompt = decision.decision().prompt();

@@ -1,5 +1,6 @@
 package org.sami.crw.gui.map;
 
+import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -8,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.sami.crw.gui.decision.BoatPick;
@@ -113,8 +115,8 @@ final class MapPen {
 
     /** Takes a click on a boat that is offered; false where the click is meant for something else. */
     boolean takes(MapClick click) {
-        Optional<String> boat =
-                click.item().filter(item -> pick.map(BoatPick::offered).orElse(List.of()).contains(item));
+        Optional<String> boat = click.item()
+                .filter(item -> pick.map(BoatPick::offered).orElse(List.of()).contains(item));
         boat.ifPresent(one -> {
             pick.get().toggle(one);
             refresh();
@@ -146,9 +148,9 @@ final class MapPen {
         component
                 .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                 .put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "escape");
-        component.getActionMap().put("escape", new javax.swing.AbstractAction("escape") {
+        component.getActionMap().put("escape", new AbstractAction("escape") {
             @Override
-            public void actionPerformed(java.awt.event.ActionEvent event) {
+            public void actionPerformed(ActionEvent event) {
                 run.run();
             }
         });

@@ -49,8 +49,7 @@ final class PanelWorld implements AutoCloseable {
                         .with(runtime));
         context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
-        panel = onEventThread(
-                () -> SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN));
+        panel = onEventThread(() -> SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN));
         session.begin();
         for (String boat : boats) {
             session.fleet()

@@ -122,7 +122,6 @@ final class OperatorCommands {
         context.await(context.session().answer(id, answer, NAME));
         out.accept("[" + id + "] is answered");
         judged.doubts().forEach(words -> out.accept("    mind: " + words));
-        judged.costs().forEach(words -> out.accept("    " + words));
     }
 
     private List<String> timed(List<String> words) {

@@ -52,8 +52,7 @@ class JudgedAnswersTest {
 
             Judgement judged = judge(session, area, Map.of("area", box(200, 0, 600, 300)));
 
-            assertThat(judged.doubts())
-                    .contains("25 % of the area is outside the fence, and boats will be sent there");
+            assertThat(judged.doubts()).contains("25 % of the area is outside the fence, and boats will be sent there");
             assertThat(judged.costs())
                     .hasSize(2)
                     .anyMatch(words -> words.contains("in lanes 50 m apart"))
@@ -83,8 +82,10 @@ class JudgedAnswersTest {
             get(session.start("connect-boat-by-address", "one", Map.of()));
             Decision one = decision(session, Question.FillIn.class);
 
-            assertThat(judge(session, one, Map.of("call.server", new TextValue(""))).refusal())
-                    .hasValueSatisfying(words -> assertThat(words).startsWith("The address of the boat's server is empty"));
+            assertThat(judge(session, one, Map.of("call.server", new TextValue("")))
+                            .refusal())
+                    .hasValueSatisfying(
+                            words -> assertThat(words).startsWith("The address of the boat's server is empty"));
         }
     }
 
@@ -94,9 +95,7 @@ class JudgedAnswersTest {
 
     private static Decision decision(Session session, Class<? extends Question> asking) throws Exception {
         Await.until(
-                "it is asked",
-                () -> decisions(session).stream()
-                        .anyMatch(one -> asking.isInstance(one.question())));
+                "it is asked", () -> decisions(session).stream().anyMatch(one -> asking.isInstance(one.question())));
         return decisions(session).stream()
                 .filter(one -> asking.isInstance(one.question()))
                 .findFirst()
@@ -109,7 +108,9 @@ class JudgedAnswersTest {
 
     private static boolean hasPosition(Session session, String boat) {
         return session.fleet()
-                .ask(boats -> boats.find(boat).filter(one -> one.status().pose().isPresent()).isPresent())
+                .ask(boats -> boats.find(boat)
+                        .filter(one -> one.status().pose().isPresent())
+                        .isPresent())
                 .toCompletableFuture()
                 .join();
     }
