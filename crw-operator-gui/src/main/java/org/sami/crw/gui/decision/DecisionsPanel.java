@@ -41,6 +41,7 @@ public final class DecisionsPanel extends JPanel {
     private static final String ONE = "one";
     private static final int LOW = 230;
     private static final double MOST_WAITING = 0.5; // of the panel's height
+    private static final long LONGEST_JUDGING_MS = 3000;
 
     private final DecisionActions actions;
     private final DecisionMap map;
@@ -63,6 +64,7 @@ public final class DecisionsPanel extends JPanel {
     private Optional<DecisionView> current = Optional.empty();
     private boolean underWay;
     private boolean givenOnceJudged;
+    private long pressedMillis;
     private String refusal = "";
 
     DecisionsPanel(
@@ -178,6 +180,7 @@ public final class DecisionsPanel extends JPanel {
         });
         showQueue(other);
         current.ifPresent(view -> view.judged().look());
+        giveAtLast();
         tendPen();
         tellProblem();
         bar.showPosition(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
@@ -265,6 +268,16 @@ public final class DecisionsPanel extends JPanel {
         tendPen();
         if (give && whyNot().isEmpty() && view.judged().judgement().doubts().isEmpty()) {
             give(view.editor().answer().orElseThrow());
+        }
+    }
+
+    /** No answer waits for long because the computer is busy. */
+    private void giveAtLast() {
+        if (givenOnceJudged && actions.nowMillis() - pressedMillis > LONGEST_JUDGING_MS) {
+            givenOnceJudged = false;
+            if (whyNot().isEmpty()) {
+                give(current.orElseThrow().editor().answer().orElseThrow());
+            }
         }
     }
 
@@ -377,6 +390,7 @@ public final class DecisionsPanel extends JPanel {
             give(current.get().editor().answer().orElseThrow());
         } else {
             givenOnceJudged = true;
+            pressedMillis = actions.nowMillis();
             current.get().judged().look();
             tellProblem();
         }
