@@ -6,6 +6,7 @@ import java.sql.Connection;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
+import org.sami.spn.sqlite.SqliteLibrary;
 import org.sqlite.SQLiteConfig;
 import org.sqlite.SQLiteErrorCode;
 import org.sqlite.SQLiteOpenMode;
@@ -83,6 +84,7 @@ final class Database implements AutoCloseable {
     }
 
     private static Connection connect(Path file, SQLiteConfig config) throws JournalException {
+        SqliteLibrary.choose();
         try {
             return config.createConnection("jdbc:sqlite:" + file.toAbsolutePath());
         } catch (SQLException fault) {

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
+import org.sami.spn.sqlite.SqliteLibrary;
 import org.sqlite.ProgressHandler;
 import org.sqlite.SQLiteConfig;
 
@@ -86,6 +87,7 @@ public final class MbTiles implements BaseSource {
         if (!Files.isRegularFile(file)) {
             throw new IOException("There is no map file " + file);
         }
+        SqliteLibrary.choose();
         SQLiteConfig config = new SQLiteConfig();
         config.setReadOnly(true);
         Connection connection = null;
