@@ -11,8 +11,11 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.health.HealthFault;
+import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
+import org.sami.spn.protocol.Priority;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.IdentityMarks;
@@ -52,6 +55,7 @@ final class WindowStart {
         EventThread.later(WindowStart::loadViews);
         SessionOpener opener = new SessionOpener(data, options.boats(), options.project(), options.conditions());
         Optional<Path> unfinished = data.unfinished();
+        data.trouble().ifPresent(trouble -> System.err.println("crw-operator: " + trouble));
         boolean goesOn = unfinished.isPresent()
                 && options.resume().orElseGet(() -> EventThread.get(() -> asksToResume(unfinished.get())));
         Session session = goesOn ? opener.resume(unfinished.get()) : opener.openNew();
@@ -61,6 +65,7 @@ final class WindowStart {
             made.open();
             return made;
         });
+        data.trouble().ifPresent(trouble -> session.models().health().report(damagedFile(trouble, goesOn)));
         session.begin();
         return window;
     }
@@ -81,6 +86,17 @@ final class WindowStart {
             made.open(options.atMillis());
             return made;
         });
+    }
+
+    private static HealthFault damagedFile(String trouble, boolean goesOn) {
+        return HealthFault.of(
+                HealthKind.FILE,
+                "open-session",
+                Priority.LOW,
+                trouble,
+                goesOn
+                        ? "See whether this is the session that was not finished"
+                        : "To go on with an earlier session, close the window and write its journal's name into open-session");
     }
 
     /** Has the classes of the largest views loaded while the session is opened: the window is there sooner. */

@@ -20,10 +20,13 @@ public final class DataDirectory implements AutoCloseable {
 
     private final Path folder;
     private final DirectoryLock lock;
+    private final OpenSession openSession;
+    private Optional<String> trouble = Optional.empty();
 
     private DataDirectory(Path folder, DirectoryLock lock) {
         this.folder = folder;
         this.lock = lock;
+        openSession = new OpenSession(folder, folder.resolve("sessions"));
     }
 
     /**
@@ -81,32 +84,35 @@ public final class DataDirectory implements AutoCloseable {
         for (int i = 2; Files.exists(journal); i++) {
             journal = sessions.resolve(name + "-" + i + ".journal");
         }
-        Files.writeString(open(), journal.getFileName().toString());
+        openSession.write(journal);
         return journal;
     }
 
-    /** The journal of a session that was not finished. */
+    /**
+     * The journal of a session that was not finished. Where the file that names it is damaged, that one is set aside, {@link #trouble} says so, and the newest
+     * journal is taken for it.
+     */
     public Optional<Path> unfinished() throws IOException {
-        if (!Files.exists(open())) {
-            return Optional.empty();
+        OpenSession.Told told = openSession.read();
+        if (!told.trouble().isEmpty()) {
+            trouble = Optional.of(told.trouble());
         }
-        Path journal =
-                folder.resolve("sessions").resolve(Files.readString(open()).strip());
-        return Optional.of(journal).filter(Files::isRegularFile);
+        return told.journal();
+    }
+
+    /** What was wrong with the file that names the unfinished session, when {@link #unfinished} looked; one sentence without a full stop. */
+    public Optional<String> trouble() {
+        return trouble;
     }
 
     /** The session that was open is over: nobody is offered it again. */
     public void finished() throws IOException {
-        Files.deleteIfExists(open());
+        openSession.delete();
     }
 
     /** The directory itself. */
     public Path folder() {
         return folder;
-    }
-
-    private Path open() {
-        return folder.resolve("open-session");
     }
 
     @Override

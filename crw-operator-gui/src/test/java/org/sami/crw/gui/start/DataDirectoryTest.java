@@ -1,5 +1,6 @@
 package org.sami.crw.gui.start;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -41,6 +42,42 @@ class DataDirectoryTest {
         try (DataDirectory data = DataDirectory.open(folder)) {
             assertThat(data.unfinished()).isEmpty();
             assertThat(data.newJournal()).isNotEqualTo(journal);
+        }
+    }
+
+    @Test
+    void aDamagedFileOfTheUnfinishedSessionIsNamedAndSetAsideAndTheNewestJournalIsOffered() throws IOException {
+        byte[][] damages = {
+            {}, {'\n'}, {(byte) 0xC3, (byte) 0x28}, "../window.properties".getBytes(UTF_8), new byte[20], new byte[5000]
+        };
+        for (int i = 0; i < damages.length; i++) {
+            Path own = folder.resolve("data" + i);
+            Path journal;
+            try (DataDirectory data = DataDirectory.open(own)) {
+                journal = Files.createFile(data.newJournal());
+            }
+            Files.write(own.resolve("open-session"), damages[i]);
+
+            try (DataDirectory data = DataDirectory.open(own)) {
+                assertThat(data.unfinished()).as("damage %d", i).contains(journal);
+                assertThat(data.trouble().orElseThrow())
+                        .contains(own.resolve("open-session").toString())
+                        .contains("set aside as open-session.damaged")
+                        .contains(journal.getFileName().toString());
+                assertThat(own.resolve("open-session.damaged")).hasBinaryContent(damages[i]);
+                assertThat(own.resolve("open-session")).doesNotExist();
+            }
+        }
+    }
+
+    @Test
+    void anUnfinishedSessionWhoseJournalIsGoneIsNamed() throws IOException {
+        try (DataDirectory data = DataDirectory.open(folder)) {
+            Path journal = data.newJournal();
+
+            assertThat(data.unfinished()).isEmpty();
+            assertThat(data.trouble().orElseThrow())
+                    .contains("not there", journal.getFileName().toString());
         }
     }
 
