@@ -2,6 +2,7 @@ package org.sami.crw.handler;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.boat.BoatNews;
@@ -57,6 +59,7 @@ import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.handler.subscription.MeasurementHandler;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.proxy.BoatConnector;
+import org.sami.crw.operator.mission.FleetWants;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.listener.BoatListener;
@@ -86,6 +89,7 @@ public final class CrwDomain implements AutoCloseable {
     private final TaskQueues tasks;
     private final Computations computations;
     private final WayQuestions ways;
+    private final ProxyRegistry boats;
 
     private CrwDomain(
             EngineHost host,
@@ -97,6 +101,7 @@ public final class CrwDomain implements AutoCloseable {
             FleetEvents events,
             Optional<ServiceThreads> threads) {
         this.events = events;
+        this.boats = boats;
         NewBoats newBoats = new NewBoats();
         ways = new WayQuestions(
                 boats,
@@ -332,6 +337,17 @@ public final class CrwDomain implements AutoCloseable {
     /** Whether a service computes for a mission now, so that commands or answers are to come; from any thread. */
     public boolean isComputing() {
         return computations.areUnderWay();
+    }
+
+    /** What is under way for missions beside the engine; on the fleet's thread. */
+    public FleetWants wants() {
+        Map<Long, Set<String>> commands = new LinkedHashMap<>();
+        for (BoatProxy boat : boats.all()) {
+            Stream.concat(boat.commands().current().stream(), boat.commands().waiting().stream())
+                    .forEach(command -> commands.computeIfAbsent(command.mission(), id -> new LinkedHashSet<>())
+                            .add(boat.boatId()));
+        }
+        return new FleetWants(commands, computations.missions(), ways.missions());
     }
 
     /** The output events that are handled here, by name. */

@@ -14,6 +14,7 @@ import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot.Details;
 import org.sami.crw.operator.mission.MissionSnapshot.Firing;
 import org.sami.crw.operator.mission.MissionsSnapshot;
+import org.sami.crw.operator.mission.StuckMission;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.FollowedMarking;
 import org.sami.spn.protocol.Ids;
@@ -46,6 +47,7 @@ public final class MissionModel extends Model<MissionsSnapshot> {
         private Optional<Outcome> outcome = Optional.empty();
         private OptionalLong endedAtMillis = OptionalLong.empty();
         private Details details = Details.NONE;
+        private Optional<StuckMission> stuck = Optional.empty();
         private Optional<MissionSnapshot> snapshot = Optional.empty();
 
         Tracked(Effect.MissionStarted start, StartedPlan plan, long startedAtMillis) {
@@ -150,6 +152,7 @@ public final class MissionModel extends Model<MissionsSnapshot> {
             mission.outcome = Optional.of(e.outcome());
             mission.endedAtMillis = OptionalLong.of(atMillis);
             mission.details = Details.NONE;
+            mission.stuck = Optional.empty();
         });
         if (e.outcome() != Outcome.HALTED) {
             ended.add(e.mission());
@@ -165,6 +168,19 @@ public final class MissionModel extends Model<MissionsSnapshot> {
             Details now = mission.outcome.isPresent() ? Details.NONE : told.getOrDefault(id, Details.NONE);
             if (!now.equals(mission.details)) {
                 with(id, changed -> changed.details = now);
+            }
+        });
+    }
+
+    /** These cannot go on by themselves: each, and its root mission. */
+    void stuck(List<StuckMission> all) {
+        Map<Long, StuckMission> byMission = new LinkedHashMap<>();
+        all.forEach(one -> byMission.putIfAbsent(one.mission(), one));
+        all.forEach(one -> byMission.putIfAbsent(one.root(), one));
+        tracked.forEach((id, mission) -> {
+            Optional<StuckMission> now = Optional.ofNullable(byMission.get(id));
+            if (!now.equals(mission.stuck)) {
+                with(id, changed -> changed.stuck = now);
             }
         });
     }
@@ -217,6 +233,7 @@ public final class MissionModel extends Model<MissionsSnapshot> {
                 mission.firings,
                 List.copyOf(mission.lastFirings),
                 mission.variables,
-                mission.details);
+                mission.details,
+                mission.stuck);
     }
 }

@@ -55,6 +55,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final MapModel map;
     private final EngineFeed engine;
     private final FleetFeed boats;
+    private final StuckWatch stuck = new StuckWatch(this);
     private boolean held; // for the owner's thread
 
     /** Models whose clock stands still: for parts that need no ages of boats. */
@@ -220,11 +221,13 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        stuck.take(atMillis, input, effects);
         engine.take(atMillis, input, effects, view, true);
     }
 
     /** As {@link #onStep}, for a step of an earlier process that is heard of again: what the operator did is in the log already. */
     public void onPastStep(long atMillis, Input input, List<Effect> effects, EngineView view) {
+        stuck.take(atMillis, input, effects);
         engine.take(atMillis, input, effects, view, false);
     }
 
@@ -244,6 +247,11 @@ public final class OperatorModels implements HostListener, MessageSink {
      */
     public void refresh(EngineHost host, Vocabulary vocabulary) {
         engine.refresh(host, vocabulary);
+    }
+
+    /** Which missions cannot go on by themselves. For the engine's thread. */
+    public StuckWatch stuck() {
+        return stuck;
     }
 
     // ---- for a replay
@@ -272,6 +280,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** Forgets what happened. What the operator chose to see, and muted, stays. On the engine's thread. */
     void forget(EngineView empty) {
         engine.forget(empty);
+        stuck.forget();
         inbox.post(() -> {
             variables.clear();
             decisions.clear();

@@ -219,6 +219,22 @@ public final class Session implements AutoCloseable {
         throw new RefusedException("the question stays open: the answer names nobody");
     }
 
+    /**
+     * Asks once more of boats and services what failed for a mission that cannot go on ({@link org.sami.crw.operator.mission.StuckMission}). Refused where
+     * nothing has failed that can be asked again.
+     */
+    public CompletionStage<Void> sendAgain(long mission) {
+        return ask(view -> parts.models.stuck().takeAgain(mission)).thenAccept(again -> {
+            if (again.isEmpty()) {
+                throw new RefusedException("nothing has failed in mission " + mission + " that can be sent again");
+            }
+            again.forEach(parts.host::redeliver);
+            parts.models
+                    .log()
+                    .add(OperatorLogEntry.Kind.MISSION, "sent again what failed in mission " + mission, mission, List.of());
+        });
+    }
+
     /** Writes a variable as a mission would; {@link Ids#NONE} writes a global one. */
     public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
         return post(new Input.SetVariable(mission, variable, value));

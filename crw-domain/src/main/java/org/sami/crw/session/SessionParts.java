@@ -20,6 +20,7 @@ import org.sami.crw.handler.CrwDomain;
 import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.health.HealthFault;
+import org.sami.crw.operator.mission.FleetWants;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.session.fault.ThreadGuard;
@@ -37,6 +38,7 @@ final class SessionParts {
 
     private static final long SLOW_MILLIS = 50;
     private static final long LOOK_MS = 1000;
+    private static final long STUCK_MS = 1000;
     private static final int SHOWN_BEFORE_REFRESH = 3;
 
     /** In simulated time ten looks a second would take longer than all else, and nobody watches that closely. */
@@ -75,6 +77,7 @@ final class SessionParts {
     private final Optional<ExecutorService> ownFront;
     private final Optional<ExecutorService> ownFiles;
     private final long showMillis;
+    private final long shownBeforeStuck;
     private final Optional<ExecutorService> forMap;
 
     /** Computes what is only to be drawn. */
@@ -112,6 +115,7 @@ final class SessionParts {
             ownFront = Optional.empty();
             front = one.executor();
         }
+        shownBeforeStuck = loop.isPresent() ? STUCK_MS / OperatorModels.SHOW_MILLIS : 1;
         showMillis = loop.isPresent() ? OperatorModels.SHOW_MILLIS : ONE_THREAD_SHOW_MS;
         long slowMillis = loop.isPresent() ? SLOW_MILLIS : NEVER_SLOW_MILLIS;
         ScheduledHostClock clock = new ScheduledHostClock(scheduler);
@@ -257,6 +261,9 @@ final class SessionParts {
             if (++shown % SHOWN_BEFORE_REFRESH == 0) {
                 models.refresh(host, vocabulary);
             }
+            if (shown % shownBeforeStuck == 0) {
+                lookForStuckMissions();
+            }
         } finally {
             scheduler.after(showMillis, this::keepShowing);
         }
@@ -283,6 +290,17 @@ final class SessionParts {
         if (!listensNoLonger) {
             linkWatch.take(event, scheduler.nowMs());
         }
+    }
+
+    /** After what missions asked before has reached the proxies. */
+    private void lookForStuckMissions() {
+        connector.executor().execute(() -> {
+            FleetWants wants = domain.wants();
+            executor.execute(() -> host.ask(view -> {
+                models.stuck().look(view, wants, scheduler.nowMs());
+                return null;
+            }));
+        });
     }
 
     void whoIsWanted(Consumer<Set<String>> then) {

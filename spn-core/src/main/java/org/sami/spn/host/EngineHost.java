@@ -229,6 +229,18 @@ public final class EngineHost implements AutoCloseable {
         }
     }
 
+    /**
+     * Delivers an open activation to its handler again, as after a crash; one whose visit has ended is not. For an activation whose handler failed.
+     */
+    public void redeliver(long activation) {
+        lock.lock();
+        try {
+            view.activation(activation).ifPresent(open -> handlers.deliver(open, true));
+        } finally {
+            release();
+        }
+    }
+
     /** The session's time. */
     public long nowMillis() {
         return clock.nowMillis();

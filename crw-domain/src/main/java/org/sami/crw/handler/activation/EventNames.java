@@ -47,6 +47,10 @@ public final class EventNames {
     public static final Set<String> OF_COMMANDS =
             Set.of(PATH_COMPLETED, PATH_FAILED, LIST_COMPLETED, BLOCK_DONE, PANORAMA_TAKEN, PANORAMA_FAILED);
 
+    /** The answers by which a plan hears that what it asked has failed. */
+    public static final Set<String> OF_FAILURES =
+            Set.of(PATH_FAILED, PANORAMA_FAILED, MEASUREMENT_FAILED, GAINS_FAILED, MULTIPLIER_FAILED);
+
     private EventNames() {}
 
     /** The event that says that a battery is of a class. */

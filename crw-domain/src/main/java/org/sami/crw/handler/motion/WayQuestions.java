@@ -48,6 +48,9 @@ import org.sami.spn.value.GeoPoint;
  * that goes on does not ask again. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class WayQuestions implements HostListener {
+    /** Begins the reason of a command that failed because the operator did not want it. */
+    public static final String NOT_WANTED = "the operator does not want it";
+
     private static final int NAMED = 3;
 
     private final ProxyRegistry boats;
@@ -212,6 +215,11 @@ public final class WayQuestions implements HostListener {
         });
     }
 
+    /** The missions that wait for an answer to such a question. */
+    public Set<Long> missions() {
+        return held.values().stream().map(one -> one.activation.mission()).collect(Collectors.toSet());
+    }
+
     private static void settle(Held one, boolean yes) {
         if (yes) {
             one.sender.send(
@@ -223,7 +231,7 @@ public final class WayQuestions implements HostListener {
                     one.activation,
                     one.context,
                     doubted.move,
-                    "the operator does not want it: " + doubted.doubt.words()));
+                    NOT_WANTED + ": " + doubted.doubt.words()));
         }
     }
 

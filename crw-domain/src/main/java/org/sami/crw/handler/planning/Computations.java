@@ -3,6 +3,7 @@ package org.sami.crw.handler.planning;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
@@ -13,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.spn.engine.EngineView;
@@ -136,6 +138,11 @@ public final class Computations implements HostListener {
     /** Whether something is being computed for a mission; from any thread. */
     public boolean areUnderWay() {
         return !running.isEmpty();
+    }
+
+    /** The missions for which something is being computed; from any thread. */
+    public Set<Long> missions() {
+        return running.values().stream().map(one -> one.activation.mission()).collect(Collectors.toSet());
     }
 
     /** Gives up all that is being computed: nobody waits for it any longer. */

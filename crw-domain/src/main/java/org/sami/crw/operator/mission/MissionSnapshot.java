@@ -31,6 +31,7 @@ import org.sami.spn.value.Value;
  * @param lastFirings the latest of them, oldest first
  * @param variables the latest values of those that it owns, as far as they were written
  * @param details what only the engine can say, as it was told last
+ * @param stuck why it, or a sub-mission of it, cannot go on by itself; empty where it can
  */
 public record MissionSnapshot(
         long id,
@@ -47,7 +48,8 @@ public record MissionSnapshot(
         long firings,
         List<Firing> lastFirings,
         Map<String, Value> variables,
-        Details details) {
+        Details details,
+        Optional<StuckMission> stuck) {
 
     /**
      * One firing.
@@ -88,6 +90,7 @@ public record MissionSnapshot(
         lastFirings = List.copyOf(lastFirings);
         variables = Collections.unmodifiableMap(new LinkedHashMap<>(variables));
         Objects.requireNonNull(details, "details");
+        Objects.requireNonNull(stuck, "stuck");
     }
 
     /** Whether it is over or was halted. */

@@ -95,6 +95,7 @@ class MissionEndTest {
                 0,
                 List.of(),
                 Map.of(),
-                MissionSnapshot.Details.NONE);
+                MissionSnapshot.Details.NONE,
+                Optional.empty());
     }
 }

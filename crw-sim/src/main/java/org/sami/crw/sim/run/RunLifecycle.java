@@ -43,7 +43,7 @@ public final class RunLifecycle {
         this.parameters = parameters;
         this.session = session;
         recorder = records.recorder();
-        stall = new StallDetector(session, plan, records);
+        stall = new StallDetector(session, records);
     }
 
     /** What the recorder has heard happened in earlier processes: the mission may run already. */

@@ -8,14 +8,16 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.operator.DecisionQueue;
+import org.sami.crw.operator.StuckWatch;
 import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.mission.FleetWants;
+import org.sami.crw.operator.mission.StuckMission;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunRecorder;
 import org.sami.crw.sim.run.record.RunRecords;
-import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 
@@ -40,7 +42,7 @@ final class StallDetector {
 
     private final EngineHost host;
     private final DecisionQueue decisions;
-    private final AwaitedNews news;
+    private final StuckWatch stuck;
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
     private final RunRecorder recorder;
@@ -48,10 +50,10 @@ final class StallDetector {
     private long lastSomewhereMillis;
 
     /** A watch over one run. */
-    StallDetector(Session session, RunPlan plan, RunRecords records) {
+    StallDetector(Session session, RunRecords records) {
         host = session.host();
         decisions = session.models().decisions();
-        news = new AwaitedNews(plan.vocabulary(), plan.project());
+        stuck = session.models().stuck();
         operator = records.operator();
         interrupts = records.interrupts();
         recorder = records.recorder();
@@ -75,10 +77,10 @@ final class StallDetector {
         boolean nobodyMoves =
                 boats.stream().allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < STILL_MPS);
         boolean nobodyIsWanted = boats.stream().noneMatch(boat -> isWanted.test(boat.id()));
-        boolean atOnce = nobodyIsWanted && !interrupts.waitForBatteries() && !host.ask(news::isAwaited);
+        boolean atOnce = nobodyIsWanted && !interrupts.waitForBatteries() && !host.ask(view -> stuck.isNewsAwaited(view, FleetWants.NOTHING));
         boolean nobodyCan = boats.stream().noneMatch(boat -> isWanted.test(boat.id()) && boat.batteryPercent() > 0);
         boolean nobodyGetsOn = nobodyMoves && (nobodyCan || nowMillis - lastSomewhereMillis > STUCK_MILLIS);
-        return atOnce || (nobodyGetsOn && quietMillis > QUIET_MILLIS) ? Optional.of(reason(boats)) : Optional.empty();
+        return atOnce || (nobodyGetsOn && quietMillis > QUIET_MILLIS) ? Optional.of(reason(nowMillis, boats)) : Optional.empty();
     }
 
     /** Notes when a boat that a mission wants, and that can drive, last got somewhere. */
@@ -95,7 +97,7 @@ final class StallDetector {
         }
     }
 
-    private String reason(List<BoatState> boats) {
+    private String reason(long nowMillis, List<BoatState> boats) {
         List<PendingDecision> open = decisions.pending();
         if (!open.isEmpty()) {
             return "nobody answers: "
@@ -106,6 +108,12 @@ final class StallDetector {
                 .filter(boat -> boat.batteryPercent() <= 0)
                 .map(BoatState::id)
                 .collect(Collectors.joining(", "));
-        return "nothing can happen in the mission any longer" + (empty.isEmpty() ? "" : "; empty battery: " + empty);
+        String failed = host.ask(view -> stuck.now(view, FleetWants.NOTHING, nowMillis)).stream()
+                .filter(StuckMission::canBeSentAgain)
+                .map(mission -> "; " + mission.what())
+                .collect(Collectors.joining());
+        return "nothing can happen in the mission any longer"
+                + failed
+                + (empty.isEmpty() ? "" : "; empty battery: " + empty);
     }
 }
