@@ -231,7 +231,11 @@ public final class Session implements AutoCloseable {
             again.forEach(parts.host::redeliver);
             parts.models
                     .log()
-                    .add(OperatorLogEntry.Kind.MISSION, "sent again what failed in mission " + mission, mission, List.of());
+                    .add(
+                            OperatorLogEntry.Kind.MISSION,
+                            "sent again what failed in mission " + mission,
+                            mission,
+                            List.of());
         });
     }
 

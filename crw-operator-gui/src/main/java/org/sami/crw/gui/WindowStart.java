@@ -96,7 +96,8 @@ final class WindowStart {
                 trouble,
                 goesOn
                         ? "See whether this is the session that was not finished"
-                        : "To go on with an earlier session, close the window and write its journal's name into open-session");
+                        : "To go on with an earlier session, close the window and write its journal's name into"
+                                + " open-session");
     }
 
     /** Has the classes of the largest views loaded while the session is opened: the window is there sooner. */

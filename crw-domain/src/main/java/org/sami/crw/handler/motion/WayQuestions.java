@@ -228,10 +228,7 @@ public final class WayQuestions implements HostListener {
                     one.all.stream().map(Doubted::move).toList());
         } else {
             one.all.forEach(doubted -> one.sender.refuse(
-                    one.activation,
-                    one.context,
-                    doubted.move,
-                    NOT_WANTED + ": " + doubted.doubt.words()));
+                    one.activation, one.context, doubted.move, NOT_WANTED + ": " + doubted.doubt.words()));
         }
     }
 

@@ -55,9 +55,7 @@ public final class FailedAnswers {
     }
 
     private void put(long activation, Failure failure) {
-        byActivation
-                .computeIfAbsent(activation, id -> new LinkedHashMap<>())
-                .put(failure.boat(), failure);
+        byActivation.computeIfAbsent(activation, id -> new LinkedHashMap<>()).put(failure.boat(), failure);
     }
 
     /** What has failed of an activation, oldest first; none of it where nothing has. */

@@ -68,7 +68,8 @@ public final class Outlooks {
     /** Whether some mission waits for news that come by themselves: then it can go on though nothing is under way. */
     public boolean isNewsAwaited() {
         return view.missions().stream()
-                .anyMatch(mission -> of(mission).stream().anyMatch(one -> !one.news().isEmpty()));
+                .anyMatch(mission ->
+                        of(mission).stream().anyMatch(one -> !one.news().isEmpty()));
     }
 
     /** The transitions of a mission that have a marked in place, or need none; without those that wait for its abort or completion only. */
@@ -92,7 +93,8 @@ public final class Outlooks {
 
     /** Whether somebody stands in a place, or a visit of nobody goes on there. */
     private boolean isMarked(MissionView mission, String place) {
-        return mission.marking().containsKey(place) || visitors(mission, place).stream().findFirst().isPresent();
+        return mission.marking().containsKey(place)
+                || visitors(mission, place).stream().findFirst().isPresent();
     }
 
     private List<Activation> visitors(MissionView mission, String place) {
@@ -133,8 +135,7 @@ public final class Outlooks {
                 .orElse(Outlook.OTHERS);
     }
 
-    private Outlook outlook(
-            MissionView mission, InputEventSpec input, List<Activation> asked, Set<Activation> dead) {
+    private Outlook outlook(MissionView mission, InputEventSpec input, List<Activation> asked, Set<Activation> dead) {
         Optional<EventType> type = vocabulary.event(input.type());
         EventRole role = type.map(EventType::role).orElse(EventRole.NONE);
         if (isPress(role)) {
@@ -177,7 +178,9 @@ public final class Outlooks {
         Set<String> commanded = wants.boatsOf(mission.id());
         return askers.isEmpty()
                 ? !commanded.isEmpty()
-                : askers.stream().flatMap(one -> standing(mission, one).stream()).anyMatch(commanded::contains);
+                : askers.stream()
+                        .flatMap(one -> standing(mission, one).stream())
+                        .anyMatch(commanded::contains);
     }
 
     /**
@@ -207,7 +210,8 @@ public final class Outlooks {
             }
             if (token instanceof Token.Proxy proxy) {
                 boats.add(proxy.proxy());
-            } else if (token instanceof Token.Task task && activation.allocation().containsKey(task.task())) {
+            } else if (token instanceof Token.Task task
+                    && activation.allocation().containsKey(task.task())) {
                 boats.add(activation.allocation().get(task.task()));
             }
         }
@@ -224,8 +228,8 @@ public final class Outlooks {
         return !transition.inputs().isEmpty()
                 && transition.inputs().stream()
                         .map(input -> vocabulary.event(input.type()).map(EventType::role))
-                        .allMatch(role -> role.filter(one ->
-                                        one == EventRole.ABORT_RECEIVED || one == EventRole.COMPLETE_RECEIVED)
+                        .allMatch(role -> role.filter(
+                                        one -> one == EventRole.ABORT_RECEIVED || one == EventRole.COMPLETE_RECEIVED)
                                 .isPresent());
     }
 }

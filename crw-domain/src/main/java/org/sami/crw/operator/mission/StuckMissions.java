@@ -86,8 +86,8 @@ public final class StuckMissions {
             List<Outlooks.Of> beside = all.stream()
                     .filter(other -> other.places().stream().anyMatch(one.places()::contains))
                     .toList();
-            boolean maybeElsewhere = otherPlacesMove
-                    && beside.stream().anyMatch(other -> other.outlook() == Outlook.OTHERS);
+            boolean maybeElsewhere =
+                    otherPlacesMove && beside.stream().anyMatch(other -> other.outlook() == Outlook.OTHERS);
             if (beside.stream().noneMatch(other -> other.outlook() == Outlook.UNDER_WAY) && !maybeElsewhere) {
                 return Optional.of(failedAt(root, mission, one, beside, nowMillis));
             }
@@ -120,9 +120,14 @@ public final class StuckMissions {
                 .distinct()
                 .map(place -> "'" + place(mission, place) + "'")
                 .collect(Collectors.joining(" and "));
-        List<String> news = beside.stream().flatMap(one -> one.news().stream()).distinct().toList();
+        List<String> news =
+                beside.stream().flatMap(one -> one.news().stream()).distinct().toList();
         String what = (boats.isEmpty() ? "it" : words(boats)) + " cannot go on in " + where
-                + reasons.stream().filter(reason -> !reason.isBlank()).map(": %s"::formatted).findFirst().orElse("")
+                + reasons.stream()
+                        .filter(reason -> !reason.isBlank())
+                        .map(": %s"::formatted)
+                        .findFirst()
+                        .orElse("")
                 + (news.isEmpty() ? "" : "; only " + String.join(" or ", news) + " would lead on");
         List<String> help = new ArrayList<>();
         List<Activation> again =
@@ -168,8 +173,8 @@ public final class StuckMissions {
             boolean waits = mission.status() == MissionStatus.WAITING
                     || view.decisions().stream().anyMatch(decision -> decision.mission() == mission.id())
                     || outlooks.of(mission).stream()
-                            .anyMatch(one -> leadsOn(one) && !isParent(one, mission, tree)
-                                    || one.outlook() == Outlook.PRESS);
+                            .anyMatch(one ->
+                                    (leadsOn(one) && !isParent(one, mission, tree)) || one.outlook() == Outlook.PRESS);
             if (waits) {
                 return Optional.empty();
             }

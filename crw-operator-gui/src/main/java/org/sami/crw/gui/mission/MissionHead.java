@@ -64,11 +64,11 @@ final class MissionHead {
     }
 
     /** Says what the mission does. */
-    void show(String text, boolean ended) {
+    void show(String text, boolean ended, boolean stuck) {
         state.setText(text);
         state.setToolTipText(text);
         state.setFont(Fonts.strong());
-        LookColors.foreground(state, ended ? SemanticColor.MUTED : SemanticColor.OK);
+        LookColors.foreground(state, ended ? SemanticColor.MUTED : stuck ? SemanticColor.WARNING : SemanticColor.OK);
         for (JComponent row : List.of(line, icons)) {
             for (var child : row.getComponents()) {
                 if (child instanceof CommandButton button && button != subMission) {

@@ -94,6 +94,15 @@ public final class MissionMonitor extends JPanel {
                         .withIcon("close")
                         .unless(this::whyNothingProposed));
         context.commands()
+                .add(new Command(
+                                "mission-send-again",
+                                "Send again what failed",
+                                () -> shown().ifPresent(MissionView::sendAgain))
+                        .withKey("ctrl R")
+                        .withIcon("resend")
+                        .unless(() -> shown().map(MissionView::whyNotAgain)
+                                .orElse(Optional.of("show the tab of a running mission first"))));
+        context.commands()
                 .add(new Command("mission-close", "Close the tab of an ended mission", this::closeShown)
                         .withKey("ctrl W")
                         .withIcon("close")
@@ -121,6 +130,7 @@ public final class MissionMonitor extends JPanel {
                         "mission-complete",
                         "mission-end-confirm",
                         "mission-end-leave",
+                        "mission-send-again",
                         "mission-close",
                         "mission-sub-mission")
                 .forEach(id -> context.commands().get(id).refresh());

@@ -15,6 +15,7 @@ import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionEnd;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
+import org.sami.crw.operator.mission.StuckMission;
 import org.sami.crw.operator.mission.Wait;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.Look;
@@ -40,7 +41,9 @@ final class MissionView extends JPanel {
     private final OperatorContext context;
     private final EndingPanel ending;
     private Optional<String> interceptor = Optional.empty();
+    private final StuckBar stuckBar;
     private boolean ended;
+    private boolean stuck;
     private String said = "";
 
     /** A line of a table: what, and what is so. */
@@ -57,6 +60,7 @@ final class MissionView extends JPanel {
                 table("mission-places", "Nothing stands anywhere: the mission is over.", "Place", "Who waits for what");
         variables = table("mission-variables", "The plan has no variable with a value yet.", "Variable", "Value");
         head = new MissionHead(context.commands());
+        stuckBar = new StuckBar(context.commands());
         ending = new EndingPanel(context.commands(), this::end, this::focusFirst, proposed);
         parts.setName("mission-parts");
         parts.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
@@ -73,7 +77,8 @@ final class MissionView extends JPanel {
         parts.addTab("Variables", variables);
         JPanel top = new JPanel(new BorderLayout());
         top.add(head.line(), BorderLayout.NORTH);
-        top.add(ending);
+        top.add(stuckBar);
+        top.add(ending, BorderLayout.SOUTH);
         add(top, BorderLayout.NORTH);
         add(parts);
     }
@@ -157,6 +162,24 @@ final class MissionView extends JPanel {
         return title;
     }
 
+    /** Why what failed cannot be sent again; empty where it can. */
+    Optional<String> whyNotAgain() {
+        return context.models()
+                        .missions()
+                        .snapshot()
+                        .mission(mission)
+                        .flatMap(MissionSnapshot::stuck)
+                        .filter(StuckMission::canBeSentAgain)
+                        .isPresent()
+                ? Optional.empty()
+                : Optional.of("nothing has failed in the mission that is shown");
+    }
+
+    /** Has what failed sent again. */
+    void sendAgain() {
+        context.tell(context.session().sendAgain(mission), "what failed in " + title + " is sent again");
+    }
+
     boolean hasEnded() {
         return ended;
     }
@@ -165,7 +188,7 @@ final class MissionView extends JPanel {
     public void updateUI() {
         super.updateUI();
         if (head != null) {
-            head.show(said, ended);
+            head.show(said, ended, stuck);
         }
     }
 
@@ -187,12 +210,15 @@ final class MissionView extends JPanel {
         if (ended) {
             ending.leave();
         }
+        stuck = !ended && now.stuck().isPresent();
+        stuckBar.show(ended ? Optional.empty() : now.stuck());
         said = now.outcome()
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
                                 + SessionClock.text(now.endedAtMillis().orElse(0)))
-                        .orElse("runs since " + SessionClock.text(now.startedAtMillis()))
+                        .orElse((stuck ? "stuck, runs since " : "runs since ")
+                                + SessionClock.text(now.startedAtMillis()))
                 + ", " + now.firings() + (now.firings() == 1 ? " firing" : " firings");
-        head.show(said, ended);
+        head.show(said, ended, stuck);
         net.show(all);
         places.show(lines(now.details().blocked()));
         List<Line> values = new ArrayList<>();

@@ -86,7 +86,7 @@ final class OpenSession {
     }
 
     private Optional<String> damage(String name) throws IOException {
-        if (Files.size(file) == 0 || Files.size(file) <= MOST_BYTES && name.isEmpty()) {
+        if (Files.size(file) == 0 || (Files.size(file) <= MOST_BYTES && name.isEmpty())) {
             return Optional.of("is empty");
         }
         Path journal;

@@ -29,6 +29,7 @@ public final class WindowMenus {
                 "mission-start",
                 "mission-start-with",
                 "",
+                "mission-send-again",
                 "mission-complete",
                 "mission-abort",
                 "mission-end-confirm",

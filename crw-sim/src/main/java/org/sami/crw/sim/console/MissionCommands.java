@@ -51,6 +51,11 @@ final class MissionCommands {
                         "Completes a mission.",
                         this::complete,
                         words -> words.size() > 1 ? List.of() : context.missions()),
+                ConsoleCommand.of(
+                        "again MISSION",
+                        "Sends again what failed in a mission that is stuck.",
+                        this::again,
+                        words -> words.size() > 1 ? List.of() : context.missions()),
                 ConsoleCommand.of("interrupts", "Lists the interrupts that missions offer.", this::interrupts),
                 ConsoleCommand.of(
                         "press NAME [BOAT ...] [in MISSION]",
@@ -133,6 +138,11 @@ final class MissionCommands {
             String of = mission.parent() == Ids.NONE ? "" : " in mission " + mission.parent();
             out.accept(
                     mission.id() + "  " + mission.plan() + of + "  " + state + ", " + mission.firings() + " firings");
+            mission.stuck()
+                    .filter(stuck -> mission.parent() == Ids.NONE)
+                    .ifPresent(stuck -> out.accept("    stuck since " + Numbers.clock(stuck.sinceMillis()) + ": "
+                            + stuck.what() + ". " + stuck.help()
+                            + (stuck.canBeSentAgain() ? " (again " + mission.id() + ")." : ".")));
             if (!mission.hasEnded()) {
                 mission.marking()
                         .forEach((place, tokens) -> out.accept("    " + place(mission, place) + ": " + words(tokens)));
@@ -195,6 +205,13 @@ final class MissionCommands {
         arguments.end();
         context.await(context.session().complete(mission));
         out.accept("mission " + mission + " is asked to complete");
+    }
+
+    private void again(Arguments arguments, Consumer<String> out) {
+        long mission = arguments.number("mission");
+        arguments.end();
+        context.await(context.session().sendAgain(mission));
+        out.accept("what failed in mission " + mission + " is sent again");
     }
 
     private void interrupts(Arguments arguments, Consumer<String> out) {

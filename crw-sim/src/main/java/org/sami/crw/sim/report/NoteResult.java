@@ -20,6 +20,9 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** A boat was, or was sent, where it may not be. */
     public static final String FENCE = "fence";
 
+    /** A mission could not go on by itself, or went on. */
+    public static final String STUCK = "stuck";
+
     /** What a handler or service told the operator. */
     public static final String DOMAIN_MESSAGE = "domain message";
 

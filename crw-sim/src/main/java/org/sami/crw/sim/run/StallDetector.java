@@ -77,10 +77,14 @@ final class StallDetector {
         boolean nobodyMoves =
                 boats.stream().allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < STILL_MPS);
         boolean nobodyIsWanted = boats.stream().noneMatch(boat -> isWanted.test(boat.id()));
-        boolean atOnce = nobodyIsWanted && !interrupts.waitForBatteries() && !host.ask(view -> stuck.isNewsAwaited(view, FleetWants.NOTHING));
+        boolean atOnce = nobodyIsWanted
+                && !interrupts.waitForBatteries()
+                && !host.ask(view -> stuck.isNewsAwaited(view, FleetWants.NOTHING));
         boolean nobodyCan = boats.stream().noneMatch(boat -> isWanted.test(boat.id()) && boat.batteryPercent() > 0);
         boolean nobodyGetsOn = nobodyMoves && (nobodyCan || nowMillis - lastSomewhereMillis > STUCK_MILLIS);
-        return atOnce || (nobodyGetsOn && quietMillis > QUIET_MILLIS) ? Optional.of(reason(nowMillis, boats)) : Optional.empty();
+        return atOnce || (nobodyGetsOn && quietMillis > QUIET_MILLIS)
+                ? Optional.of(reason(nowMillis, boats))
+                : Optional.empty();
     }
 
     /** Notes when a boat that a mission wants, and that can drive, last got somewhere. */

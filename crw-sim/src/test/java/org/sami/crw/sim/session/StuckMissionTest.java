@@ -28,22 +28,22 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 class StuckMissionTest {
     /** Boats drive to a point; by an interrupt they go back to the start. Nothing is planned for a path that fails. */
     private static final String DRIVE = """
-            {"formatVersion": 1, "id": "p", "name": "P", "domain": "crw", "plans": [{
-              "id": "drive", "name": "Drive there",
-              "places": [{"id": "drive", "name": "Under way", "start": true, "outputs": [{"id": "go", "type": "ProxyGotoPoint",
-                  "fields": {"points": {"value": {"anna": {"lat": 45.404, "lon": 10.9}}}}}]},
-                {"id": "watch", "name": "Watch"},
-                {"id": "end", "end": true}],
-              "transitions": [
-                {"id": "there", "name": "There", "inputs": [{"id": "i2", "type": "ProxyPathCompleted"}]},
-                {"id": "leave", "name": "Leave it", "inputs": [{"id": "i3", "type": "OperatorInterruptReceived", "fields": {"interruptName": "Leave it"}}]}],
-              "inEdges": [
-                {"id": "e2", "place": "drive", "transition": "there", "requirements": [{"match": "all", "kind": "relevant"}]},
-                {"id": "e3", "place": "drive", "transition": "leave", "requirements": [{"match": "at-least", "n": 1, "kind": "any-proxy"}]}],
-              "outEdges": [
-                {"id": "o2", "transition": "there", "place": "end", "requirements": [{"action": "take", "n": "all", "kind": "relevant"}]},
-                {"id": "o3", "transition": "leave", "place": "watch", "requirements": [{"action": "take", "n": "all", "kind": "any-token"}]}]}]}
-            """;
+        {"formatVersion": 1, "id": "p", "name": "P", "domain": "crw", "plans": [{
+          "id": "drive", "name": "Drive there",
+          "places": [{"id": "drive", "name": "Under way", "start": true, "outputs": [{"id": "go", "type": "ProxyGotoPoint",
+              "fields": {"points": {"value": {"anna": {"lat": 45.404, "lon": 10.9}}}}}]},
+            {"id": "watch", "name": "Watch"},
+            {"id": "end", "end": true}],
+          "transitions": [
+            {"id": "there", "name": "There", "inputs": [{"id": "i2", "type": "ProxyPathCompleted"}]},
+            {"id": "leave", "name": "Leave it", "inputs": [{"id": "i3", "type": "OperatorInterruptReceived", "fields": {"interruptName": "Leave it"}}]}],
+          "inEdges": [
+            {"id": "e2", "place": "drive", "transition": "there", "requirements": [{"match": "all", "kind": "relevant"}]},
+            {"id": "e3", "place": "drive", "transition": "leave", "requirements": [{"match": "at-least", "n": 1, "kind": "any-proxy"}]}],
+          "outEdges": [
+            {"id": "o2", "transition": "there", "place": "end", "requirements": [{"action": "take", "n": "all", "kind": "relevant"}]},
+            {"id": "o3", "transition": "leave", "place": "watch", "requirements": [{"action": "take", "n": "all", "kind": "any-token"}]}]}]}
+        """;
 
     @TempDir
     private Path folder;
@@ -66,7 +66,8 @@ class StuckMissionTest {
         for (String boat : boats) {
             BoatOnTcp one = world.boat(boat);
             TestSession.get(session.fleet().connect(TestSession.address(one)));
-            TestSession.until(boat + " has joined", session, view -> view.proxies().contains(boat));
+            TestSession.until(
+                    boat + " has joined", session, view -> view.proxies().contains(boat));
         }
         return session;
     }
@@ -153,9 +154,11 @@ class StuckMissionTest {
         assertThat(mission(session, mission).stuck()).isEmpty();
         TestSession.get(session.press("Leave it", mission, List.of()));
         Await.until("it is stuck", () -> !faults(session).isEmpty());
-        assertThat(faults(session).get(0).fault().text()).startsWith("stuck: nothing is under way, it stands in 'Watch'");
+        assertThat(faults(session).get(0).fault().text())
+                .startsWith("stuck: nothing is under way, it stands in 'Watch'");
         assertThat(faults(session).get(0).fault().advice()).isEqualTo("Complete or abort the mission");
-        assertThatThrownBy(() -> TestSession.get(session.sendAgain(mission))).hasMessageContaining("nothing has failed");
+        assertThatThrownBy(() -> TestSession.get(session.sendAgain(mission)))
+                .hasMessageContaining("nothing has failed");
 
         TestSession.get(session.abort(mission));
         Await.until("its fault is over", () -> faults(session).isEmpty());

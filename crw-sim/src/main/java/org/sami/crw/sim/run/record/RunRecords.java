@@ -48,6 +48,7 @@ public final class RunRecords {
     private final LocationListener locations;
     private final PlanMap map;
     private final FenceNotes fences;
+    private final StuckNotes stuck;
     private final AnnouncedDepth announced = new AnnouncedDepth();
     private final PhaseRecorder phases;
 
@@ -76,6 +77,7 @@ public final class RunRecords {
         map = new PlanMap(plane);
         phases = new PhaseRecorder(plan.vocabulary());
         fences = new FenceNotes(session.models());
+        stuck = new StuckNotes(session.models(), session.scheduler()::nowMs);
         session.addListener((SessionListener) readings);
         session.subscribe(Runnable::run, announced);
         if (!settings.isConnected()) { // else the run's monitor hears it, on the engine's thread
@@ -217,6 +219,7 @@ public final class RunRecords {
                 .ifPresent(told::add);
         told.addAll(tracks.notes(atMillis));
         told.addAll(fences.all());
+        told.addAll(stuck.all());
         return told;
     }
 }
