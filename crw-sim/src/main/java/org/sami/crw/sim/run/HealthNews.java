@@ -14,12 +14,13 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.spn.host.Registration;
 
 /**
- * Tells the faults of the session itself, of its engine, journal, disk, memory and threads, as they begin, become worse and are over. Those of boats and
- * missions are told elsewhere. Told on the models' thread.
+ * Tells the faults of the session itself, of its engine, journal, disk, memory and threads, and of missions that cannot go on, as they begin, become worse
+ * and are over. Those of boats are told elsewhere. Told on the models' thread.
  */
 public final class HealthNews implements AutoCloseable {
-    private static final Set<HealthKind> OF_SESSION =
-            EnumSet.of(HealthKind.ENGINE, HealthKind.JOURNAL, HealthKind.DISK, HealthKind.MEMORY, HealthKind.THREAD);
+    private static final Set<HealthKind> TOLD =
+            EnumSet.of(
+            HealthKind.ENGINE, HealthKind.JOURNAL, HealthKind.DISK, HealthKind.MEMORY, HealthKind.THREAD, HealthKind.MISSION);
 
     private final Consumer<String> out;
     private final Map<Long, HealthEntry> told = new HashMap<>(); // by number
@@ -34,12 +35,12 @@ public final class HealthNews implements AutoCloseable {
     private void show(Health health) {
         Set<Long> now = new HashSet<>();
         for (HealthEntry entry : health.entries()) {
-            if (OF_SESSION.contains(entry.fault().kind())) {
+            if (TOLD.contains(entry.fault().kind())) {
                 now.add(entry.number());
                 HealthEntry before = told.get(entry.number());
                 if (before == null || before.severity().compareTo(entry.severity()) < 0) {
                     told.put(entry.number(), entry);
-                    out.accept("FAULT: " + entry.fault().text());
+                    out.accept("FAULT: " + words(entry));
                     out.accept("    " + entry.fault().advice());
                 }
             }
@@ -47,10 +48,15 @@ public final class HealthNews implements AutoCloseable {
         told.values().removeIf(entry -> {
             boolean over = !now.contains(entry.number());
             if (over) {
-                out.accept("over: " + entry.fault().text());
+                out.accept("over: " + words(entry));
             }
             return over;
         });
+    }
+
+    private static String words(HealthEntry entry) {
+        boolean ofMission = entry.fault().kind() == HealthKind.MISSION;
+        return (ofMission ? entry.fault().subject() + " is " : "") + entry.fault().text();
     }
 
     @Override
