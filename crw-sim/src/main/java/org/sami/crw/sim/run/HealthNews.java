@@ -18,9 +18,13 @@ import org.sami.spn.host.Registration;
  * and are over. Those of boats are told elsewhere. Told on the models' thread.
  */
 public final class HealthNews implements AutoCloseable {
-    private static final Set<HealthKind> TOLD =
-            EnumSet.of(
-            HealthKind.ENGINE, HealthKind.JOURNAL, HealthKind.DISK, HealthKind.MEMORY, HealthKind.THREAD, HealthKind.MISSION);
+    private static final Set<HealthKind> TOLD = EnumSet.of(
+            HealthKind.ENGINE,
+            HealthKind.JOURNAL,
+            HealthKind.DISK,
+            HealthKind.MEMORY,
+            HealthKind.THREAD,
+            HealthKind.MISSION);
 
     private final Consumer<String> out;
     private final Map<Long, HealthEntry> told = new HashMap<>(); // by number
@@ -56,7 +60,8 @@ public final class HealthNews implements AutoCloseable {
 
     private static String words(HealthEntry entry) {
         boolean ofMission = entry.fault().kind() == HealthKind.MISSION;
-        return (ofMission ? entry.fault().subject() + " is " : "") + entry.fault().text();
+        return (ofMission ? entry.fault().subject() + " is " : "")
+                + entry.fault().text();
     }
 
     @Override
