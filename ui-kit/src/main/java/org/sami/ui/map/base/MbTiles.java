@@ -14,9 +14,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.spn.sqlite.SqliteLibrary;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
-import org.sami.spn.sqlite.SqliteLibrary;
 import org.sqlite.ProgressHandler;
 import org.sqlite.SQLiteConfig;
 
