@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.BiConsumer;
 import java.util.function.LongSupplier;
+import org.sami.boat.link.BoatMode;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
@@ -16,6 +17,7 @@ import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 
 /**
  * Takes snapshots of boats: one after what happened to a boat, at most one of each in a period; the last change is caught by
@@ -124,7 +126,15 @@ final class FleetSampler {
                 current.map(CommandQueueSnapshot.Entry::points).orElse(0),
                 why,
                 boat.drift(),
+                stop(boat),
                 boat.wayHome());
+    }
+
+    /** A stop that is on its way to the boat is none yet. */
+    private static StopLatch stop(BoatProxy boat) {
+        boolean confirmed =
+                boat.status().mode().filter(BoatMode.FLEET_STOP::equals).isPresent();
+        return confirmed ? boat.stop() : StopLatch.NONE;
     }
 
     private static OptionalLong heard(BoatProxy boat, Seen known, long now) {

@@ -22,6 +22,8 @@ import org.sami.spn.protocol.Ids;
 public final class HealthModel extends Model<Health> {
     private static final Comparator<HealthEntry> ORDER = Comparator.comparing(HealthEntry::severity)
             .reversed()
+            .thenComparing(entry ->
+                    entry.fault().kind() != HealthKind.FLEET_STOP) // that nobody moves comes before all of its severity
             .thenComparingLong(HealthEntry::sinceMillis)
             .thenComparingLong(HealthEntry::number);
 

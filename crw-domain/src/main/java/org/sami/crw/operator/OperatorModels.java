@@ -41,6 +41,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final MissionModel missions = new MissionModel();
     private final FleetModel fleet;
     private final UnreachedModel unreached;
+    private final FleetStopModel fleetStop;
     private final CommandModel commands = new CommandModel();
     private final InterruptModel interrupts = new InterruptModel();
     private final OperatorLog log;
@@ -85,6 +86,8 @@ public final class OperatorModels implements HostListener, MessageSink {
         alarms = new AlarmModel(inbox::post, commands, log, missions::title);
         health = new HealthModel(inbox::post, nowMillis);
         unreached = new UnreachedModel(inbox::post);
+        fleetStop = new FleetStopModel(inbox::post, nowMillis);
+        fleetStop.addListener(state -> FleetStopModel.report(state, health));
         alarms.addListener(health::alarms);
         map = new MapModel(inbox::post, commands, variables, missions::words, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
@@ -93,12 +96,14 @@ public final class OperatorModels implements HostListener, MessageSink {
                 alarms.seen(boat, nowMillis.getAsLong());
                 communication.seen(boat);
                 map.seen(boat);
+                fleetStop.seen(boat);
             }
 
             @Override
             public void gone(String boat) {
                 communication.gone(boat);
                 map.gone(boat);
+                fleetStop.gone(boat);
             }
         });
         engine = new EngineFeed(this, inbox, nowMillis, logged, variables);
@@ -125,6 +130,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                         missions,
                         fleet,
                         unreached,
+                        fleetStop,
                         commands,
                         interrupts,
                         alarms,
@@ -170,6 +176,11 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** Addresses at which no boat has answered. */
     public UnreachedModel unreached() {
         return unreached;
+    }
+
+    /** Who is stopped until somebody releases it. */
+    public FleetStopModel fleetStop() {
+        return fleetStop;
     }
 
     /** What missions have boats do. */
@@ -288,6 +299,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             missions.clear();
             fleet.clear();
             unreached.clear();
+            fleetStop.clear();
             commands.clear();
             interrupts.show(List.of());
             alarms.clear();

@@ -41,6 +41,9 @@ final class BoatCondition {
     /** Whether a fleet stop was sent to the boat or is latched on it. */
     boolean fleetStopped;
 
+    /** Whether it was sent from here, since this base started. */
+    boolean stoppedFromHere;
+
     /** Why the boat refused the link last; empty if it did not. */
     String refusal = "";
 
@@ -86,7 +89,10 @@ final class BoatCondition {
         } else if (!link.isCommanding()) {
             return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
         } else if (fleetStopped) {
-            return Obstacle.because(Cause.FLEET_STOPPED, "the fleet stop is latched");
+            return Obstacle.because(
+                    Cause.FLEET_STOPPED,
+                    "the fleet stop is latched"
+                            + (stoppedFromHere ? "" : " by another base or an earlier start of this one"));
         } else if (takenOver) {
             return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
         } else if (unconfirmedRestart) {

@@ -21,6 +21,7 @@ import org.sami.crw.proxy.queue.QueuedCommand;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.Drift;
+import org.sami.spn.protocol.Ids;
 
 /** Answers "why is this boat not moving?" from its proxy's link and queue. */
 final class BoatExplainer {
@@ -172,7 +173,7 @@ final class BoatExplainer {
     }
 
     private static String visited(QueuedCommand queued) {
-        return queued.command() instanceof FollowPath path
+        return queued.command() instanceof FollowPath path && path.mission() != Ids.NONE
                 ? ", " + queued.visited() + " of " + path.points().size() + " points visited"
                 : "";
     }

@@ -177,6 +177,7 @@ final class BoatMessages {
             return;
         }
         condition.fleetStopped &= fleetRequests.areWaiting();
+        condition.stoppedFromHere &= condition.fleetStopped;
         if (driver.isDriving() && telemetry.mode() == BoatMode.PATH) {
             driver.at(pose.position(), canMove(telemetry), condition.nowMs);
         } else if (driver.isDriving() && !condition.awaitingProgress) {

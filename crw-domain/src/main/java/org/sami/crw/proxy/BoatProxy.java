@@ -25,6 +25,7 @@ import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
@@ -347,6 +348,7 @@ public final class BoatProxy {
     /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
     public void fleetStop() {
         condition.fleetStopped = true;
+        condition.stoppedFromHere = true;
         driver.abandon(BoatMessages.FLEET_STOP);
         fleetRequests.clear();
         fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), condition.nowMs);
@@ -356,6 +358,14 @@ public final class BoatProxy {
     public void fleetRelease() {
         fleetRequests.clear();
         fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), condition.nowMs);
+    }
+
+    /** Whether the boat's motors are stopped until somebody releases them. */
+    public StopLatch stop() {
+        if (!condition.fleetStopped) {
+            return StopLatch.NONE;
+        }
+        return condition.stoppedFromHere ? StopLatch.HERE : StopLatch.ELSEWHERE;
     }
 
     /** Whether the boat has still to acknowledge a fleet stop or the release of one. */

@@ -12,6 +12,7 @@ import java.util.function.Function;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.operator.FleetStopModel;
 import org.sami.crw.operator.OperatorLog;
 import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatConnector;
@@ -36,6 +37,7 @@ public final class Fleet {
     private final Replies replies;
     private final SettingReplies settings;
     private final FleetHistory history;
+    private final FleetStopModel stop;
     private final OperatorLog log;
     private final MissionTitles titles;
     private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
@@ -49,6 +51,7 @@ public final class Fleet {
             SettingReplies settings,
             FleetHistory history,
             Optional<RememberedBoats> remembered,
+            FleetStopModel stop,
             OperatorLog log,
             MissionTitles titles,
             Runnable beforeTheFirst) {
@@ -57,6 +60,7 @@ public final class Fleet {
         this.settings = settings;
         this.history = history;
         this.remembered = remembered;
+        this.stop = stop;
         this.log = log;
         this.titles = titles;
         this.beforeTheFirst = beforeTheFirst;
@@ -363,6 +367,7 @@ public final class Fleet {
     public CompletionStage<List<String>> stopAll() {
         return onFleet(boats -> {
             stopped = true;
+            stop.told(true);
             boats.fleetStop();
             log.add(Kind.FLEET_STOP, "stopped the fleet", Ids.NONE, boats.boatIds());
             return boats.boatIds();
@@ -373,6 +378,7 @@ public final class Fleet {
     public CompletionStage<List<String>> releaseAll() {
         return onFleet(boats -> {
             stopped = false;
+            stop.told(false);
             boats.fleetRelease();
             log.add(Kind.FLEET_STOP, "released the fleet", Ids.NONE, boats.boatIds());
             return boats.boatIds();

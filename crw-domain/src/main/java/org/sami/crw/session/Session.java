@@ -82,6 +82,7 @@ public final class Session implements AutoCloseable {
                 parts.settings,
                 parts.history,
                 parts.remembered,
+                parts.models.fleetStop(),
                 parts.models.log(),
                 parts.models.missions()::title,
                 this::noteBegin);

@@ -16,6 +16,7 @@ final class ChoiceRowView extends JPanel {
 
     private final ChoiceRow row;
     private final JToggleButton button;
+    private final JLabel detail;
 
     ChoiceRowView(ValueField field, ChoiceRow row, int index, boolean single, Runnable chosen) {
         super(new MigLayout("novisualpadding, insets 2 4 2 4, gap 4 0, hidemode 3", "[][][grow 1]", "push[]0[]push"));
@@ -25,7 +26,6 @@ final class ChoiceRowView extends JPanel {
         setName(field.componentName("row-" + (index + 1)));
         button.setName(field.componentName("option-" + (index + 1)));
         button.setOpaque(false);
-        button.getAccessibleContext().setAccessibleDescription(row.detail());
         button.addActionListener(event -> chosen.run());
         if (index < NUMBERED) {
             button.setToolTipText("Choose with the key " + (index + 1));
@@ -35,11 +35,10 @@ final class ChoiceRowView extends JPanel {
         chip.setVisible(row.mark().isPresent());
         add(chip);
         add(button, "growx, spanx, wrap");
-        if (!row.detail().isEmpty()) {
-            JLabel detail = new NoteLabel(row.detail());
-            detail.setName(field.componentName("detail-" + (index + 1)));
-            add(detail, "skip 1, growx, spanx, gapleft 22, gaptop 0, gapbottom 2");
-        }
+        detail = new NoteLabel("");
+        detail.setName(field.componentName("detail-" + (index + 1)));
+        add(detail, "skip 1, growx, spanx, gapleft 22, gaptop 0, gapbottom 2");
+        showDetail(row.detail());
         addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent event) {
@@ -49,6 +48,15 @@ final class ChoiceRowView extends JPanel {
                 }
             }
         });
+    }
+
+    /** Says this beside its name from now on. */
+    final void showDetail(String text) {
+        if (!text.equals(detail.getText())) {
+            detail.setText(text);
+            button.getAccessibleContext().setAccessibleDescription(text);
+        }
+        detail.setVisible(!text.isEmpty());
     }
 
     ChoiceRow row() {

@@ -167,6 +167,11 @@ final class ListChooser extends ValueChooser {
     }
 
     @Override
+    void showDetail(int option, String detail) {
+        rows.get(option).showDetail(detail);
+    }
+
+    @Override
     public JComponent component() {
         return panel;
     }

@@ -242,6 +242,26 @@ public final class QuestionEditor {
                 .flatMap(ValueEditor::sketch);
     }
 
+    /**
+     * Says of the robots that are offered what is known of them now. What the question itself says of one stays.
+     *
+     * @param robots those that are known
+     */
+    public void showNow(List<ChoiceRow> robots) {
+        if (question instanceof Question.ChooseProxies && single.orElseThrow() instanceof ValueChooser chooser) {
+            for (int i = 0; i < offered.size(); i++) {
+                ChoiceRow row = offered.get(i).row();
+                int option = i;
+                if (row.detail().isEmpty()) {
+                    robots.stream()
+                            .filter(robot -> robot.value().equals(row.value()))
+                            .findFirst()
+                            .ifPresent(robot -> chooser.showDetail(option, robot.detail()));
+                }
+            }
+        }
+    }
+
     /** Adds somebody who is told after each change. */
     public void addListener(Runnable listener) {
         single.ifPresentOrElse(editor -> editor.addListener(listener), () -> fields.addListener(listener));

@@ -13,6 +13,7 @@ import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -29,6 +30,7 @@ import org.sami.spn.value.GeoPoint;
  * @param points points of that path; 0 for a command that has none
  * @param why why it moves or does not
  * @param drift how it is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard
+ * @param stop whether it is stopped until somebody releases it
  * @param wayHome from where it was seen last to its home, with the turns between, where it is expected to come home by itself; else empty
  */
 public record BoatSnapshot(
@@ -45,6 +47,7 @@ public record BoatSnapshot(
         int points,
         BoatExplanation why,
         Optional<Drift> drift,
+        StopLatch stop,
         List<GeoPoint> wayHome) {
 
     /** Who commands a boat. */
@@ -59,7 +62,7 @@ public record BoatSnapshot(
         UNKNOWN
     }
 
-    /** A boat that is not known to drift. */
+    /** A boat that neither drifts nor is stopped. */
     public BoatSnapshot(
             String boat,
             LinkState link,
@@ -88,6 +91,7 @@ public record BoatSnapshot(
                 points,
                 why,
                 Optional.empty(),
+                StopLatch.NONE,
                 wayHome);
     }
 
@@ -120,6 +124,7 @@ public record BoatSnapshot(
         Objects.requireNonNull(command, "command");
         Objects.requireNonNull(why, "why");
         Objects.requireNonNull(drift, "drift");
+        Objects.requireNonNull(stop, "stop");
         wayHome = List.copyOf(wayHome);
     }
 

@@ -4,6 +4,7 @@ import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.proxy.command.Panorama;
+import org.sami.spn.protocol.Ids;
 
 /**
  * How explanations speak of a command: what a boat does with it, and for whom.
@@ -25,8 +26,26 @@ public record ExplainedCommand(String does, String infinitive, String doing, Str
             "has taken its pictures all round");
     private static final ExplainedCommand STOP = new ExplainedCommand("stops", "stop", "stopping", "has stopped");
 
-    /** That of a command. */
+    /** An operator sent the boat to a point by hand. */
+    public static final ExplainedCommand SENT = new ExplainedCommand(
+            "goes where the operator sent it",
+            "go where the operator sent it",
+            "going where the operator sent it",
+            "has arrived where the operator sent it");
+    /** An operator has the boat hold its place by hand. */
+    public static final ExplainedCommand HELD = new ExplainedCommand(
+            "holds its place for the operator",
+            "hold its place for the operator",
+            "holding its place for the operator",
+            "has held its place for the operator");
+
+    /** That of a command. What an operator wants of a boat by hand is for no mission, and is called the same wherever it is told. */
     public static ExplainedCommand of(BoatCommand command, MissionTitles titles) {
+        if (command.mission() == Ids.NONE && command instanceof FollowPath) {
+            return SENT;
+        } else if (command.mission() == Ids.NONE && command instanceof KeepStation) {
+            return HELD;
+        }
         String whose = " for " + titles.words(command.mission());
         ExplainedCommand words = words(command);
         return new ExplainedCommand(

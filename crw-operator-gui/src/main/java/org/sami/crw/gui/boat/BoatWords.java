@@ -3,6 +3,7 @@ package org.sami.crw.gui.boat;
 import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
+import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.ui.look.SemanticColor;
@@ -23,8 +24,8 @@ public final class BoatWords {
             return 3;
         }
         return switch (boat.why().cause()) {
-            case STARTED_ANEW, REFUSES, BATTERY_EMPTY, NO_PROGRESS -> 3;
-            case FAILED, FLEET_STOPPED, COMMANDED_ELSEWHERE, NEVER_ANSWERED, LINK_LOST -> 2;
+            case STARTED_ANEW, REFUSES, BATTERY_EMPTY, NO_PROGRESS, FLEET_STOPPED -> 3;
+            case FAILED, COMMANDED_ELSEWHERE, NEVER_ANSWERED, LINK_LOST -> 2;
             default -> boat.battery().map(b -> b.level() == BatteryLevel.LOW).orElse(false) ? 1 : 0;
         };
     }
@@ -92,9 +93,8 @@ public final class BoatWords {
         if (heardAtMillis.isEmpty()) {
             return "connecting";
         }
-        String seconds =
-                String.format(Locale.ROOT, "%.1f s", Math.max(0, nowMillis - heardAtMillis.getAsLong()) / 1000.0);
-        return link == LinkState.LOST ? "lost " + seconds : seconds;
+        String age = Age.words(nowMillis - heardAtMillis.getAsLong());
+        return link == LinkState.LOST ? "lost " + age : age;
     }
 
     /** Whether what is known of it is old. */

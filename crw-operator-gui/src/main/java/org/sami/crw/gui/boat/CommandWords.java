@@ -6,8 +6,10 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.proxy.command.Stop;
+import org.sami.crw.proxy.explanation.ExplainedCommand;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot.Entry;
+import org.sami.spn.protocol.Ids;
 
 /** What panels say of a boat's commands. */
 public final class CommandWords {
@@ -15,7 +17,9 @@ public final class CommandWords {
 
     /** What is to be done, such as {@code follow a path of 9}. */
     public static String what(BoatCommand command) {
-        if (command instanceof FollowPath path) {
+        if (command.mission() == Ids.NONE && !(command instanceof Stop)) {
+            return ExplainedCommand.of(command, MissionTitles.NONE).infinitive();
+        } else if (command instanceof FollowPath path) {
             int points = path.points().size();
             return points == 1 ? "go to a point" : "follow a path of " + points + " points";
         } else if (command instanceof KeepStation) {
@@ -36,7 +40,7 @@ public final class CommandWords {
     /** What is to be done, for whom, how urgent it is, and whether the mission keeps the boat afterwards. */
     static String full(Entry entry, MissionTitles titles) {
         BoatCommand command = entry.command();
-        return what(command) + ", " + titles.words(command.mission()) + ", "
+        return what(command) + (command.mission() == Ids.NONE ? "" : ", " + titles.words(command.mission())) + ", "
                 + command.priority().name().toLowerCase(Locale.ROOT)
                 + (command.block() ? ", keeps the boat" : "");
     }

@@ -178,6 +178,7 @@ public final class DecisionsPanel extends JPanel {
             header.show(one, actions.nowMillis());
             frame.show(one.attention());
         });
+        current.ifPresent(view -> editors.showNow(view.editor()));
         showQueue(other);
         current.ifPresent(view -> view.judged().look());
         giveAtLast();

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.explanation.ExplainedCommand;
 import org.sami.crw.session.ByHand;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.WayByHand;
@@ -31,18 +32,34 @@ final class GuidedMode {
 
     /** Has the selected boats go to a point, each in a way of its own around what is to be avoided; those that cannot come there stay. */
     void goTo(GeoPoint point) {
-        each(boat -> byHand().goTo(boat, point).thenApply(way -> boat + words(way)));
+        each(boat -> byHand().goTo(boat, point)
+                .thenApply(way -> does(boat, ExplainedCommand.SENT) + words(way) + before(boat)));
     }
 
     private static String words(WayByHand way) {
-        String length = String.format(Locale.ROOT, " goes there, %.0f m", way.lengthM());
+        String length = String.format(Locale.ROOT, ", %.0f m", way.lengthM());
         String around = way.turns() ? " around what is to be avoided" : "";
         return length + around + (way.doubts().isEmpty() ? "" : "; see the message about its way");
     }
 
     /** Has the selected boats stay where they are, until they are given back. */
     void hold() {
-        each(boat -> byHand().hold(boat).thenApply(held -> boat + " holds its place until it is given back"));
+        each(boat -> byHand().hold(boat)
+                .thenApply(held -> does(boat, ExplainedCommand.HELD) + " until it is given back" + before(boat)));
+    }
+
+    private boolean isStopped(String boat) {
+        return context.models().fleetStop().snapshot().stops(boat);
+    }
+
+    /** The same words as in lists and explanations. */
+    private String does(String boat, ExplainedCommand command) {
+        return boat + (isStopped(boat) ? " is to " + command.infinitive() : " " + command.does());
+    }
+
+    /** What is said besides of a boat that is stopped: it has what it is to do, and does not move. */
+    private String before(String boat) {
+        return isStopped(boat) ? "; it is stopped, and nothing moves before the release" : "";
     }
 
     /** Takes back what the operator wanted of the selected boats: they go on with what missions want. */
@@ -102,7 +119,15 @@ final class GuidedMode {
                                 "; ",
                                 missions.stream().map(context.titles()::words).toList())
                         + (missions.size() == 1 ? " wants" : " want") + " of " + they(boats) + " waits meanwhile";
-        return String.join(", ", boats) + ": " + waits;
+        return String.join(", ", boats) + ": " + stopped(boats) + waits;
+    }
+
+    private String stopped(List<String> boats) {
+        List<String> stopped = boats.stream().filter(this::isStopped).toList();
+        return stopped.isEmpty()
+                ? ""
+                : (stopped.equals(boats) ? "stopped" : String.join(", ", stopped) + " stopped")
+                        + "; nothing moves before the release; ";
     }
 
     private static String they(List<String> boats) {

@@ -86,6 +86,9 @@ public final class MapPanel extends JPanel {
         top.add(tools);
         top.add(consequence, BorderLayout.SOUTH);
         add(top, BorderLayout.NORTH);
+        view.setBorder(
+                new FleetStopFrame(() -> context.models().fleetStop().snapshot().isOfFleet()));
+        context.models().fleetStop().addListener(state -> view.repaint());
         add(view);
         view.addMapListener(new MapListener() {
             @Override

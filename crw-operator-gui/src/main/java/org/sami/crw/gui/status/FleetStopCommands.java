@@ -3,9 +3,7 @@ package org.sami.crw.gui.status;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
 import javax.swing.Timer;
-import org.sami.boat.link.BoatMode;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.ui.command.Command;
 
 /**
@@ -64,11 +62,12 @@ public final class FleetStopCommands {
 
     /** Whether the fleet was stopped from here, or a boat says that it is. */
     boolean isStopped() {
-        return pressed || context.models().fleet().snapshot().stream().anyMatch(FleetStopCommands::isStopped);
+        return pressed || context.models().fleetStop().snapshot().isLatched();
     }
 
-    private static boolean isStopped(BoatSnapshot boat) {
-        return boat.mode().map(mode -> mode == BoatMode.FLEET_STOP).orElse(false);
+    /** Whether that is the state of the whole fleet, and not of single boats. */
+    boolean isOfFleet() {
+        return pressed || context.models().fleetStop().snapshot().isOfFleet();
     }
 
     boolean isReleasing() {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
+import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -15,6 +16,8 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.Alarm;
+import org.sami.crw.operator.alarm.AlarmCount;
+import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetCount;
 import org.sami.spn.protocol.Ids;
@@ -49,6 +52,8 @@ public final class StatusStrip extends JPanel {
     private final JButton unseen = new JButton();
     private final transient Supplier<Optional<String>> decisionUnseen;
     private final String keyOfDecisions;
+    private final String keyOfAlarms;
+    private boolean red;
     private boolean narrow;
     private final CommandButton stop;
     private final CommandButton release;
@@ -78,7 +83,7 @@ public final class StatusStrip extends JPanel {
         alarms.setFocusable(false);
         alarms.setName("alarms-count");
         alarms.addActionListener(showAlarms);
-        alarms.setToolTipText("Show the alarms (" + showAlarms.keyText() + ")");
+        keyOfAlarms = showAlarms.keyText();
         unseen.setFocusable(false);
         unseen.setName("decision-unseen");
         unseen.addActionListener(showDecisions);
@@ -130,24 +135,41 @@ public final class StatusStrip extends JPanel {
     }
 
     private void style() {
-        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.background(this, red ? SemanticColor.CRITICAL_FILL : SemanticColor.SURFACE);
         LookColors.border(this, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
-        missions.setIcon(Icons.small("net"));
-        decisions.setIcon(Icons.small("decision"));
-        boats.setIcon(Icons.small("boat"));
+        missions.setIcon(icon("net"));
+        decisions.setIcon(icon("decision"));
+        boats.setIcon(icon("boat"));
+        ink(missions, SemanticColor.TEXT);
+        ink(clock, SemanticColor.TEXT);
         alarms.setFont(Fonts.strong());
         unseen.setFont(Fonts.strong());
         LookColors.foreground(unseen, SemanticColor.ON_WARNING);
         LookColors.background(unseen, SemanticColor.WARNING_FILL);
-        LookColors.background(stop, SemanticColor.CRITICAL_FILL);
-        LookColors.foreground(stop, SemanticColor.ON_CRITICAL);
-        stop.setIcon(Icons.of("stop", 20, SemanticColor.ON_CRITICAL));
+        SemanticColor onStop =
+                red ? SemanticColor.CRITICAL_FILL : SemanticColor.ON_CRITICAL; // it stands out on a strip that is red
+        LookColors.background(stop, red ? SemanticColor.ON_CRITICAL : SemanticColor.CRITICAL_FILL);
+        LookColors.foreground(stop, onStop);
+        stop.setIcon(Icons.of("stop", 20, onStop));
         stop.setFont(Fonts.heading());
+    }
+
+    private Icon icon(String name) {
+        return Icons.of(name, 16, red ? SemanticColor.ON_CRITICAL : SemanticColor.TEXT);
+    }
+
+    /** All of the strip is red while the fleet is stopped: its words have the colour that can be read on that. */
+    private void ink(JLabel label, SemanticColor usual) {
+        LookColors.foreground(label, red ? SemanticColor.ON_CRITICAL : usual);
     }
 
     /** Shows what is so now; to be called a few times a second. */
     public void refresh() {
+        if (red != fleetStop.isOfFleet()) {
+            red = fleetStop.isOfFleet();
+            style();
+        }
         long running = context.models().missions().snapshot().running().stream()
                 .filter(mission -> mission.parent() == Ids.NONE)
                 .count();
@@ -161,11 +183,11 @@ public final class StatusStrip extends JPanel {
                 waiting == 0 ? "nothing waits" : count(waiting, "decision"),
                 narrow ? String.valueOf(waiting) : "");
         showUnseen();
-        LookColors.foreground(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
+        ink(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
         FleetCount count = FleetCount.of(fleet, context.models().unreached().snapshot());
         say(boats, count.words(), narrow ? count.linked() + " / " + count.all() : "");
-        LookColors.foreground(boats, count.linked() < count.all() ? SemanticColor.WARNING : SemanticColor.TEXT);
+        ink(boats, count.linked() < count.all() ? SemanticColor.WARNING : SemanticColor.TEXT);
         showLinks(fleet, count);
         clock.setFont(narrow ? Fonts.strong() : Fonts.heading());
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
@@ -187,13 +209,18 @@ public final class StatusStrip extends JPanel {
                 .mapToLong(boat -> boat.linkAgeMillis(context.nowMillis()).orElse(0))
                 .max()
                 .orElse(0);
+        boolean stale = worst > BoatWords.STALE_MS;
+        String age = Age.words(worst);
         say(
                 links,
-                lost > 0 ? count.lostWords() : fleet.isEmpty() ? "no links" : "links fresh",
-                narrow ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : "fresh") : "");
-        boolean bad = lost > 0 || worst > BoatWords.STALE_MS;
-        links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT));
-        LookColors.foreground(links, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT);
+                lost > 0
+                        ? count.lostWords()
+                        : fleet.isEmpty() ? "no links" : stale ? "link stale " + age : "links fresh",
+                narrow ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : stale ? age : "fresh") : "");
+        boolean bad = lost > 0 || stale;
+        SemanticColor color = bad ? SemanticColor.CRITICAL : SemanticColor.TEXT;
+        links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, red ? SemanticColor.ON_CRITICAL : color));
+        ink(links, color);
     }
 
     private void showUnseen() {
@@ -206,9 +233,12 @@ public final class StatusStrip extends JPanel {
     }
 
     private void showAlarms(List<Alarm> all) {
-        long open = all.stream().filter(alarm -> !alarm.acknowledged()).count();
-        String words = open == 0 ? "no alarms" : count(open, "alarm");
-        alarms.setText(narrow ? "▲ " + open : open == 0 ? words : "▲ " + words);
+        AlarmCount count = AlarmCount.of(all);
+        int open = count.open();
+        String words = count.words();
+        String brief = open == 0 && count.over() > 0 ? count.over() + " over" : "▲ " + open;
+        alarms.setText(narrow ? brief : open == 0 ? words : "▲ " + words);
+        alarms.setToolTipText(words + " – show the alarms (" + keyOfAlarms + ")");
         alarms.getAccessibleContext().setAccessibleName(words);
         LookColors.foreground(alarms, open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING);
         LookColors.background(alarms, open == 0 ? SemanticColor.SURFACE : SemanticColor.WARNING_FILL);

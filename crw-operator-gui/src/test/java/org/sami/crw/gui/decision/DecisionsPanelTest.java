@@ -58,6 +58,27 @@ class DecisionsPanelTest {
     }
 
     @Test
+    void boatsThatAreOfferedSayWhatIsSoNowAndNotWhenItWasAsked() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna", "bert")) {
+            world.until(
+                    "boats are asked for",
+                    () -> world.find("value-decision-option-2", AbstractButton.class)
+                            .isPresent());
+            world.until("anna lies there", () -> detail(world, 1).contains("no mission wants anything of it"));
+
+            world.session.fleet().stop("anna").toCompletableFuture().join();
+
+            world.until("that is seen", () -> detail(world, 1).contains("the fleet stop is latched"));
+            world.until("bert lies there", () -> detail(world, 2).contains("no mission wants anything of it"));
+        }
+    }
+
+    private static String detail(PanelWorld world, int row) {
+        world.panel.refresh();
+        return world.text("value-decision-detail-" + row);
+    }
+
+    @Test
     void browsingAnswersNothingAndLosesNothing() throws Exception {
         try (PanelWorld world = new PanelWorld("clv", "anna")) {
             world.session.start("clv", "second", Map.of()).toCompletableFuture().join();

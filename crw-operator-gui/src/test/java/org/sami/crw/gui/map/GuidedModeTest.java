@@ -117,7 +117,9 @@ class GuidedModeTest {
         Notice told = goTo(BEHIND);
 
         assertThat(told.refused()).isFalse();
-        assertThat(told.text()).startsWith("anna goes there").contains("around what is to be avoided");
+        assertThat(told.text())
+                .startsWith("anna goes where the operator sent it, ")
+                .contains("around what is to be avoided");
         SessionWorld.until("anna is there", () -> {
             GeoPoint here = anna().pose().map(BoatPose::position).orElseThrow();
             driven.add(here);
@@ -125,6 +127,30 @@ class GuidedModeTest {
         });
         assertThat(Water.of(SessionWorld.PIER, List.of(ROCK), Optional.empty()).clearanceM(driven))
                 .isPositive();
+    }
+
+    @Test
+    void boatThatIsStoppedIsSaidNotToMoveBeforeTheRelease() throws Exception {
+        open(List.of(), List.of());
+        SessionWorld.get(world.session.fleet().stopAll());
+        SessionWorld.until(
+                "anna is stopped",
+                () -> world.context.models().fleetStop().snapshot().here().contains("anna"));
+        assertThat(onEventThread(guided::consequence))
+                .isEqualTo("anna: stopped; nothing moves before the release; no mission wants anything of it now");
+
+        Notice told = goTo(BEHIND);
+
+        assertThat(told.text())
+                .startsWith("anna is to go where the operator sent it, 12 m")
+                .endsWith("; it is stopped, and nothing moves before the release");
+        SessionWorld.until(
+                "the command waits",
+                () -> anna().why().text().equals("anna does not move: the fleet stop is latched; one command waits"));
+        SessionWorld.get(world.session.fleet().releaseAll());
+        SessionWorld.until(
+                "the same words as in the notice",
+                () -> anna().why().text().startsWith("anna goes where the operator sent it"));
     }
 
     @Test

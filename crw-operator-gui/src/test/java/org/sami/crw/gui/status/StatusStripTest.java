@@ -11,15 +11,18 @@ import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.gui.EventThreadCall;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
@@ -67,6 +70,34 @@ class StatusStripTest {
             assertThat(clock.getText()).matches("\\d\\d:\\d\\d:\\d\\d");
             assertThat(clock.getWidth()).isGreaterThanOrEqualTo(clock.getPreferredSize().width);
             assertThat(TextFit.faults(strip)).isEmpty();
+        });
+    }
+
+    @Test
+    void stripIsRedAsLongAsTheFleetIsStopped() throws Exception {
+        StatusStrip strip = EventThreadCall.onEventThread(this::strip);
+        assertThat(strip.getBackground()).isEqualTo(SemanticColor.SURFACE.get());
+
+        SessionWorld.get(world.session.fleet().stopAll());
+
+        SessionWorld.until("the strip is red", () -> {
+            strip.refresh();
+            return strip.getBackground().equals(SemanticColor.CRITICAL_FILL.get());
+        });
+        SessionWorld.until(
+                "the worst fault is that all are stopped",
+                () -> context.models()
+                        .health()
+                        .snapshot()
+                        .worst()
+                        .orElseThrow()
+                        .fault()
+                        .text()
+                        .equals("FLEET STOP: 3 of 3 boats are stopped; nothing moves before the release"));
+        SessionWorld.get(world.session.fleet().releaseAll());
+        SessionWorld.until("the strip is as before", () -> {
+            strip.refresh();
+            return strip.getBackground().equals(SemanticColor.SURFACE.get());
         });
     }
 

@@ -6,9 +6,11 @@ import java.util.Locale;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetCount;
 import org.sami.crw.operator.boat.FleetRows;
+import org.sami.crw.operator.boat.FleetStopState;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Fleet;
@@ -104,10 +106,7 @@ final class BoatCommands {
         for (BoatSnapshot boat : boats) {
             StringBuilder line = new StringBuilder(boat.boat()).append("  link ");
             line.append(boat.link().name().toLowerCase(Locale.ROOT));
-            boat.linkAgeMillis(now)
-                    .ifPresent(age -> line.append(' ')
-                            .append(String.format(Locale.ROOT, "%.1f", age / 1000.0))
-                            .append(" s"));
+            boat.linkAgeMillis(now).ifPresent(age -> line.append(' ').append(Age.words(age)));
             boat.battery()
                     .ifPresent(battery -> line.append("  ")
                             .append(Math.round(battery.percent()))
@@ -127,6 +126,10 @@ final class BoatCommands {
         FleetCount count = FleetCount.of(known, unreached);
         if (count.linked() < count.all()) {
             out.accept(count.words() + " linked");
+        }
+        FleetStopState stop = context.models().fleetStop().snapshot();
+        if (stop.isLatched()) {
+            out.accept(stop.words());
         }
     }
 

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
+import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.mission.AllocationSnapshot;
@@ -153,7 +154,11 @@ final class SituationCommands {
         if (boats.isEmpty()) {
             out.accept("there is no boat");
         }
+        long now = context.session().scheduler().nowMs();
         boats.forEach(boat -> out.accept(boat.boat() + "  " + lower(boat.status()) + "  link " + lower(boat.link())
+                + (boat.heardAtMillis().isEmpty()
+                        ? ""
+                        : " " + Age.words(now - boat.heardAtMillis().getAsLong()))
                 + String.join(
                         "",
                         boat.missions().stream()

@@ -1,0 +1,96 @@
+package org.sami.crw.operator;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.boat.FleetStopState;
+import org.sami.crw.operator.health.HealthFault;
+import org.sami.crw.operator.health.HealthKind;
+import org.sami.crw.proxy.status.StopLatch;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.NaturalOrder;
+
+/** How the fleet stop stands: what this base had done, and what boats say of themselves, whoever stopped them. */
+public final class FleetStopModel extends Model<FleetStopState> {
+    private final Consumer<Runnable> inbox;
+    private final LongSupplier nowMillis;
+    private final Map<String, StopLatch> boats = new TreeMap<>(NaturalOrder.INSTANCE);
+    private boolean everyBoat;
+    private long sinceMillis;
+
+    FleetStopModel(Consumer<Runnable> inbox, LongSupplier nowMillis) {
+        super(FleetStopState.NONE);
+        this.inbox = inbox;
+        this.nowMillis = nowMillis;
+    }
+
+    /** This base stopped the whole fleet, or released it. From any thread. */
+    public void told(boolean stop) {
+        inbox.accept(() -> {
+            everyBoat = stop;
+            change();
+        });
+    }
+
+    // ---- on the owner's thread
+
+    void seen(BoatSnapshot boat) {
+        if (boats.put(boat.boat(), boat.stop()) != boat.stop()) {
+            change();
+        }
+    }
+
+    void gone(String boat) {
+        boats.remove(boat);
+        change();
+    }
+
+    /** Forgets all. */
+    void clear() {
+        boats.clear();
+        everyBoat = false;
+        change();
+    }
+
+    /** A fault as long as it lasts: that nobody moves is to be seen before anything else. */
+    static void report(FleetStopState state, HealthModel health) {
+        if (state.isLatched()) {
+            health.report(HealthFault.ofSession(
+                    HealthKind.FLEET_STOP,
+                    state.isOfFleet() ? Priority.CRITICAL : Priority.HIGH,
+                    state.words(),
+                    "When all is clear, release it in two steps; commands wait until then"));
+        } else {
+            health.over(HealthKind.FLEET_STOP, "");
+        }
+    }
+
+    @Override
+    FleetStopState take() {
+        List<String> here = of(StopLatch.HERE);
+        List<String> elsewhere = of(StopLatch.ELSEWHERE);
+        boolean latched = everyBoat || !here.isEmpty() || !elsewhere.isEmpty();
+        if (!latched) {
+            sinceMillis = 0;
+        } else if (sinceMillis == 0) {
+            sinceMillis = Math.max(1, nowMillis.getAsLong());
+        }
+        return latched
+                ? new FleetStopState(everyBoat, here, elsewhere, of(StopLatch.NONE), sinceMillis)
+                : FleetStopState.NONE;
+    }
+
+    private List<String> of(StopLatch latch) {
+        List<String> found = new ArrayList<>();
+        boats.forEach((boat, stop) -> {
+            if (stop == latch) {
+                found.add(boat);
+            }
+        });
+        return found;
+    }
+}

@@ -1,0 +1,118 @@
+package org.sami.crw.operator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Welcome;
+import org.sami.crw.operator.boat.FleetStopState;
+import org.sami.crw.operator.health.HealthEntry;
+import org.sami.crw.operator.health.HealthKind;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.spn.protocol.Priority;
+
+/** How a latched stop is told, whoever latched it. */
+class FleetStopModelTest {
+    private static final LinkCodec CODEC = new LinkCodec();
+
+    private final ModelWorld world = new ModelWorld();
+    private final OperatorModels models = world.models;
+    private final Map<String, Long> sequences = new HashMap<>();
+    private final BoatProxy anna = linked("anna");
+    private final BoatProxy bert = linked("bert");
+
+    private void says(BoatProxy boat, LinkMessage message) {
+        long sequence = sequences.merge(boat.boatId(), 1L, Long::sum);
+        boat.receive(CODEC.encode(sequence, message), world.nowMillis.get());
+    }
+
+    private BoatProxy linked(String id) {
+        BoatProxy boat = world.boat(id);
+        says(boat, new Welcome(id, id + "-boot", Role.COMMANDER, ""));
+        return boat;
+    }
+
+    private void does(BoatProxy boat, BoatMode mode) {
+        world.nowMillis.addAndGet(1000);
+        says(boat, new Telemetry(45, 10, 0, 0, 80, mode, world.nowMillis.get()));
+        world.nowMillis.addAndGet(1000);
+        models.look();
+        world.settle();
+    }
+
+    private FleetStopState state() {
+        world.settle();
+        return models.fleetStop().snapshot();
+    }
+
+    private List<HealthEntry> faults() {
+        return models.health().snapshot().of(HealthKind.FLEET_STOP);
+    }
+
+    @Test
+    void stopOfTheWholeFleetSaysWhoHasNotConfirmedItAndIsOverWithTheRelease() {
+        does(anna, BoatMode.STOPPED);
+        does(bert, BoatMode.STOPPED);
+        assertThat(state()).isEqualTo(FleetStopState.NONE);
+
+        models.fleetStop().told(true);
+        anna.fleetStop();
+        bert.fleetStop();
+        does(anna, BoatMode.FLEET_STOP);
+
+        assertThat(state().words())
+                .isEqualTo(
+                        "FLEET STOP: 1 of 2 boats is stopped, bert has not said so; nothing moves before the release");
+        assertThat(state().stops("bert")).isTrue();
+        does(bert, BoatMode.FLEET_STOP);
+        assertThat(state().words()).isEqualTo("FLEET STOP: 2 of 2 boats are stopped; nothing moves before the release");
+        assertThat(faults()).singleElement().satisfies(entry -> {
+            assertThat(entry.severity()).isEqualTo(Priority.CRITICAL);
+            assertThat(entry.fault().text()).isEqualTo(state().words());
+        });
+
+        models.fleetStop().told(false);
+        does(anna, BoatMode.STOPPED);
+        assertThat(faults()).hasSize(1);
+        anna.fleetRelease();
+        bert.fleetRelease();
+        does(bert, BoatMode.STOPPED);
+        does(anna, BoatMode.STOPPED);
+        assertThat(state()).isEqualTo(FleetStopState.NONE);
+        assertThat(faults()).isEmpty();
+    }
+
+    @Test
+    void stopThatAnotherBaseLatchedIsToldAsSuch() {
+        does(anna, BoatMode.FLEET_STOP);
+        does(bert, BoatMode.FLEET_STOP);
+
+        assertThat(state().isOfFleet()).isTrue();
+        assertThat(state().words())
+                .isEqualTo("FLEET STOP: 2 of 2 boats are stopped by another base or an earlier start of this one;"
+                        + " nothing moves before the release");
+        assertThat(faults()).hasSize(1);
+        assertThat(models.fleet().boat("anna").orElseThrow().why().text())
+                .startsWith("anna does not move: the fleet stop is latched by another base");
+    }
+
+    @Test
+    void boatThatIsStoppedByItselfStopsNoFleet() {
+        does(bert, BoatMode.STOPPED);
+        anna.fleetStop();
+        does(anna, BoatMode.FLEET_STOP);
+
+        assertThat(state().isOfFleet()).isFalse();
+        assertThat(state().words()).isEqualTo("Stopped: anna; it does not move before the release");
+        assertThat(faults())
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.severity()).isEqualTo(Priority.HIGH));
+    }
+}
