@@ -74,6 +74,7 @@ public final class RepaintBenchmarkMain {
         net.press(NetKey.ACTUAL_SIZE);
         measure("net.part", new TreeMap<>(Map.of("vertices", 500)), net, () -> {});
         new NetEditingFigures(times, WIDTH, HEIGHT, this::figure).run();
+        new BaseMapFigures(WIDTH, HEIGHT, this::figure).run();
         FigureFile.print(figures);
         FigureFile.replace(FigureFile.ofThisBuild(), PREFIX, figures);
     }

@@ -22,7 +22,8 @@ import org.sami.ui.map.base.TileKey;
  * another scale, or left free. What is painted is images only, whatever the file holds. On the event thread.
  */
 final class BaseTiles implements AutoCloseable {
-    private static final long MOST_BYTES = 64L << 20; // beyond what is seen now
+    private static final long MOST_BYTES = 64L << 20; // with what is seen now, which is kept in any case
+    private static final int MOST_TILES = 1000; // also those without a picture
 
     /** A tile is asked for under its place and, as outlines are painted in it, its style. */
     private record Asked(TileKey key, BaseStyle style) {}
@@ -181,7 +182,7 @@ final class BaseTiles implements AutoCloseable {
     private void forget() {
         long bytes = tiles.values().stream().mapToLong(StoredTile::bytes).sum();
         Iterator<StoredTile> eldest = tiles.values().iterator();
-        while (bytes > MOST_BYTES && eldest.hasNext()) {
+        while ((bytes > MOST_BYTES || tiles.size() > MOST_TILES) && eldest.hasNext()) {
             StoredTile tile = eldest.next();
             if (tile.used() < painting && tile.isAnswered()) {
                 bytes -= tile.bytes();
