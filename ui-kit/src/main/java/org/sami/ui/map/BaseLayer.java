@@ -21,17 +21,19 @@ final class BaseLayer extends MapLayer {
     private final BaseTiles tiles;
 
     /**
-     * The layer of a base map, which it closes in the end.
+     * The layer of a base map.
      *
+     * @param owns whether it closes the base map in the end; else another map view does
      * @param looked is run when tiles are asked for or have come
      * @param problems is told in one line what is wrong with a tile
      */
-    BaseLayer(String id, Path file, BaseSource source, Runnable looked, Consumer<String> problems) {
+    BaseLayer(String id, Path file, BaseSource source, boolean owns, Runnable looked, Consumer<String> problems) {
         super(id, source.name());
         this.file = file;
         this.source = source;
         tiles = new BaseTiles(
                 source,
+                owns,
                 () -> {
                     stillChanged();
                     looked.run();

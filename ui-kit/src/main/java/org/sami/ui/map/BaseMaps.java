@@ -35,6 +35,10 @@ final class BaseMaps {
             this.file = file;
         }
 
+        boolean shows(BaseLayer other) {
+            return layer.filter(one -> one.source() == other.source()).isPresent();
+        }
+
         BaseMapState state() {
             String name = layer.map(MapLayer::title).orElse(file.getFileName().toString());
             return new BaseMapState(file, name, on, problem);
@@ -100,6 +104,33 @@ final class BaseMaps {
         });
     }
 
+    /** Shows what another map shows now, without reading a file, and nothing else; to be called again when that may have changed. */
+    void showThoseOf(BaseMaps other) {
+        List<BaseLayer> shown = other.shown();
+        entries.stream()
+                .filter(entry -> shown.stream().noneMatch(entry::shows))
+                .toList()
+                .forEach(entry -> {
+                    entry.layer.ifPresent(this::drop);
+                    entries.remove(entry);
+                });
+        shown.stream()
+                .filter(layer -> entries.stream().noneMatch(entry -> entry.shows(layer)))
+                .forEach(layer -> {
+                    BaseLayer same =
+                            new BaseLayer(layer.id(), layer.file(), layer.source(), false, this::look, problem -> {});
+                    add(layer.file()).layer = Optional.of(same);
+                    put(same);
+                });
+    }
+
+    private List<BaseLayer> shown() {
+        return entries.stream()
+                .flatMap(entry -> entry.layer.stream())
+                .filter(MapLayer::isVisible)
+                .toList();
+    }
+
     /** All of them, in the order in which they were opened. */
     List<BaseMapState> states() {
         return entries.stream().map(Entry::state).toList();
@@ -150,7 +181,7 @@ final class BaseMaps {
         entry.problem = "";
         String id = ID + file.getFileName();
         BaseLayer layer = new BaseLayer(
-                canvas.layers().find(id).isPresent() ? ID + file : id, file, source, this::look, problems);
+                canvas.layers().find(id).isPresent() ? ID + file : id, file, source, true, this::look, problems);
         entry.layer = Optional.of(layer);
         hideOtherImagery(entry);
         put(layer);

@@ -39,18 +39,19 @@ final class BaseTiles implements AutoCloseable {
     private long painting;
 
     /**
-     * The tiles of a source, which it closes in the end.
+     * The tiles of a source.
      *
+     * @param owns whether it closes the source in the end
      * @param come is run when tiles have come
      * @param asked is run when a tile is asked for and none was waited for; while painting, so it paints nothing
      * @param problems is told once, in one line, when the source fails
      */
-    BaseTiles(BaseSource source, Runnable come, Runnable asked, Consumer<String> problems) {
+    BaseTiles(BaseSource source, boolean owns, Runnable come, Runnable asked, Consumer<String> problems) {
         this.source = source;
         this.come = come;
         this.asked = asked;
         this.problems = problems;
-        reader = new TileReader(source, this::take);
+        reader = new TileReader(source, owns, this::take);
     }
 
     /** Whether tiles that were asked for have not come yet. */
@@ -196,7 +197,7 @@ final class BaseTiles implements AutoCloseable {
         tiles.values().removeIf(StoredTile::isAnswered);
     }
 
-    /** Reads no more tiles, leaves one that is being read, and closes the source, beside the event thread. */
+    /** Reads no more tiles, leaves one that is being read, and closes a source that it owns, beside the event thread. */
     @Override
     public void close() {
         reader.close();

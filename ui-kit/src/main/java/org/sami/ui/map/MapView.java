@@ -177,6 +177,14 @@ public final class MapView extends JPanel implements AutoCloseable {
         base.setOn(file, on);
     }
 
+    /**
+     * Shows the base maps that another map shows, and no others, without reading their files again; to be called again when the other may
+     * show others.
+     */
+    public void showBaseMapsOf(MapView other) {
+        base.showThoseOf(other.base);
+    }
+
     /** Takes a base map off the list. */
     public void forgetBaseMap(Path file) {
         base.forget(file);

@@ -163,6 +163,38 @@ class BaseMapsTest {
     }
 
     @Test
+    void anotherMapShowsTheSameWithoutReadingTheFileAgain() throws Exception {
+        Path land = land("shore.geojson");
+        Path green = imagery("green.mbtiles", Color.GREEN);
+        run(() -> map.openBaseMap(land));
+        run(() -> map.openBaseMap(green));
+        until("both are read", () -> map.baseMaps().size() == 2);
+        Files.delete(land);
+        MapView first = map;
+        MapView small = onEventThread(() -> {
+            MapView made = new MapView();
+            MapScenes.size(made, 400, 300);
+            made.centre(MapScenes.LAKE);
+            made.showBaseMapsOf(first);
+            made.showBaseMapsOf(first);
+            return made;
+        });
+
+        until("the small one shows land", () -> MapScenes.paint(small).getRGB(200, 140) == middle());
+        assertThat(small.baseMaps()).extracting(BaseMapState::file).containsExactlyInAnyOrder(land, green);
+
+        run(() -> {
+            first.setBaseMap(land, false);
+            small.showBaseMapsOf(first);
+        });
+        until("it shows imagery only", () -> MapScenes.paint(small).getRGB(200, 140) == Color.GREEN.getRGB());
+        run(small::close);
+        run(() -> first.setBaseMap(land, true));
+        run(() -> first.press(MapKey.ZOOM_IN));
+        until("the first one goes on", () -> middle() != Color.GREEN.getRGB());
+    }
+
+    @Test
     void showingAllShowsABaseMapOnlyWhereThereIsNothingElse() throws Exception {
         run(() -> map.openBaseMap(land("shore.geojson")));
         until("it is a layer", () -> map.layers().find("base-shore.geojson").isPresent());

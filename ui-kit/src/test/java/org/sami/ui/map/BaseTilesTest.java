@@ -226,7 +226,7 @@ class BaseTilesTest {
     private final BlockingQueue<String> come = new LinkedBlockingQueue<>();
 
     private BaseTiles tiles(BaseSource source) {
-        return onEventThread(() -> new BaseTiles(source, () -> come.add("come"), () -> {}, come::add));
+        return onEventThread(() -> new BaseTiles(source, true, () -> come.add("come"), () -> {}, come::add));
     }
 
     /** The colour of a tile's middle once it has been read. */

@@ -338,6 +338,11 @@ public final class MapPanel extends JPanel {
         BaseMapMemory.of(view, settings);
     }
 
+    /** Gives another map of the session the base maps that this one shows now. */
+    public void giveBaseMaps(MapView other) {
+        other.showBaseMapsOf(view);
+    }
+
     /** Gives up its files. */
     public void close() {
         pace.stop();

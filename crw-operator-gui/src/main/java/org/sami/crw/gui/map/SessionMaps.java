@@ -1,6 +1,7 @@
 package org.sami.crw.gui.map;
 
 import java.awt.event.HierarchyEvent;
+import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.map.MapSnapshot;
@@ -12,10 +13,16 @@ public final class SessionMaps implements MapMaker {
     private static final int REFRESH_MS = 1000;
 
     private final OperatorContext context;
+    private final Consumer<MapView> baseMaps;
 
-    /** Maps of a session. */
-    public SessionMaps(OperatorContext context) {
+    /**
+     * Maps of a session.
+     *
+     * @param baseMaps gives a map the base maps that the main one shows now
+     */
+    public SessionMaps(OperatorContext context, Consumer<MapView> baseMaps) {
         this.context = context;
+        this.baseMaps = baseMaps;
     }
 
     @Override
@@ -23,8 +30,12 @@ public final class SessionMaps implements MapMaker {
         MapView view = new MapView();
         MapFeed feed = new MapFeed(context, view.layers());
         feed.show(snapshot());
+        baseMaps.accept(view);
         MapFeed.bounds(snapshot()).ifPresent(view::fit);
-        Timer refresh = new Timer(REFRESH_MS, event -> feed.show(snapshot()));
+        Timer refresh = new Timer(REFRESH_MS, event -> {
+            feed.show(snapshot());
+            baseMaps.accept(view);
+        });
         view.addHierarchyListener(event -> {
             if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
                 if (view.isShowing()) {

@@ -97,7 +97,7 @@ public final class OperatorPanels implements AutoCloseable {
         map.rememberBaseMaps(settings);
         ComponentLibrary components =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components();
-        MapMaker maps = new SessionMaps(context);
+        MapMaker maps = new SessionMaps(context, map::giveBaseMaps);
         ValueEditors editors = SessionEditors.of(
                 context, new ComponentChoice(components, context.vocabulary().types()), maps);
         missions = new MissionMonitor(

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 
-/** A base map that was read. Its pictures are asked for by one thread at a time, never the event thread; the rest by any. */
+/** A base map that was read. Its pictures are asked for by threads that nobody waits for, never the event thread; the rest by any. */
 public interface BaseSource extends AutoCloseable {
     /** What people call it, in few letters. */
     String name();

@@ -191,7 +191,7 @@ public final class MbTiles implements BaseSource {
     }
 
     @Override
-    public Optional<BufferedImage> tile(TileKey key, BaseStyle style) throws IOException {
+    public synchronized Optional<BufferedImage> tile(TileKey key, BaseStyle style) throws IOException {
         int level = level(key.worldPx());
         try {
             query.setInt(1, level);
@@ -220,7 +220,7 @@ public final class MbTiles implements BaseSource {
     }
 
     @Override
-    public void close() throws IOException {
+    public synchronized void close() throws IOException {
         try {
             connection.close();
         } catch (SQLException e) {
