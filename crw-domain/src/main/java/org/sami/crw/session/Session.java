@@ -1,7 +1,6 @@
 package org.sami.crw.session;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,10 +21,6 @@ import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.area.OperatingArea;
-import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.command.BoatCommand;
-import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.service.water.Water;
 import org.sami.crw.session.fault.BoatsAtFault;
@@ -468,51 +463,36 @@ public final class Session implements AutoCloseable {
         return parts.halt();
     }
 
+    /** Leaves the boats stopped ({@link #leave(BoatsAtEnd)}). */
+    public List<String> leave() {
+        return leave(BoatsAtEnd.STOP);
+    }
+
     /**
-     * Takes back what missions have for boats, and waits, for 3 s at most, until they have stopped. After this nobody commands them from
+     * Tells boats what they are to do at the end, and waits, for 3 s at most, until they do. After this nobody commands them from
      * here, and nothing more is noted of them. Blocks: not for a thread of the session's own, nor a window's event thread.
      *
-     * @return who has not said that it stops, in words
+     * @return who has not said that it does so, in words
      */
-    public List<String> leave() {
+    public List<String> leave(BoatsAtEnd end) {
         parts.domain.close();
+        EndCommands commands = new EndCommands(end);
         parts.onFleet(boats -> {
             parts.monitor.look(boats);
-            takeBack(boats);
+            commands.tell(boats);
             return null;
         });
-        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
-        while (!parts.onFleet(Session::haveStopped) && System.nanoTime() < end) {
+        long latest = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
+        while (!parts.onFleet(commands::isDone) && System.nanoTime() < latest) {
             LockSupport.parkNanos(LOOK_NANOS);
         }
-        List<String> going = parts.onFleet(Session::whoGoesOn);
+        List<String> others = parts.onFleet(commands::others);
         parts.onFleet(boats -> {
             parts.poses.flush(parts.scheduler.nowMs());
             return null;
         });
         parts.listenNoLonger();
-        return going;
-    }
-
-    private static void takeBack(ProxyRegistry boats) {
-        for (BoatProxy boat : boats.all()) {
-            List<BoatCommand> queued = new ArrayList<>(boat.commands().waiting());
-            boat.commands().current().ifPresent(queued::add);
-            queued.forEach(command -> boat.commands().withdraw(command.mission()));
-        }
-    }
-
-    private static List<String> whoGoesOn(ProxyRegistry boats) {
-        return boats.all().stream()
-                .filter(boat -> !boat.isAtRest())
-                .map(boat -> boat.boatId()
-                        + " has not said that it stops; without a link it does what is set for a lost one")
-                .toList();
-    }
-
-    private static boolean haveStopped(ProxyRegistry boats) {
-        return boats.all().stream()
-                .allMatch(boat -> boat.isAtRest() || boat.status().link() != LinkState.LINKED);
+        return others;
     }
 
     /**

@@ -5,9 +5,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
-import javax.swing.JOptionPane;
 import org.sami.crw.gui.replay.ReplayWindow;
 import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.ResumeQuestion;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
@@ -35,7 +35,7 @@ final class WindowStart {
         if (options.replay().isPresent()) {
             openReplay(options, data, System::exit);
         } else {
-            open(options, data, System::exit);
+            openUnlessLeft(options, data, System::exit);
         }
     }
 
@@ -45,6 +45,13 @@ final class WindowStart {
      * @param ended is told when the window was closed and all with it
      */
     static OperatorWindow open(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
+        return openUnlessLeft(options, data, ended)
+                .orElseThrow(() -> new IllegalStateException("the question whether to go on was left without an answer"));
+    }
+
+    /** Opens them; empty where the question whether an unfinished session goes on was left without an answer, and all is closed then. */
+    private static Optional<OperatorWindow> openUnlessLeft(StartOptions options, DataDirectory data, IntConsumer ended)
+            throws IOException {
         WindowSettings settings = new WindowSettings(data.settings());
         EventThread.get(() -> {
             Look.setHighRows(settings.highRows());
@@ -56,18 +63,24 @@ final class WindowStart {
         SessionOpener opener = new SessionOpener(data, options.boats(), options.project(), options.conditions());
         Optional<Path> unfinished = data.unfinished();
         data.trouble().ifPresent(trouble -> System.err.println("crw-operator: " + trouble));
-        boolean goesOn = unfinished.isPresent()
-                && options.resume().orElseGet(() -> EventThread.get(() -> asksToResume(unfinished.get())));
-        Session session = goesOn ? opener.resume(unfinished.get()) : opener.openNew();
+        Optional<Boolean> goesOn = unfinished.isEmpty()
+                ? Optional.of(false)
+                : options.resume().or(() -> ResumeQuestion.ask(unfinished.get()));
+        if (goesOn.isEmpty()) {
+            data.close();
+            ended.accept(0);
+            return Optional.empty();
+        }
+        Session session = goesOn.get() ? opener.resume(unfinished.get()) : opener.openNew();
         OperatorWindow window = EventThread.get(() -> {
             OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
             opener.named().ifPresent(made::showConditions);
             made.open();
             return made;
         });
-        data.trouble().ifPresent(trouble -> session.models().health().report(damagedFile(trouble, goesOn)));
+        data.trouble().ifPresent(trouble -> session.models().health().report(damagedFile(trouble, goesOn.get())));
         session.begin();
-        return window;
+        return Optional.of(window);
     }
 
     /**
@@ -106,20 +119,5 @@ final class WindowStart {
         new NetView(new IdentityMarks());
         new RowTable<String>("table", "", row -> row, List.of(RowColumn.words("", 0, row -> row)));
         Icons.normal("stop");
-    }
-
-    private static boolean asksToResume(Path journal) {
-        Object[] answers = {"Go on with it", "Begin anew"};
-        String name = journal.getFileName().toString().replace(".journal", "").replace('_', ' ');
-        int answer = JOptionPane.showOptionDialog(
-                null,
-                "The session of " + name + " was not finished.\nIts missions, decisions and boats are in its journal.",
-                "SAMI operator",
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.QUESTION_MESSAGE,
-                null,
-                answers,
-                answers[0]);
-        return answer == 0;
     }
 }

@@ -7,6 +7,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
@@ -16,16 +17,27 @@ import javax.swing.text.JTextComponent;
  */
 public final class CommandKeys implements AutoCloseable {
     private final CommandRegistry commands;
+    private final Consumer<String> refused;
     private final KeyEventDispatcher before = this::beforeComponents;
     private final KeyEventPostProcessor after = this::afterComponents;
 
-    private CommandKeys(CommandRegistry commands) {
+    private CommandKeys(CommandRegistry commands, Consumer<String> refused) {
         this.commands = commands;
+        this.refused = refused;
     }
 
-    /** Lets keys run commands until the result is closed. */
+    /** Lets keys run commands until the result is closed; the key of one that cannot be run does nothing. */
     public static CommandKeys install(CommandRegistry commands) {
-        CommandKeys keys = new CommandKeys(commands);
+        return install(commands, refusal -> {});
+    }
+
+    /**
+     * Lets keys run commands until the result is closed.
+     *
+     * @param refused is told, in one line, why the key of a command did nothing
+     */
+    public static CommandKeys install(CommandRegistry commands, Consumer<String> refused) {
+        CommandKeys keys = new CommandKeys(commands, refused);
         KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         manager.addKeyEventDispatcher(keys.before);
         manager.addKeyEventPostProcessor(keys.after);
@@ -34,8 +46,17 @@ public final class CommandKeys implements AutoCloseable {
 
     private boolean beforeComponents(KeyEvent event) {
         Optional<Command> command = commandOf(event).filter(Command::isAlways);
-        command.ifPresent(Command::run);
+        command.ifPresent(this::run);
         return command.isPresent();
+    }
+
+    /** Runs a command, or says why it does nothing: a key that is silent leaves it open whether it was taken. */
+    private void run(Command command) {
+        Optional<String> whyNot = command.whyNot();
+        if (whyNot.isPresent()) {
+            refused.accept(command.keyText() + ", " + command.title() + ": " + whyNot.get());
+        }
+        command.run();
     }
 
     private boolean afterComponents(KeyEvent event) {
@@ -45,7 +66,7 @@ public final class CommandKeys implements AutoCloseable {
         }
         boolean typing = event.getComponent() instanceof JTextComponent;
         Optional<Command> command = commandOf(event).filter(one -> !typing || !one.isTyped());
-        command.ifPresent(Command::run);
+        command.ifPresent(this::run);
         return command.isPresent();
     }
 

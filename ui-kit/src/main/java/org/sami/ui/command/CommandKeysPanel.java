@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
@@ -17,9 +18,12 @@ import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 
 /** All commands with their keys, made of the registry: what help shows. */
 public final class CommandKeysPanel extends JPanel {
+    private static final String TITLE = "Commands and keys";
     private static final int WIDTH = 640;
     private static final int HEIGHT = 560;
     private static final int ROW = 28;
@@ -47,6 +51,7 @@ public final class CommandKeysPanel extends JPanel {
         }
         JTable table = new JTable(rows);
         table.setName("command-keys-table");
+        table.getAccessibleContext().setAccessibleName(TITLE);
         table.setRowHeight(Look.px(ROW));
         if (table.getTableHeader().getDefaultRenderer() instanceof JLabel head) {
             head.setHorizontalAlignment(SwingConstants.LEADING);
@@ -75,9 +80,18 @@ public final class CommandKeysPanel extends JPanel {
         return width + table.getIntercellSpacing().width;
     }
 
-    /** Opens it over a window, no larger than that. */
+    /** Opens it over a window, no larger than that: in its sheet, where the window has one. */
     public static void open(Window owner, CommandRegistry commands) {
-        JDialog dialog = new JDialog(owner, "Commands and keys");
+        Optional<WindowSheet> sheet = WindowSheet.find(owner);
+        if (sheet.isPresent()) {
+            sheet.get()
+                    .open(new Sheet(
+                            "command-keys-window",
+                            TITLE,
+                            new CommandKeysPanel(commands, () -> sheet.get().close())));
+            return;
+        }
+        JDialog dialog = new JDialog(owner, TITLE);
         dialog.setName("command-keys-window");
         dialog.setContentPane(new CommandKeysPanel(commands, dialog::dispose));
         dialog.pack();

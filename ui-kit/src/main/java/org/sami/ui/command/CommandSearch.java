@@ -25,6 +25,8 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 
 /** Finds commands by typing: a field and the list of those that match. Enter runs the chosen one, Escape leaves. On the event thread. */
 public final class CommandSearch extends JPanel {
@@ -103,9 +105,15 @@ public final class CommandSearch extends JPanel {
         search();
     }
 
-    /** Opens it over a window; it closes when it loses the focus. */
+    /** Opens it over a window, in its sheet where the window has one; it closes when it loses the focus. */
     public static void open(Window owner, CommandRegistry commands) {
-        PopupWindow.open(owner, "Command search", close -> new CommandSearch(commands, close));
+        Optional<WindowSheet> sheet = WindowSheet.find(owner);
+        if (sheet.isPresent()) {
+            CommandSearch search = new CommandSearch(commands, () -> sheet.get().close());
+            sheet.get().open(new Sheet("command-search-sheet", "", search).passing(true));
+        } else {
+            PopupWindow.open(owner, "Command search", close -> new CommandSearch(commands, close));
+        }
     }
 
     /** The command that Enter would run. */

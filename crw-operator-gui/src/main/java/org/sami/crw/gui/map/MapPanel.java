@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -44,6 +43,7 @@ import org.sami.ui.map.MapClick;
 import org.sami.ui.map.MapKey;
 import org.sami.ui.map.MapListener;
 import org.sami.ui.map.MapView;
+import org.sami.ui.sheet.FileSheet;
 import org.sami.ui.value.PlacesOnMap;
 import org.sami.ui.window.WindowSettings;
 
@@ -253,11 +253,7 @@ public final class MapPanel extends JPanel {
     }
 
     private void openBaseMap() {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setDialogTitle("Open a base map (.mbtiles, .geojson)");
-        if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
-            view.openBaseMap(chooser.getSelectedFile().toPath());
-        }
+        new FileSheet("base-map-file", "Open a base map (.mbtiles, .geojson)").open(this, view::openBaseMap);
     }
 
     /** Shows the model as it is now; to be called a few times a second, as ages change by themselves. */

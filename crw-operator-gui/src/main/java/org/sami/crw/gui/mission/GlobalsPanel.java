@@ -1,7 +1,6 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
-import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -10,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import javax.swing.BorderFactory;
-import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -30,6 +28,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.WidthTrackingPanel;
+import org.sami.ui.sheet.FileSheet;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 import org.sami.ui.value.ValueEditor;
@@ -245,16 +244,14 @@ final class GlobalsPanel extends JPanel {
     }
 
     private void save() {
-        file.path().or(this::chosen).ifPresent(this::save);
+        file.path().ifPresentOrElse(this::save, this::saveAsFile);
     }
 
-    private Optional<Path> chosen() {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setDialogTitle("Keep the project with these values in a file of its own");
-        chooser.setSelectedFile(new File(state.map(now -> now.project().id()).orElse("project") + ".json"));
-        return chooser.showSaveDialog(this) == JFileChooser.APPROVE_OPTION
-                ? Optional.of(chooser.getSelectedFile().toPath())
-                : Optional.empty();
+    private void saveAsFile() {
+        String id = state.map(now -> now.project().id()).orElse("project");
+        new FileSheet("globals-file", "Keep the project with these values in a file of its own")
+                .toSave(Path.of(id + ".json"))
+                .open(this, this::save);
     }
 
     /** Saves to the project's file; makes one where the project has none yet. */

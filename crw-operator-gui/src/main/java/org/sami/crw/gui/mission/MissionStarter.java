@@ -1,9 +1,6 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.Component;
-import java.awt.event.KeyEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,17 +9,16 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
-import javax.swing.JDialog;
-import javax.swing.KeyStroke;
-import javax.swing.SwingUtilities;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.window.WindowSettings;
 
@@ -65,34 +61,21 @@ public final class MissionStarter {
         List<String> names = Stream.concat(parameters.fields().stream(), parameters.variables().stream())
                 .filter(name -> !globals.contains(name) && !globals.contains(name.replaceFirst("^@", "")))
                 .toList();
-        JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(over), "Start " + plan.title());
-        dialog.setName("mission-values-window");
+        WindowSheet sheet = WindowSheet.in(over);
         ParametersForm form =
                 new ParametersForm(parameters, names, editors, last(parameters, plan, names), preview, values -> {
-                    dialog.dispose();
+                    sheet.close();
                     names.forEach(name -> settings.keep(
                             key(plan, name), values.containsKey(name) ? parameters.text(name, values.get(name)) : ""));
                     start(plan, values);
                 });
-        int inset = Look.px(Spacing.INSET);
-        form.setBorder(BorderFactory.createEmptyBorder(inset, inset, inset, inset));
-        dialog.setContentPane(form);
-        dialog.getRootPane().setDefaultButton(form.startButton());
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        e -> dialog.dispose(),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
-        dialog.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosed(WindowEvent e) {
-                preview.accept(List.of());
-            }
+        LookColors.border(form, () -> {
+            int inset = Look.px(Spacing.INSET);
+            return BorderFactory.createEmptyBorder(0, inset, inset, inset);
         });
-        dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
-        dialog.pack();
-        dialog.setLocationRelativeTo(over); // beside the map, which shows what is entered
-        dialog.setVisible(true);
+        sheet.open(new Sheet("mission-values-window", "Start " + plan.title(), form)
+                .over(over) // beside the map, which shows what is entered
+                .whenClosed(() -> preview.accept(List.of())));
     }
 
     /** The values of the last time; one that the plan of today does not take is left out. */

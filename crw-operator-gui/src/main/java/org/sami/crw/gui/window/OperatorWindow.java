@@ -18,12 +18,15 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
+import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.window.FrameSize;
 import org.sami.ui.window.Notices;
 import org.sami.ui.window.WindowSettings;
@@ -35,6 +38,7 @@ public final class OperatorWindow {
 
     private final Session session;
     private final DataDirectory data;
+    private final OperatorContext context;
     private final IntConsumer ended;
     private final JFrame frame = new JFrame(TITLE);
     private final DockArea dock;
@@ -55,7 +59,7 @@ public final class OperatorWindow {
         this.ended = ended;
         this.session = session;
         this.data = data;
-        OperatorContext context = new OperatorContext(
+        context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         LoadedProject file = new LoadedProject(project);
@@ -68,7 +72,7 @@ public final class OperatorWindow {
         });
         commands.addPanels(dock);
         commands.addReplay(data.folder());
-        commands.addEnd(this::end);
+        commands.addEnd(this::askToEnd);
         StatusStrip strip = new StatusStrip(
                 context,
                 fleetStop,
@@ -83,7 +87,8 @@ public final class OperatorWindow {
         top.add(new HealthRow(context, context.commands().get("panel-health")), BorderLayout.SOUTH);
         frame.getContentPane().add(top, BorderLayout.NORTH);
         frame.getContentPane().add(dock);
-        keys = CommandKeys.install(context.commands());
+        WindowSheet.in(frame.getRootPane()).keepFree(strip);
+        keys = CommandKeys.install(context.commands(), context.notices()::refused);
         refresh = new Timer(REFRESH_MS, e -> {
             strip.refresh();
             panels.refresh();
@@ -91,7 +96,7 @@ public final class OperatorWindow {
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
-                end();
+                askToEnd();
             }
         });
     }
@@ -119,22 +124,54 @@ public final class OperatorWindow {
         return session;
     }
 
-    /** Closes the window, and then, beside the event thread, the session; the process ends with it. */
+    /** Closes the window; asks in place first what boats shall do where missions run. */
+    private void askToEnd() {
+        if (!hasUnfinished()) {
+            end();
+            return;
+        }
+        WindowSheet sheet = WindowSheet.in(frame.getRootPane());
+        sheet.open(new Sheet(
+                "closing-sheet",
+                "Close the window while missions run?",
+                new ClosingForm(
+                        context,
+                        boats -> {
+                            sheet.close();
+                            end(boats);
+                        },
+                        sheet::close)));
+    }
+
+    private boolean hasUnfinished() {
+        return !session.models().missions().snapshot().running().isEmpty();
+    }
+
+    /** Closes the window with boats stopped ({@link #end(BoatsAtEnd)}). */
     public void end() {
+        end(BoatsAtEnd.STOP);
+    }
+
+    /**
+     * Closes the window, and then, beside the event thread, the session; the process ends with it.
+     *
+     * @param boats what they are told
+     */
+    public void end(BoatsAtEnd boats) {
         refresh.stop();
         keys.close();
         sounds.close();
         dock.close();
         panels.close();
         frame.dispose();
-        boolean unfinished = !session.models().missions().snapshot().running().isEmpty();
-        new Thread(() -> leave(unfinished), "closing the session").start();
+        boolean unfinished = hasUnfinished();
+        new Thread(() -> leave(boats, unfinished), "closing the session").start();
     }
 
-    private void leave(boolean unfinished) {
+    private void leave(BoatsAtEnd boats, boolean unfinished) {
         int code = 0;
         try {
-            session.leave().forEach(line -> System.err.println("crw-operator: " + line));
+            session.leave(boats).forEach(line -> System.err.println("crw-operator: " + line));
             session.close();
             if (!unfinished) {
                 data.finished();

@@ -4,12 +4,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JFileChooser;
 import javax.swing.JFrame;
-import javax.swing.JOptionPane;
+import org.sami.crw.gui.boat.ConnectForm;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.ReplayProcess;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
@@ -17,6 +15,9 @@ import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.dock.DockArea;
+import org.sami.ui.sheet.FileSheet;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.window.ViewCommands;
 import org.sami.ui.window.WindowSettings;
 
@@ -51,12 +52,9 @@ final class WindowCommands {
     /** The command that opens a journal in a window of its own. */
     void addReplay(Path folder) {
         add(new Command("replay-open", "Replay a journal…", () -> {
-                    JFileChooser chooser =
-                            new JFileChooser(folder.resolve("sessions").toFile());
-                    chooser.setDialogTitle("Replay a journal; this session goes on");
-                    if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-                        replay(chooser.getSelectedFile().toPath(), folder);
-                    }
+                    new FileSheet("replay-file", "Replay a journal; this session goes on")
+                            .from(folder.resolve("sessions"))
+                            .open(frame.getRootPane(), journal -> replay(journal, folder));
                 })
                 .withKey("ctrl shift J")
                 .withIcon("clock"));
@@ -76,38 +74,20 @@ final class WindowCommands {
 
     /** The command that ends the program. */
     void addEnd(Runnable end) {
-        add(new Command("end", "End the session and close", end)
+        add(new Command("end", "Close the window…", end)
                 .withKey("ctrl Q")
                 .withIcon("close"));
     }
 
     private void connect() {
-        String text = JOptionPane.showInputDialog(
-                frame, "Address of the boat's server, HOST:PORT", "Connect a boat", JOptionPane.PLAIN_MESSAGE);
-        if (text != null && !text.isBlank()) {
-            try {
-                BoatAddress address = BoatAddress.parse(text.strip());
-                context.notices().told("Connecting to " + address);
-                context.session().fleet().connect(address).whenComplete((boat, fault) -> {
-                    if (fault == null) {
-                        context.notices().told(boat + " is connected");
-                    } else {
-                        context.notices().refused(address + ": " + fault.getMessage());
-                    }
-                });
-            } catch (IllegalArgumentException unfit) {
-                context.notices().refused(unfit.getMessage());
-            }
-        }
+        WindowSheet sheet = WindowSheet.in(frame.getRootPane());
+        sheet.open(new Sheet("boat-connect-sheet", "Connect a boat", new ConnectForm(context, sheet::close)));
     }
 
     private void load() {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setDialogTitle("Load a project; missions that run keep their plans");
-        chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
-        if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            load(chooser.getSelectedFile().toPath());
-        }
+        new FileSheet("project-file", "Load a project; missions that run keep their plans")
+                .orFolder()
+                .open(frame.getRootPane(), this::load);
     }
 
     private void load(Path file) {

@@ -1,0 +1,5 @@
+/**
+ * What a window asks or shows over its panels without a dialog: a sheet inside the window, which never covers what must stay in sight and which
+ * nothing waits for. It knows no panel.
+ */
+package org.sami.ui.sheet;
