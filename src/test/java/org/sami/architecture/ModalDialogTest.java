@@ -41,8 +41,7 @@ class ModalDialogTest {
             .orShould()
             .accessTargetWhere(WAITS_IN_A_DIALOG);
 
-    private static final ArchRule NO_DIALOG =
-            noClasses().should().dependOnClassesThat(assignableTo(Dialog.class));
+    private static final ArchRule NO_DIALOG = noClasses().should().dependOnClassesThat(assignableTo(Dialog.class));
 
     private static boolean waits(JavaAccess<?> access) {
         JavaClass owner = access.getTarget().getOwner();
@@ -53,8 +52,8 @@ class ModalDialogTest {
         if (!owner.isAssignableTo(Dialog.class)) {
             return false;
         }
-        boolean modalByConstruction = name.equals("<init>")
-                && access.getTarget().getFullName().matches(".*\\(.*(boolean|ModalityType).*\\)");
+        boolean modalByConstruction =
+                name.equals("<init>") && access.getTarget().getFullName().matches(".*\\(.*(boolean|ModalityType).*\\)");
         return modalByConstruction || name.equals("setModal") || name.equals("setModalityType");
     }
 

@@ -6,10 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
 import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.operator.mission.InterruptChoice;
 import org.sami.crw.operator.mission.MissionSnapshot.Details;
+import org.sami.crw.operator.mission.WayBack;
 import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.InterruptButton;
@@ -21,6 +24,7 @@ import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
@@ -63,30 +67,90 @@ record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons)
             Plan plan,
             Map<String, Boolean> offered,
             List<InterruptChoice> buttons) {
-        offered.forEach((name, asks) -> buttons.add(
-                button(vocabulary, mission, plan, name, asks, whyNot(view, vocabulary, mission, plan, name))));
-        for (Place place : plan.places()) {
-            for (OutputEventSpec output : place.outputs()) {
-                EventRole role = role(vocabulary, output.type());
-                Optional<String> name = name(output.fields().get(Reserved.INTERRUPT_NAME));
-                boolean isButton = role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
-                if (isButton && name.isPresent() && !offered.containsKey(name.get())) {
-                    String placeName = place.name().isEmpty() ? place.id() : place.name();
-                    buttons.add(button(
-                            vocabulary,
-                            mission,
-                            plan,
-                            name.get(),
-                            role == EventRole.PROXY_INTERRUPT,
-                            "No token stands in '" + placeName + "'"));
+        WayBack ways = new WayBack(plan, vocabulary);
+        Map<String, OptionalLong> asking = asking(view, mission.id());
+        for (Map.Entry<String, Optional<Place>> each :
+                inPlanOrder(vocabulary, plan, offered.keySet()).entrySet()) {
+            String name = each.getKey();
+            boolean isOffered = offered.containsKey(name);
+            boolean asks = isOffered
+                    ? offered.get(name)
+                    : each.getValue().stream().anyMatch(place -> asksForBoats(vocabulary, place, name));
+            String why = isOffered
+                    ? whyNot(view, vocabulary, mission, plan, name)
+                    : each.getValue()
+                            .map(place ->
+                                    "No token stands in '" + (place.name().isEmpty() ? place.id() : place.name()) + "'")
+                            .orElse("The plan does not offer it now");
+            buttons.add(button(
+                    vocabulary,
+                    mission,
+                    plan,
+                    name,
+                    asks,
+                    ways.missingAfter(name),
+                    asking.getOrDefault(name, OptionalLong.empty()),
+                    why));
+        }
+    }
+
+    /** The latest open question of each interrupt whom it is for. */
+    private static Map<String, OptionalLong> asking(EngineView view, long mission) {
+        Map<String, OptionalLong> asking = new HashMap<>();
+        for (Decision decision : view.decisions()) {
+            if (decision.mission() == mission && decision.isInterruptChoice()) {
+                asking.put(decision.type().substring(Decision.INTERRUPT.length()), OptionalLong.of(decision.id()));
+            }
+        }
+        return asking;
+    }
+
+    /**
+     * All interrupts of a plan in an order that stays for the life of its mission, whether they are offered now or not: as its transitions and
+     * places have them, then those whose names the plan does not have. With the place that offers each, if one does.
+     */
+    private static Map<String, Optional<Place>> inPlanOrder(Vocabulary vocabulary, Plan plan, Set<String> offered) {
+        Map<String, Optional<Place>> all = new LinkedHashMap<>();
+        for (Transition transition : plan.transitions()) {
+            for (InputEventSpec input : transition.inputs()) {
+                if (role(vocabulary, input.type()) == EventRole.INTERRUPT
+                        && input.fields().get(Reserved.INTERRUPT_NAME) instanceof TextValue name) {
+                    all.putIfAbsent(name.value(), Optional.empty());
                 }
             }
         }
+        for (Place place : plan.places()) {
+            for (OutputEventSpec output : place.outputs()) {
+                if (isButton(role(vocabulary, output.type()))) {
+                    name(output.fields().get(Reserved.INTERRUPT_NAME))
+                            .ifPresent(name -> all.putIfAbsent(name, Optional.of(place)));
+                }
+            }
+        }
+        offered.forEach(name -> all.putIfAbsent(name, Optional.empty()));
+        return all;
+    }
+
+    private static boolean isButton(EventRole role) {
+        return role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
+    }
+
+    private static boolean asksForBoats(Vocabulary vocabulary, Place place, String name) {
+        return place.outputs().stream()
+                .anyMatch(output -> role(vocabulary, output.type()) == EventRole.PROXY_INTERRUPT
+                        && name(output.fields().get(Reserved.INTERRUPT_NAME)).equals(Optional.of(name)));
     }
 
     /** With what the markup of the events says that offer it or take it. */
     private static InterruptChoice button(
-            Vocabulary vocabulary, MissionView mission, Plan plan, String name, boolean asks, String whyNot) {
+            Vocabulary vocabulary,
+            MissionView mission,
+            Plan plan,
+            String name,
+            boolean asks,
+            String noWayBack,
+            OptionalLong asking,
+            String whyNot) {
         List<MarkupSpec> markups = new ArrayList<>();
         for (Transition transition : plan.transitions()) {
             transition.inputs().stream()
@@ -107,6 +171,8 @@ record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons)
                 asks,
                 reader.constant("Priority", "rank", Priority.class).orElse(Priority.MEDIUM),
                 reader.text("Description", "source"),
+                noWayBack,
+                asking,
                 whyNot);
     }
 

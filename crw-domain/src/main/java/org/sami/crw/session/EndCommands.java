@@ -45,8 +45,7 @@ final class EndCommands {
     private void hold(BoatProxy boat, GeoPoint here) {
         held.put(boat.boatId(), here);
         String command = "hold-at-end-" + boat.boatId();
-        boat.commands()
-                .submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
+        boat.commands().submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
     }
 
     /** Whether nothing is to be waited for: a boat without a link cannot say anything. */

@@ -46,7 +46,8 @@ final class WindowStart {
      */
     static OperatorWindow open(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         return openUnlessLeft(options, data, ended)
-                .orElseThrow(() -> new IllegalStateException("the question whether to go on was left without an answer"));
+                .orElseThrow(
+                        () -> new IllegalStateException("the question whether to go on was left without an answer"));
     }
 
     /** Opens them; empty where the question whether an unfinished session goes on was left without an answer, and all is closed then. */

@@ -221,8 +221,7 @@ class FleetStopReachWindowTest {
         Component stop = robot.find(Component.class, "fleet-stop");
         Rectangle at = WindowRobot.ask(stop::getBounds);
         robot.clickAt(stop, at.width / 2, at.height / 2);
-        robot.until(
-                "all boats are stopped", 10, () -> boats().stream().allMatch(FleetStopReachWindowTest::isStopped));
+        robot.until("all boats are stopped", 10, () -> boats().stream().allMatch(FleetStopReachWindowTest::isStopped));
     }
 
     private void release() {

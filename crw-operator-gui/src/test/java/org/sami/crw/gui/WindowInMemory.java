@@ -78,6 +78,18 @@ final class WindowInMemory {
         return List.copyOf(faults);
     }
 
+    /** Runs something on the event thread with each tab in front once, as it is laid out then. */
+    void eachTab(Runnable look) {
+        Set<String> seen = new HashSet<>();
+        while (WindowRobot.ask(() -> bringToFront(root(), seen))) {
+            WindowRobot.ask(() -> {
+                Layout.layOut(root(), root().getWidth(), root().getHeight());
+                look.run();
+                return null;
+            });
+        }
+    }
+
     /** How it looks now. */
     BufferedImage picture() {
         return WindowRobot.ask(() -> Layout.paint(root()));

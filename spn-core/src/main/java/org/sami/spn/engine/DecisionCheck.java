@@ -5,6 +5,7 @@ import org.sami.spn.engine.rule.AnswerCheck;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.vocabulary.AnswerNames;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.EventType;
@@ -27,7 +28,9 @@ public final class DecisionCheck {
                 && chosen.proxies().isEmpty()) {
             return Optional.of("nobody is chosen");
         }
-        boolean mayReject = type.filter(asks -> !asks.rejected().isEmpty()).isPresent();
+        boolean mayReject = decision.question() instanceof Question.ChooseProxies
+                ? decision.isInterruptChoice()
+                : type.filter(asks -> !asks.rejected().isEmpty()).isPresent();
         return AnswerCheck.wrong(decision.question(), answer, mayReject, vocabulary);
     }
 }

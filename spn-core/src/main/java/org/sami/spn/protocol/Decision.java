@@ -46,6 +46,11 @@ public record Decision(
         markups = List.copyOf(markups);
     }
 
+    /** Whether it asks whom a pressed interrupt is for: {@link Answer.Rejected} withdraws the press then (R-INT-8). */
+    public boolean isInterruptChoice() {
+        return activation == Ids.NONE && mission != Ids.NONE && type.startsWith(INTERRUPT);
+    }
+
     /** The same decision, which autonomy does not answer at any time. */
     public Decision withoutDeadline() {
         return new Decision(

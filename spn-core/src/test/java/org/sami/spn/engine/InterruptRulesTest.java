@@ -6,9 +6,13 @@ import static org.sami.spn.engine.SubMissionNets.taking;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
@@ -106,8 +110,40 @@ class InterruptRulesTest {
     }
 
     @Test
+    void aPressThatAsksForWhomIsWithdrawnByAnsweringNone() {
+        Session s = new Session(proxyInterrupt());
+        long m = s.join("A", "B").start("net");
+        s.press("Pull");
+        Decision asked = s.view().decisions().get(0);
+        assertThat(asked.isInterruptChoice()).isTrue();
+
+        s.decide(new Answer.Rejected());
+
+        assertThat(s.last())
+                .containsExactly(new Effect.DecisionClosed(
+                        asked.id(), Optional.of(new Answer.Rejected()), Optional.of(Answerer.OPERATOR)));
+        assertThat(s.view().decisions()).isEmpty();
+        assertThat(s.view().interrupts()).containsExactly(new InterruptButton(m, "Pull", true));
+        s.press("Pull", "A");
+        assertThat(s.marking(m, "dock")).isEqualTo("A");
+    }
+
+    @Test
     void anInterruptPlaceAsksForTheRobotsUnlessThePressNamesThem() {
-        Session s = new Session(new NetBuilder("net")
+        Session s = new Session(proxyInterrupt());
+        long m = s.join("A", "B", "C").start("net");
+        assertThat(s.view().interrupts()).containsExactly(new InterruptButton(m, "Pull", true));
+
+        s.press("Pull");
+        s.decide(new Answer.Proxies(List.of("B")));
+        s.press("Pull", "A");
+
+        assertThat(s.marking(m, "dock")).isEqualTo("B A");
+        assertThat(s.marking(m, "work")).isEqualTo("C");
+    }
+
+    private static Plan proxyInterrupt() {
+        return new NetBuilder("net")
                 .start("s")
                 .output(
                         "button",
@@ -122,15 +158,6 @@ class InterruptRulesTest {
                 .in("button", "pull", "generic >= 1")
                 .in("work", "pull", "relevant >= 1")
                 .out("pull", "dock", "take all relevant")
-                .build());
-        long m = s.join("A", "B", "C").start("net");
-        assertThat(s.view().interrupts()).containsExactly(new InterruptButton(m, "Pull", true));
-
-        s.press("Pull");
-        s.decide(new Answer.Proxies(List.of("B")));
-        s.press("Pull", "A");
-
-        assertThat(s.marking(m, "dock")).isEqualTo("B A");
-        assertThat(s.marking(m, "work")).isEqualTo("C");
+                .build();
     }
 }

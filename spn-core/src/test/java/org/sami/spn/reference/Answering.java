@@ -22,6 +22,9 @@ final class Answering {
         if (question instanceof Question.ChooseOption && dice.chance(25)) {
             return new Answer.Option(2); // there are two
         }
+        if (question instanceof Question.ChooseProxies && dice.chance(10)) {
+            return new Answer.Rejected(); // whom an interrupt is for may be left open, other choices may not
+        }
         if (dice.chance(3)) {
             return new Answer.Proxies(List.of("A", "A"));
         }

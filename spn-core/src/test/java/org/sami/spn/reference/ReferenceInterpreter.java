@@ -378,6 +378,13 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             world.note(NoteKind.NAMES_NOBODY, question.get().decision().mission(), "");
             return;
         }
+        if (question.isPresent()
+                && input.answer() instanceof Answer.Rejected
+                && question.get().decision().activation() == Ids.NONE
+                && question.get().decision().question() instanceof Question.ChooseProxies) {
+            roles.close(question.get(), Optional.of(input.answer()), Optional.of(input.by())); // R-INT-8
+            return;
+        }
         if (question.isEmpty() || !Roles.fits(question.get().decision().question(), input.answer())) {
             missions.reject("Not a decision that this answers: " + input.decision());
             return;

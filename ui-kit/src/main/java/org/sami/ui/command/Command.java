@@ -21,7 +21,7 @@ import org.sami.ui.look.Icons;
  */
 public final class Command extends AbstractAction {
     private final String id;
-    private final String title;
+    private String title;
     private final Runnable run;
     private Supplier<Optional<String>> whyNot = Optional::empty;
     private Optional<KeyStroke> key = Optional.empty();
@@ -60,6 +60,13 @@ public final class Command extends AbstractAction {
         putValue(ACCELERATOR_KEY, read);
         refresh();
         return this;
+    }
+
+    /** Calls it something else from now on, as what it acts on has changed. */
+    public void retitle(String next) {
+        title = Objects.requireNonNull(next, "next");
+        putValue(NAME, next);
+        refresh();
     }
 
     /**

@@ -105,8 +105,7 @@ public final class FileSheet {
                 Dimension large = new Dimension(Math.max(least, size.width), Math.max(least, size.height));
                 child.setPreferredSize(large);
                 child.setMinimumSize(large);
-                child.setMaximumSize(
-                        new Dimension(Math.max(large.width, child.getMaximumSize().width), large.height));
+                child.setMaximumSize(new Dimension(Math.max(large.width, child.getMaximumSize().width), large.height));
             } else if (child instanceof Container inner) {
                 enlarge(inner);
             }

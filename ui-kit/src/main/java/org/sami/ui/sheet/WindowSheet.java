@@ -29,9 +29,8 @@ public final class WindowSheet {
 
     private final JRootPane root;
     private final Runnable placing = this::place;
-    private final PropertyChangeListener focusWatch =
-            change -> focusMoved(KeyboardFocusManager.getCurrentKeyboardFocusManager()
-                    .getFocusOwner());
+    private final PropertyChangeListener focusWatch = change ->
+            focusMoved(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
     private Optional<JComponent> keptFree = Optional.empty();
     private Optional<Shown> shown = Optional.empty();
 
@@ -86,7 +85,8 @@ public final class WindowSheet {
         Optional<Component> inSheetBefore = shown.flatMap(Shown::focusedBefore);
         remove(false);
         SheetPanel panel = new SheetPanel(sheet, this::close);
-        shown = Optional.of(new Shown(panel, sheet, before.filter(Component::isShowing).or(() -> inSheetBefore)));
+        shown = Optional.of(
+                new Shown(panel, sheet, before.filter(Component::isShowing).or(() -> inSheetBefore)));
         root.getLayeredPane().add(panel, JLayeredPane.PALETTE_LAYER);
         Look.addListener(placing);
         place();

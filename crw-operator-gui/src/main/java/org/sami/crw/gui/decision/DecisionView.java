@@ -53,7 +53,9 @@ final class DecisionView {
                         option.selected()))
                 .toList();
         editor = new QuestionEditor(NAME, decision.question(), offered, chosen, editors);
-        refusable = decision.question() instanceof Question.ChooseOption
+        boolean offersNone = decision.question() instanceof Question.ChooseOption
+                || decision.decision().isInterruptChoice(); // none withdraws the press
+        refusable = offersNone
                 && actions.check(decision.id(), new Answer.Rejected()).isEmpty();
         judged = new JudgedDraft(
                 this::draft, draft -> actions.judge(decision.decision(), draft), () -> rejudged.accept(this));

@@ -185,6 +185,12 @@ public final class DecisionsPanel extends JPanel {
         tendPen();
         tellProblem();
         bar.showPosition(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
+        commands.refuse()
+                .retitle(
+                        current.filter(view -> view.decision().decision().isInterruptChoice())
+                                        .isPresent()
+                                ? "Withdraw the interrupt"
+                                : "None of these");
         commands.refresh();
         offer();
     }

@@ -23,15 +23,17 @@ public final class ResumeQuestion {
     private ResumeQuestion(Path journal) {
         String name = journal.getFileName().toString().replace(".journal", "").replace('_', ' ');
         JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, gap 8, fillx, w 480::", "[grow,fill]"));
-        WrappedText text = new WrappedText("The session of " + name
-                + " was not finished. Its missions, decisions and boats are in its journal. Escape closes this and leaves it on offer.");
+        WrappedText text = new WrappedText(
+                "The session of " + name
+                        + " was not finished. Its missions, decisions and boats are in its journal. Escape closes this and leaves it on offer.");
         text.setName("resume-question-text");
         panel.add(text, "span, wmin 60, gapbottom 8");
         JButton goOn = button("resume-go-on", "Go on with it", true);
         panel.add(goOn, "split 2, hmin 40");
         panel.add(button("resume-begin-anew", "Begin anew", false), "hmin 40");
         panel.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
-        panel.getActionMap().put("leave", new Command("resume-leave", "Leave it on offer", () -> give(Optional.empty())));
+        panel.getActionMap()
+                .put("leave", new Command("resume-leave", "Leave it on offer", () -> give(Optional.empty())));
         frame.setName("resume-question");
         frame.setContentPane(panel);
         frame.getRootPane().setDefaultButton(goOn);

@@ -2,6 +2,7 @@ package org.sami.crw.gui.window;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -38,9 +39,10 @@ final class ClosingForm extends JPanel {
                 .filter(mission -> mission.parent() == Ids.NONE)
                 .map(MissionSnapshot::title)
                 .toList();
-        WrappedText what = new WrappedText((running.size() == 1 ? "1 mission runs: " : running.size() + " missions run: ")
-                + String.join(", ", running)
-                + ". What shall boats do? The session is offered again when the window is opened next.");
+        WrappedText what =
+                new WrappedText((running.size() == 1 ? "1 mission runs: " : running.size() + " missions run: ")
+                        + String.join(", ", running)
+                        + ". What shall boats do? The session is offered again when the window is opened next.");
         what.setName("closing-missions");
         without.setName("closing-without-link");
         without.setColor(SemanticColor.MUTED);
@@ -51,7 +53,9 @@ final class ClosingForm extends JPanel {
         add(
                 choice("closing-hold", "Close; each boat holds its place", "hold", chosen, BoatsAtEnd.HOLD),
                 "hmin 40, gaptop 8");
-        add(choice("closing-stop", "Close; boats stop their motors and drift", "stop", chosen, BoatsAtEnd.STOP), "hmin 40");
+        add(
+                choice("closing-stop", "Close; boats stop their motors and drift", "stop", chosen, BoatsAtEnd.STOP),
+                "hmin 40");
         add(
                 choice(
                         "closing-go-on",
@@ -81,29 +85,33 @@ final class ClosingForm extends JPanel {
 
     /** Says what each boat does once it notices that its link is lost, as the boats say it. */
     private void askSettings(OperatorContext context) {
-        Map<LostLinkAction, TreeSet<String>> actions = new TreeMap<>();
-        TreeSet<String> unknown = new TreeSet<>();
+        Map<LostLinkAction, Set<String>> actions = new TreeMap<>();
+        Set<String> unknown = new TreeSet<>();
         context.models().fleet().snapshot().forEach(boat -> {
             unknown.add(boat.boat());
-            context.session().fleet().settings(boat.boat()).thenAccept(tuning -> tuning.ifPresent(said -> {
-                unknown.remove(boat.boat());
-                actions.computeIfAbsent(said.lostLinkAction(), action -> new TreeSet<>())
-                        .add(boat.boat());
-                say(actions, unknown);
-            }));
+            context.session()
+                    .fleet()
+                    .settings(boat.boat())
+                    .thenAccept(tuning -> tuning.ifPresent(said -> {
+                        unknown.remove(boat.boat());
+                        actions.computeIfAbsent(said.lostLinkAction(), action -> new TreeSet<>())
+                                .add(boat.boat());
+                        say(actions, unknown);
+                    }));
         });
         say(actions, unknown);
     }
 
-    private void say(Map<LostLinkAction, TreeSet<String>> actions, TreeSet<String> unknown) {
+    private void say(Map<LostLinkAction, Set<String>> actions, Set<String> unknown) {
         String known = actions.entrySet().stream()
                 .map(each -> String.join(", ", each.getValue()) + ": " + LostLinkWords.of(each.getKey()))
                 .collect(Collectors.joining("; "));
         String others = unknown.isEmpty() ? "" : String.join(", ", unknown) + ": not known";
-        without.setText("Simulated boats of this window end with it. Others notice that the link is gone, and then do what is set for that"
-                + (known.isEmpty() && others.isEmpty()
-                        ? "."
-                        : " – " + known + (known.isEmpty() || others.isEmpty() ? "" : "; ") + others + "."));
+        without.setText(
+                "Simulated boats of this window end with it. Others notice that the link is gone, and then do what is set for that"
+                        + (known.isEmpty() && others.isEmpty()
+                                ? "."
+                                : " – " + known + (known.isEmpty() || others.isEmpty() ? "" : "; ") + others + "."));
         revalidate();
     }
 }

@@ -87,7 +87,7 @@ public final class OperatorWindow {
         top.add(new HealthRow(context, context.commands().get("panel-health")), BorderLayout.SOUTH);
         frame.getContentPane().add(top, BorderLayout.NORTH);
         frame.getContentPane().add(dock);
-        WindowSheet.in(frame.getRootPane()).keepFree(strip);
+        WindowSheet.in(frame.getRootPane()).keepFree(top);
         keys = CommandKeys.install(context.commands(), context.notices()::refused);
         refresh = new Timer(REFRESH_MS, e -> {
             strip.refresh();
@@ -117,6 +117,11 @@ public final class OperatorWindow {
     /** The frame, for those who drive it. */
     public JFrame frame() {
         return frame;
+    }
+
+    /** Its commands, for those who drive it. */
+    public CommandRegistry commands() {
+        return context.commands();
     }
 
     /** The session that it shows. */

@@ -74,9 +74,7 @@ final class WindowCommands {
 
     /** The command that ends the program. */
     void addEnd(Runnable end) {
-        add(new Command("end", "Close the window…", end)
-                .withKey("ctrl Q")
-                .withIcon("close"));
+        add(new Command("end", "Close the window…", end).withKey("ctrl Q").withIcon("close"));
     }
 
     private void connect() {

@@ -7,6 +7,7 @@ import static org.sami.crw.gui.SessionWorld.laidOut;
 import static org.sami.crw.gui.SessionWorld.until;
 
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JButton;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -35,32 +36,53 @@ class InterruptCommandsTest {
     }
 
     @Test
-    void anInterruptIsPressedByItsKeyWhichIsNeverThatOfAnother() throws Exception {
+    void eachInterruptOfEachMissionHasAKeyThatNeverMeansAnother() throws Exception {
         try (SessionWorld world = new SessionWorld(PROJECT)) {
             InterruptsPanel panel = laidOut(() -> new InterruptsPanel(world.context));
+            assertThat(world.whyNot("interrupt-1")).isEqualTo("no mission has an interrupt with this key");
             long one = world.start("one");
-            until("one is offered", () -> keys(world).equals(List.of("Interrupt: avoid boat Ctrl+F2")));
+            until("one is offered", () -> meant(world).equals(List.of("avoid boat of mission 1, one Ctrl+F2")));
             assertThat(onEventThread(() ->
                             find(panel, "interrupt-avoid-boat", JButton.class).getToolTipText()))
                     .endsWith("(Ctrl+F2)");
+            world.start("one");
+            until(
+                    "the second mission has a key of its own",
+                    () -> meant(world)
+                            .equals(List.of(
+                                    "avoid boat of mission 1, one Ctrl+F2", "avoid boat of mission 2, one Ctrl+F3")));
 
-            world.run("interrupt-1");
-            until("it is taken", () -> firings(world, one) == 1);
+            world.run("interrupt-2");
+            until("it is pressed for the second mission alone", () -> firings(world, 2) == 1);
+            assertThat(firings(world, one)).isZero();
             until(
                     "it is offered no longer",
-                    () -> !world.context.commands().get("interrupt-1").whyNot().isEmpty());
+                    () -> !world.context.commands().get("interrupt-2").whyNot().isEmpty());
 
+            world.session.abort(one);
+            world.session.abort(2);
+            until(
+                    "nobody offers it",
+                    () -> world.context
+                            .commands()
+                            .get("interrupt-1")
+                            .whyNot()
+                            .equals(Optional.of("no running mission offers it")));
             world.start("two");
             until(
                     "another has a key of its own",
-                    () -> keys(world).equals(List.of("Interrupt: avoid boat Ctrl+F2", "Interrupt: alarm Ctrl+F3")));
+                    () -> meant(world)
+                            .equals(List.of(
+                                    "avoid boat Ctrl+F2", "avoid boat Ctrl+F3", "alarm of mission 3, two Ctrl+F4")));
+            world.start("one");
+            until("it has its key again", () -> meant(world).contains("avoid boat of mission 4, one Ctrl+F2"));
         }
     }
 
-    private static List<String> keys(SessionWorld world) {
+    private static List<String> meant(SessionWorld world) {
         return onEventThread(() -> world.context.commands().all().stream()
-                .filter(command -> command.id().startsWith("interrupt-"))
-                .map(command -> command.title() + " " + command.keyText())
+                .filter(command -> command.title().startsWith("Interrupt: "))
+                .map(command -> command.title().replace("Interrupt: ", "") + " " + command.keyText())
                 .toList());
     }
 

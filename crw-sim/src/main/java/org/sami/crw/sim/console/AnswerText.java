@@ -88,6 +88,9 @@ final class AnswerText {
         }
         if (question instanceof Question.ChooseProxies choose) {
             List<String> words = new ArrayList<>(List.of("all"));
+            if (asked.decision().isInterruptChoice()) {
+                words.add("none");
+            }
             words.addAll(choose.proxies());
             return words;
         }
@@ -123,6 +126,9 @@ final class AnswerText {
                 }
                 default -> throw fault(asked, first);
             }
+        }
+        if (asked.decision().isInterruptChoice() && words.equals(List.of("none"))) {
+            return new Answer.Rejected();
         }
         if (question instanceof Question.ChooseProxies choose && !words.isEmpty()) {
             return new Answer.Proxies(first.equals("all") ? choose.proxies() : names(words));

@@ -21,6 +21,9 @@ public final class AnswerCheck {
             return expect(answer instanceof Answer.YesNo, "yes or no", answer);
         }
         if (question instanceof Question.ChooseProxies c) {
+            if (answer instanceof Answer.Rejected && mayReject) {
+                return Optional.empty();
+            }
             return answer instanceof Answer.Proxies p
                     ? wrongChoice(c, p.proxies())
                     : expect(false, "a choice of robots", answer);

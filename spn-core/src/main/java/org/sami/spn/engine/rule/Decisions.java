@@ -37,7 +37,7 @@ import org.sami.spn.vocabulary.Reserved;
 /**
  * Questions to the operator: opened, answered once by the operator or by autonomy, closed.
  *
- * <p>Implements R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7, R-DEC-8, R-DEC-9.
+ * <p>Implements R-INT-8, R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7, R-DEC-8, R-DEC-9.
  */
 public final class Decisions {
     private final Rules rules;
@@ -211,9 +211,11 @@ public final class Decisions {
     }
 
     private Optional<String> wrong(OpenDecision open, Answer answer) {
-        boolean mayReject = open.sent != null
-                && open.purpose == OpenDecision.Purpose.ACTIVATION
-                && !typeOf(open).rejected().isEmpty();
+        boolean mayReject = open.purpose == OpenDecision.Purpose.INTERRUPT_CHOICE
+                || (open.sent != null
+                        && open.purpose == OpenDecision.Purpose.ACTIVATION
+                        && open.decision.question() instanceof Question.ChooseOption
+                        && !typeOf(open).rejected().isEmpty());
         return AnswerCheck.wrong(open.decision.question(), answer, mayReject, rules.project().vocabulary);
     }
 
@@ -259,8 +261,11 @@ public final class Decisions {
                 open.mission.parameters = values;
                 rules.missionStart.begin(open.mission);
             }
-            case INTERRUPT_CHOICE ->
-                rules.interrupts.chosen(open.mission, open.subject, ((Answer.Proxies) answer).proxies());
+            case INTERRUPT_CHOICE -> {
+                if (answer instanceof Answer.Proxies chosen) { // else the press is withdrawn
+                    rules.interrupts.chosen(open.mission, open.subject, chosen.proxies());
+                }
+            }
             case DOMAIN ->
                 rules.emit(
                         new Effect.QuestionAnswered(open.decision.type(), open.subject, ((Answer.YesNo) answer).yes()));
