@@ -9,6 +9,7 @@ import static java.awt.event.KeyEvent.VK_F12;
 import static java.awt.event.KeyEvent.VK_P;
 import static java.awt.event.KeyEvent.VK_Q;
 import static java.awt.event.KeyEvent.VK_SHIFT;
+import static java.awt.event.KeyEvent.VK_W;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
@@ -159,7 +160,7 @@ class FleetStopReachWindowTest {
         robot.until("it is closed", () -> window.frame().isShowing() && !showsClosing());
         window.session().abortAll();
         robot.untilSaid("missions-count", "0 missions");
-        robot.click("mission-close");
+        robot.press(VK_W, VK_CONTROL);
     }
 
     private void untilWritten(String area, String text) {
