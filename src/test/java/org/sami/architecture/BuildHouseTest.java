@@ -7,7 +7,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -36,6 +39,67 @@ class BuildHouseTest {
         String version = distribution.group(1);
         assertThat(Files.readString(Path.of("tools", "ensure-gradle.sh"))).contains("gradle-" + version + "-bin");
         assertThat(Files.readString(Path.of("tools", "bootstrap-gradle.sh"))).contains("V=" + version + "\n");
+    }
+
+    @Test
+    void wrapperIsThePublishedOneAndHoldsGradleToItsSha256() throws Exception {
+        byte[] jar = Files.readAllBytes(Path.of("gradle", "wrapper", "gradle-wrapper.jar"));
+
+        assertThat(sha256(jar)).isEqualTo("cb0da6751c2b753a16ac168bb354870ebb1e162e9083f116729cec9c781156b8");
+        assertThat(Files.readString(Path.of("gradle", "wrapper", "gradle-wrapper.properties")))
+                .contains("distributionSha256Sum=a4b4158601f8636cdeeab09bd76afb640030bb5b144aafe261a5e8af027dc612");
+    }
+
+    /** The script runs as it is; only Maven is one that brings files of the test's. */
+    @Test
+    void gradleIsNotMadeOfAFileThatIsNotTheListedOne(@TempDir Path folder) throws Exception {
+        Path maven = Files.writeString(folder.resolve("mvn"), """
+                #!/bin/bash
+                for a in "$@"; do case $a in -DoutputDirectory=*) out=${a#*=};; esac; done
+                mkdir -p "$out"
+                while read -r sum file; do echo other > "$out/$file"; done < tools/gradle-artifacts.sha256
+                """);
+        assertThat(maven.toFile().setExecutable(true)).isTrue();
+        ProcessBuilder making = new ProcessBuilder("bash", "tools/bootstrap-gradle.sh").redirectErrorStream(true);
+        making.environment().put("GRADLE_USER_HOME", folder.resolve("home").toString());
+        making.environment().put("TMPDIR", folder.toString());
+        making.environment().merge("PATH", folder.toString(), (old, first) -> first + ":" + old);
+
+        Process process = making.start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+        assertThat(process.waitFor()).isEqualTo(1);
+        assertThat(said).contains("gradle-api-8.8.jar: FAILED").contains("nothing was made");
+        assertThat(folder.resolve("home")).doesNotExist();
+    }
+
+    @Test
+    void everyLibraryIsHeldToItsSha256() throws IOException {
+        String verified = Files.readString(Path.of("gradle", "verification-metadata.xml"));
+        String catalog = Files.readString(Path.of("gradle", "libs.versions.toml"));
+        Matcher named = Pattern.compile("module = \"([^:\"]+):([^\"]+)\", version\\.ref = \"([^\"]+)\"")
+                .matcher(catalog);
+
+        List<String> unverified = new ArrayList<>();
+        int count = 0;
+        while (named.find()) {
+            count++;
+            Matcher version = Pattern.compile("(?m)^" + Pattern.quote(named.group(3)) + " = \"([^\"]+)\"")
+                    .matcher(catalog);
+            assertThat(version.find()).as(named.group(3)).isTrue();
+            String component = "<component group=\"" + named.group(1) + "\" name=\"" + named.group(2) + "\" version=\""
+                    + version.group(1) + "\">";
+            if (!verified.contains(component) && !named.group(2).endsWith("-bom")) {
+                unverified.add(component);
+            }
+        }
+
+        assertThat(count).isGreaterThan(30);
+        assertThat(unverified).isEmpty();
+    }
+
+    private static String sha256(byte[] bytes) throws NoSuchAlgorithmException {
+        return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
     }
 
     /** Gradle itself breaks on a later Java, with a stack trace and before any build file is read. */
