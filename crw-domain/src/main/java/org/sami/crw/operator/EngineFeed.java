@@ -136,8 +136,10 @@ final class EngineFeed {
         plans.restore(view);
         Map<Long, List<GeoArea>> areas = avoided.restore(view);
         Map<Long, StartedPlan> started = new HashMap<>();
+        Map<Long, MissionModel.Earlier> earlier = new HashMap<>();
         List<TaskId> tasks = new ArrayList<>();
         view.missions().forEach(mission -> {
+            earlier.put(mission.id(), new MissionModel.Earlier(mission.startedAtMillis(), mission.firings()));
             Optional<Plan> plan = plans.of(mission.id());
             plan.ifPresent(one -> started.put(mission.id(), EngineStep.startedPlan(mission.id(), one, view)));
             plan.ifPresent(one -> tasks.addAll(EngineStep.tasksOf(mission.id(), one, view)));
@@ -154,7 +156,7 @@ final class EngineFeed {
             started.forEach((mission, plan) -> variables.mission(mission, plan.variables()));
             models.communication().restore(marked, atMillis);
             logged.restore(open.stream().map(DecisionPresentation::decision).toList());
-            models.missions().restore(marking, started, atMillis);
+            models.missions().restore(marking, started, earlier, atMillis);
             models.map().restore(marked);
             models.alarms().setAvoided(areas, atMillis);
             models.allocation().restore(tasks, robots, complete, queues);

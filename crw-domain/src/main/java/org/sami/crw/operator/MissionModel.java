@@ -66,6 +66,9 @@ public final class MissionModel extends Model<MissionsSnapshot> {
      */
     record StartedPlan(String title, Map<String, Value> variables, Map<String, Value> globals) {}
 
+    /** When a mission of a restored state started, where that is known, and how often it has fired. */
+    record Earlier(OptionalLong startedAtMillis, long firings) {}
+
     MissionModel() {
         super(MissionsSnapshot.EMPTY);
     }
@@ -88,18 +91,25 @@ public final class MissionModel extends Model<MissionsSnapshot> {
 
     /** Forgets all. */
     void clear() {
-        restore(List.of(), Map.of(), 0);
+        restore(List.of(), Map.of(), Map.of(), 0);
         globals.clear();
         firings = 0;
         change();
     }
 
     /** Begins anew with a state that was restored: the effects that tell its marking. */
-    void restore(List<Effect> effects, Map<Long, StartedPlan> plans, long atMillis) {
+    void restore(List<Effect> effects, Map<Long, StartedPlan> plans, Map<Long, Earlier> earlier, long atMillis) {
         marking = new FollowedMarking();
         tracked.clear();
         ended.clear();
-        effects.forEach(effect -> apply(effect, plans, atMillis));
+        effects.forEach(effect -> apply(
+                effect,
+                plans,
+                effect instanceof Effect.MissionStarted start && earlier.containsKey(start.mission())
+                        ? earlier.get(start.mission()).startedAtMillis().orElse(atMillis)
+                        : atMillis));
+        earlier.forEach((id, before) -> with(id, mission -> mission.firings = before.firings()));
+        firings = earlier.values().stream().mapToLong(Earlier::firings).sum();
     }
 
     void apply(Effect effect, Map<Long, StartedPlan> plans, long atMillis) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalLong;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 
@@ -15,6 +16,8 @@ import org.sami.spn.protocol.Token;
  * @param place the parent's place whose sub-mission it is, by its id; empty text for a root mission
  * @param marking tokens of each marked place in order of entry, by place id in the plan's order
  * @param projectVersion of which of the session's projects its plan is ({@code Effect.ProjectLoaded}); 1 where none was loaded
+ * @param startedAtMillis on the session's clock; empty in a state that was written before states said it
+ * @param firings how many there were since then, as far as states said it
  */
 public record MissionView(
         long id,
@@ -25,12 +28,15 @@ public record MissionView(
         String name,
         MissionStatus status,
         Map<String, List<Token>> marking,
-        int projectVersion) {
+        int projectVersion,
+        OptionalLong startedAtMillis,
+        long firings) {
     public MissionView {
         Objects.requireNonNull(place, "place");
         Objects.requireNonNull(plan, "plan");
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(status, "status");
+        Objects.requireNonNull(startedAtMillis, "startedAtMillis");
         marking = Collections.unmodifiableMap(new LinkedHashMap<>(marking));
     }
 
@@ -44,7 +50,7 @@ public record MissionView(
             String name,
             MissionStatus status,
             Map<String, List<Token>> marking) {
-        this(id, parent, root, place, plan, name, status, marking, 1);
+        this(id, parent, root, place, plan, name, status, marking, 1, OptionalLong.empty(), 0);
     }
 
     /** Likewise, one that stands in no place of another. */
@@ -56,6 +62,6 @@ public record MissionView(
             String name,
             MissionStatus status,
             Map<String, List<Token>> marking) {
-        this(id, parent, root, "", plan, name, status, marking, 1);
+        this(id, parent, root, "", plan, name, status, marking, 1, OptionalLong.empty(), 0);
     }
 }

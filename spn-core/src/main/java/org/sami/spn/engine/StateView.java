@@ -72,7 +72,9 @@ final class StateView implements EngineView {
                 m.name,
                 m.status,
                 marking,
-                m.plan.project.version);
+                m.plan.project.version,
+                m.startedAt == MissionState.UNKNOWN ? OptionalLong.empty() : OptionalLong.of(m.startedAt),
+                m.firings);
     }
 
     @Override

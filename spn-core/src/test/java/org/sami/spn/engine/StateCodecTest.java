@@ -255,7 +255,24 @@ class StateCodecTest {
         System.arraycopy(second, memoryAt + 4, first, memoryAt, first.length - memoryAt);
         first[7] = 1;
 
-        assertThat(StateCodec.encode(StateCodec.decode(first, engine))).isEqualTo(second);
+        EngineState decoded = StateCodec.decode(first, engine);
+        int missions = engine.view(state).missions().size();
+        int times = second.length - missions * 16; // when each started and how often it fired: not in the first version
+        assertThat(Arrays.copyOf(StateCodec.encode(decoded), times)).isEqualTo(Arrays.copyOf(second, times));
+        assertThat(engine.view(decoded).missions()).allMatch(mission -> mission.startedAtMillis().isEmpty());
+    }
+
+    @Test
+    void aStateSaysWhenItsMissionsStartedAndHowOftenTheyFired() {
+        EngineState state = engine.newState();
+        engine.step(state, 7, new Input.StartMission("main", "m", Map.of()));
+
+        MissionView mission = engine.view(StateCodec.decode(StateCodec.encode(state), engine))
+                .missions()
+                .get(0);
+
+        assertThat(mission.startedAtMillis()).hasValue(7);
+        assertThat(mission).isEqualTo(engine.view(state).missions().get(0));
     }
 
     @Test

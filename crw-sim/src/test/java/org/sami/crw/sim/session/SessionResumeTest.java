@@ -24,6 +24,7 @@ import org.sami.crw.markup.MapRelevance.Visualization;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownTrack;
+import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.session.FleetHistory;
@@ -96,6 +97,32 @@ class SessionResumeTest {
         Decision asked = TestSession.decision(again, "OperatorApprove");
         TestSession.get(again.answer(asked.id(), new Answer.YesNo(true), "window"));
         assertThat(TestSession.missions(again)).containsExactly(second);
+    }
+
+    @Test
+    void aMissionHasRunSinceItBeganAndHasItsFiringsAfterAResume() throws Exception {
+        BoatAddress anna = TestSession.address(world.boat("anna"));
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.project(TestSession.connecting(anna)), journal);
+        session.begin();
+        long mission = TestSession.get(session.start("p", "first", Map.of()));
+        TestSession.until("it asks", session, view -> view.decisions().size() == 1);
+        Await.until("its firing is shown", () -> snapshot(session, mission).firings() == 1);
+        MissionSnapshot before = snapshot(session, mission);
+        session.close();
+
+        Session again = world.resumed(journal);
+        again.begin();
+
+        Await.until(
+                "the mission is shown",
+                () -> again.models().missions().snapshot().mission(mission).isPresent());
+        assertThat(snapshot(again, mission).startedAtMillis()).isEqualTo(before.startedAtMillis());
+        assertThat(snapshot(again, mission).firings()).isEqualTo(1);
+    }
+
+    private static MissionSnapshot snapshot(Session session, long mission) {
+        return session.models().missions().snapshot().mission(mission).orElseThrow();
     }
 
     private static boolean hasPose(Path journal) {

@@ -67,7 +67,7 @@ public final class StateDecoder {
         }
         state = new NetState(first);
         projects.put(first.version, first);
-        for (int i = version > 3 ? in.integer() : 0; i > 0; i--) {
+        for (int i = hasLoaded() ? in.integer() : 0; i > 0; i--) {
             CompiledProject project = loaded.compiled(state.newest(), in.integer(), in.text());
             projects.put(project.version, project);
             state.load(project);
@@ -101,7 +101,18 @@ public final class StateDecoder {
         for (int i = version > 2 ? in.integer() : 0; i > 0; i--) {
             state.missions.get(in.number()).asked = Outcome.valueOf(in.text());
         }
+        if (version >= StateEncoder.WITH_TIMES) {
+            for (MissionState m : state.missions.values()) {
+                m.startedAt = in.number();
+                m.firings = in.number();
+            }
+        }
         return state;
+    }
+
+    /** Whether the state names projects that were loaded. */
+    private boolean hasLoaded() {
+        return version == 4 || version == StateEncoder.VERSION;
     }
 
     /** Whether unused returns of static instances are still to be told: before version 3 one's value replaced the one before. */
@@ -112,7 +123,7 @@ public final class StateDecoder {
     private void mission() {
         long id = in.number();
         String planId = in.text();
-        CompiledProject project = projects.get(version > 3 ? in.integer() : state.first.version);
+        CompiledProject project = projects.get(hasLoaded() ? in.integer() : state.first.version);
         CompiledPlan plan = project == null ? null : project.plan(planId);
         if (plan == null) {
             throw new IllegalArgumentException("The state speaks of the plan '" + planId + "', which is not there");

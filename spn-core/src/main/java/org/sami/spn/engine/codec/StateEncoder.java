@@ -30,10 +30,13 @@ public final class StateEncoder {
     /** First bytes of every encoded state: "SPNS". */
     public static final int MAGIC = 0x53504e53;
     /** Version of the form. */
-    public static final int VERSION = 4;
+    public static final int VERSION = 6;
 
     /** Version of the form of a state that has loaded no project: all of its plans are the engine's. */
-    private static final int WITHOUT_LOADED = 3;
+    private static final int WITHOUT_LOADED = 5;
+
+    /** Since this version a state says when its missions started, and how often they fired. */
+    static final int WITH_TIMES = 5;
 
     private final ProtocolEncoder out = new ProtocolEncoder();
     private boolean loaded;
@@ -76,6 +79,10 @@ public final class StateEncoder {
         for (MissionState m : asked) {
             out.number(m.id);
             out.text(m.asked.name());
+        }
+        for (MissionState m : s.missions.values()) {
+            out.number(m.startedAt);
+            out.number(m.firings);
         }
         return out.bytes();
     }

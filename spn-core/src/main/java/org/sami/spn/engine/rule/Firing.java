@@ -86,6 +86,7 @@ public final class Firing {
         Selection.Selected selected = rules.selection.select(t, relevant, scope);
         long before = rules.state.stamp;
         rules.state.firings++;
+        m.firings++;
         List<Occurrence> occurrences = new ArrayList<>(used.size());
         for (PendingOccurrence p : used) {
             occurrences.add(p.occurrence);

@@ -95,6 +95,7 @@ public final class MissionStart {
         for (VariableSpec v : plan.plan.variables()) {
             v.initial().ifPresent(value -> m.setVariable(v.name(), value));
         }
+        m.startedAt = rules.state.now;
         rules.state.add(m);
         rules.emit(started(m));
         for (TaskSpec task : plan.plan.tasks()) {

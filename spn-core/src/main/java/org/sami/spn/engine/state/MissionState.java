@@ -13,6 +13,9 @@ import org.sami.spn.value.Value;
 
 /** A running plan: a root mission or a sub-mission instance. What it does not use, it does not allocate. */
 public final class MissionState {
+    /** A time that is not known. */
+    public static final long UNKNOWN = -1;
+
     public final long id;
     public final CompiledPlan plan;
     public final String name;
@@ -44,6 +47,10 @@ public final class MissionState {
     public int chain;
 
     public long chainNumber;
+    /** When it started, on the session's clock; {@link #UNKNOWN} in a state that an earlier version wrote. */
+    public long startedAt = UNKNOWN;
+
+    public long firings;
     private Visit firstVisit;
     private Visit lastVisit;
 

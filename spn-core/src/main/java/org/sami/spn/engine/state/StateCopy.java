@@ -69,6 +69,8 @@ public final class StateCopy {
         m.parameters = old.parameters; // replaced, never changed
         m.returnValue = old.returnValue;
         m.generatedTasks = old.generatedTasks;
+        m.startedAt = old.startedAt;
+        m.firings = old.firings;
         to.add(m);
         for (TaskState task : old.tasks.values()) {
             m.addTask(task.copy(task.original == null ? null : to.task(task.original.id)));
