@@ -133,6 +133,15 @@ public final class Session implements AutoCloseable {
     }
 
     /**
+     * Where earlier processes of the session saw each boat last, by its id; for boats that are simulated anew. Reads the journal.
+     *
+     * @throws IOException if the journal cannot be read
+     */
+    public Map<String, GeoPoint> lastPositions() throws IOException {
+        return parts.lastPositions();
+    }
+
+    /**
      * Lets a listener, and after it the models and the operators, hear what happened in earlier processes; before {@link #begin}, on the calling thread.
      *
      * @throws IOException if the journal cannot be read

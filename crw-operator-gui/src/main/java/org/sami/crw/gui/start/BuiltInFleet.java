@@ -29,7 +29,7 @@ final class BuiltInFleet {
         for (String name : NAMES) {
             places.put(name, GeoPoint.of(QUAY.latDeg() - places.size() * APART_DEG, QUAY.lonDeg()));
         }
-        places.putAll(at);
+        places.replaceAll((name, quay) -> at.getOrDefault(name, quay));
         List<BoatAddress> addresses = new ArrayList<>();
         for (Map.Entry<String, GeoPoint> place : places.entrySet()) {
             addresses.add(boats.launch(place.getKey(), place.getValue()));

@@ -5,7 +5,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -152,7 +151,7 @@ public final class SessionOpener {
         Session session = Session.open(setup.with(runtime));
         List<BoatAddress> addresses = boats;
         if (builtIn) {
-            addresses = BuiltInFleet.launch(simulated, new LinkedHashMap<>());
+            addresses = BuiltInFleet.launch(simulated, session.lastPositions());
         }
         if (setup.journal().resumedFrom().isPresent()) {
             session.reconnect();

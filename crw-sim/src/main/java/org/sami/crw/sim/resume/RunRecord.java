@@ -1,5 +1,8 @@
 package org.sami.crw.sim.resume;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.util.Collections;
@@ -18,9 +21,15 @@ import org.sami.spn.journal.JournalHeader;
  * @param project the project as one document
  * @param vocabulary the domain's files by name
  * @param start when and where it began, which nothing in it depends on; empty in journals that do not say so
+ * @param answersFile where the text of the answers in the settings was read; empty where there was none, and in journals that do not say so
  */
 public record RunRecord(
-        RunSettings settings, String source, String project, Map<String, String> vocabulary, Optional<Start> start) {
+        RunSettings settings,
+        String source,
+        String project,
+        Map<String, String> vocabulary,
+        Optional<Start> start,
+        Optional<Path> answersFile) {
     private static final String KIND = "kind";
     private static final String IN_PROCESS = "in-process";
     private static final String TCP = "tcp";
@@ -35,6 +44,7 @@ public record RunRecord(
     private static final String PRESENT_DRIVING = "8";
 
     private static final String SOURCE = "source";
+    private static final String ANSWERS_FILE = "answersFile";
     private static final String STARTED_AT = "startedAt";
     private static final String TIME_ZONE = "timeZone";
 
@@ -51,17 +61,18 @@ public record RunRecord(
         Objects.requireNonNull(source, "source");
         Objects.requireNonNull(project, "project");
         Objects.requireNonNull(start, "start");
+        Objects.requireNonNull(answersFile, "answersFile");
         vocabulary = Collections.unmodifiableMap(new LinkedHashMap<>(vocabulary));
     }
 
     /** A record that does not say when the run began. */
     public RunRecord(RunSettings settings, String source, String project, Map<String, String> vocabulary) {
-        this(settings, source, project, vocabulary, Optional.empty());
+        this(settings, source, project, vocabulary, Optional.empty(), Optional.empty());
     }
 
     /** The same run with other settings. */
     public RunRecord with(RunSettings others) {
-        return new RunRecord(others, source, project, vocabulary, start);
+        return new RunRecord(others, source, project, vocabulary, start, answersFile);
     }
 
     /** The header of a run's journal. */
@@ -76,6 +87,7 @@ public record RunRecord(
             map.put(STARTED_AT, begun.at().toString());
             map.put(TIME_ZONE, begun.zone().getId());
         });
+        answersFile.ifPresent(file -> map.put(ANSWERS_FILE, file.toString()));
         return JournalHeader.of(project, vocabulary, map);
     }
 
@@ -94,7 +106,22 @@ public record RunRecord(
                 map.getOrDefault(SOURCE, ""),
                 header.project(),
                 header.vocabulary(),
-                start(map));
+                start(map),
+                Optional.ofNullable(map.get(ANSWERS_FILE)).map(Path::of));
+    }
+
+    /** Says of the answers file that it differs now from what the run began with; empty where it does not, or none was named. */
+    public Optional<String> otherAnswers() {
+        if (answersFile.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            return Files.readString(answersFile.get()).equals(settings.answers())
+                    ? Optional.empty()
+                    : Optional.of(answersFile.get().toString());
+        } catch (IOException gone) {
+            return Optional.of(answersFile.get() + ", which cannot be read any longer,");
+        }
     }
 
     /** Why the run of a header cannot be gone through again; empty where it can. */

@@ -204,6 +204,32 @@ class CommandsTest {
     }
 
     @Test
+    void resumeNamesAnAnswersFileThatDiffersNowOrIsGone() throws Exception {
+        Path answers = folder.resolve("answers.json");
+        String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": []}";
+        Files.writeString(answers, text);
+        Path journal = folder.resolve("a.journal");
+        CommandResult.crw(
+                "run",
+                sample().toString(),
+                "--speed",
+                "max",
+                "--for",
+                "20",
+                "--answers",
+                answers.toString(),
+                "--journal",
+                journal.toString());
+
+        assertThat(CommandResult.crw("resume", journal.toString()).err()).doesNotContain("differs now");
+        Files.writeString(answers, text + " ");
+        assertThat(CommandResult.crw("resume", journal.toString()).err()).contains(answers + " differs now");
+        Files.delete(answers);
+        assertThat(CommandResult.crw("resume", journal.toString()).err())
+                .contains(answers + ", which cannot be read any longer, differs now");
+    }
+
+    @Test
     void reportFolderIsWrittenAndNamed() throws Exception {
         Path reports = folder.resolve("deep/out");
 

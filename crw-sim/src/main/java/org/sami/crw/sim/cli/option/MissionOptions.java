@@ -174,6 +174,16 @@ public final class MissionOptions {
         return answers == null ? "--answers" : answers.toString();
     }
 
+    /**
+     * Where the answers file is.
+     *
+     * @param folder that it is looked for in
+     */
+    public Optional<Path> answersPath(Path folder) {
+        return Optional.ofNullable(answers)
+                .map(file -> folder.resolve(file).toAbsolutePath().normalize());
+    }
+
     private String answersText(Path folder) {
         if (answers == null) {
             return "";

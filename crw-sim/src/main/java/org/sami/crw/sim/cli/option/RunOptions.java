@@ -112,4 +112,9 @@ public final class RunOptions {
     public String answersFile() {
         return options.answersFile();
     }
+
+    /** Where the answers file is; empty where none is named. */
+    public Optional<Path> answersPath() {
+        return options.answersPath(Path.of(""));
+    }
 }

@@ -72,6 +72,7 @@ final class Execution {
     private final OutputOptions output;
     private final long connectWithinMillis;
     private final Clock clock;
+    private Optional<Path> answersFile = Optional.empty();
 
     /** What is run, watched by somebody, with what is to be said at once. */
     @FunctionalInterface
@@ -108,6 +109,12 @@ final class Execution {
         this.output = output;
     }
 
+    /** Names the file of the answers of the run that begins: a later resume says when it differs. */
+    Execution answersFrom(Optional<Path> file) {
+        answersFile = file;
+        return this;
+    }
+
     /**
      * Runs a mission from its start.
      *
@@ -126,7 +133,8 @@ final class Execution {
                 source.source(),
                 new ProjectWriter(library.vocabulary()).text(project),
                 library.files().texts(),
-                Optional.of(new RunRecord.Start(clock.instant(), clock.getZone())));
+                Optional.of(new RunRecord.Start(clock.instant(), clock.getZone())),
+                answersFile);
         checkJournal(journal);
         return settings.isConnected()
                 ? runConnected(runPlan, record, answers, journal)
@@ -325,10 +333,15 @@ final class Execution {
         if (!resumed.damage().isEmpty()) {
             tell("crw: " + resumed.damage());
         }
+        resumed.record().otherAnswers().ifPresent(this::tellDifference);
         for (String changed : resumed.differences(
                 currentProject(resumed.record()), library.files().texts())) {
-            tell("crw: " + changed + " differs now from what this run began with; the run's own is used");
+            tellDifference(changed);
         }
+    }
+
+    private void tellDifference(String changed) {
+        tell("crw: " + changed + " differs now from what this run began with; the run's own is used");
     }
 
     private void tell(String line) {

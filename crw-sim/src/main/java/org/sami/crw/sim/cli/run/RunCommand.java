@@ -98,6 +98,7 @@ public final class RunCommand implements Callable<Integer> {
             return ExitCode.FINDINGS;
         }
         return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
+                .answersFrom(options.answersPath())
                 .runNew(source, plan, settings, journal);
     }
 }
