@@ -14,6 +14,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.vocabulary.EventType;
 
 /** Makes {@link DecisionPresentation}s: asks the engine's state for what a decision does not say itself. */
@@ -42,8 +43,16 @@ public final class DecisionPresenter {
                         .orElseGet(() -> view.subject(decision.id())
                                 .filter(all::contains)
                                 .map(List::of)
-                                .orElse(List.of())),
+                                .orElseGet(() -> offeredByDomain(decision))),
                 all);
+    }
+
+    /** The boats among which the operator chooses where no plan asks. */
+    private static List<String> offeredByDomain(Decision decision) {
+        return DomainQuestion.of(decision.type()).isPresent()
+                        && decision.question() instanceof Question.ChooseProxies choice
+                ? choice.proxies()
+                : List.of();
     }
 
     static DecisionPresentation of(

@@ -57,7 +57,10 @@ final class OfferedOptions {
             boats.sort(BY_NAME);
             List<OfferedOption> sorted =
                     sorted(boats, markups, choice -> age(((ProxyValue) choice.value()).proxy(), choice, joined));
-            return selected(sorted, markups, choose.max());
+            boolean all = DomainQuestion.of(decision.type())
+                    .filter(DomainQuestion::simulatedAnswer)
+                    .isPresent();
+            return selected(sorted, all || isAllSelected(markups), choose.max());
         }
         if (question instanceof Question.ChooseOption choose) {
             List<OfferedOption> options = new ArrayList<>();
@@ -65,7 +68,7 @@ final class OfferedOptions {
                 options.add(new OfferedOption(
                         options.size(), option, ValueWords.label(option), ValueWords.detail(option), false));
             }
-            return selected(sorted(options, markups, OfferedOption::index), markups, 1);
+            return selected(sorted(options, markups, OfferedOption::index), isAllSelected(markups), 1);
         }
         return List.of();
     }
@@ -90,11 +93,14 @@ final class OfferedOptions {
                 .toList();
     }
 
-    /** All that may be chosen are selected, from the top, where the markup says so. */
-    private static List<OfferedOption> selected(List<OfferedOption> choices, MarkupReader markups, int max) {
-        boolean all = markups.constant("DefaultSelection", "selection", Selection.class)
+    private static boolean isAllSelected(MarkupReader markups) {
+        return markups.constant("DefaultSelection", "selection", Selection.class)
                 .filter(selection -> selection == Selection.ALL)
                 .isPresent();
+    }
+
+    /** All that may be chosen are selected, from the top, where the markup says so. */
+    private static List<OfferedOption> selected(List<OfferedOption> choices, boolean all, int max) {
         List<OfferedOption> result = new ArrayList<>();
         for (OfferedOption choice : choices) {
             result.add(new OfferedOption(

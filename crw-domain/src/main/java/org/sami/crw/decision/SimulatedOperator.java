@@ -65,6 +65,14 @@ public final class SimulatedOperator {
                     rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true))
                             .orElse(unasked)));
         }
+        if (question instanceof Question.ChooseProxies choice
+                && DomainQuestion.of(decision.type()).isPresent()) {
+            boolean all = rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true))
+                    .orElseGet(() -> DomainQuestion.of(decision.type())
+                            .orElseThrow()
+                            .simulatedAnswer());
+            return Optional.of(new Answer.Proxies(all ? choice.proxies() : List.of()));
+        }
         if (question instanceof Question.ChooseProxies choice) {
             return Optional.of(new Answer.Proxies(boats(choice, rule, findings)));
         }

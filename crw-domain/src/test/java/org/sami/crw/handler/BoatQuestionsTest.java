@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.LinkCodec;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.decision.OfferedOption;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.operator.message.OperatorMessage;
@@ -22,6 +23,7 @@ import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
 
 /** What the operator is asked about single boats, on a real engine. */
 class BoatQuestionsTest {
@@ -164,6 +166,60 @@ class BoatQuestionsTest {
                         .answer(decision, "")
                         .result())
                 .isEqualTo(Optional.of(new Answer.YesNo(false)));
+    }
+
+    @Test
+    void boatsThatStartedAnewTogetherAreAskedAboutInOneQuestionFromWhichEachCanBeLeftOut() {
+        world.addBoat("b", 20, 0);
+        world.addBoat("c", 40, 0);
+        world.run(3);
+        world.startServer("a", "a-boot2");
+        world.startServer("b", "b-boot2");
+        world.startServer("c", "c-boot2");
+        world.run(5);
+
+        assertThat(asked()).singleElement().satisfies(decision -> {
+            assertThat(decision.prompt())
+                    .isEqualTo("a, b and c have started anew and do not move. Which of them may move again?");
+            assertThat(decision.question()).isEqualTo(new Question.ChooseProxies(List.of("a", "b", "c"), 0, 3));
+            assertThat(simulated("[]").answer(decision, "").result())
+                    .contains(new Answer.Proxies(List.of("a", "b", "c")));
+            assertThat(simulated("[{\"event\": \"BoatRestarted\", \"answer\": {\"yes\": false}}]")
+                            .answer(decision, "")
+                            .result())
+                    .contains(new Answer.Proxies(List.of()));
+        });
+        assertThat(world.operator.decisions().pending().get(0).presentation().boats())
+                .containsExactly("a", "b", "c");
+        assertThat(world.operator.decisions().pending().get(0).presentation().options())
+                .allMatch(OfferedOption::selected);
+
+        world.host.post(new Input.AnswerDecision(
+                asked().get(0).id(), new Answer.Proxies(List.of("a", "c")), Answerer.OPERATOR));
+        world.run(5);
+
+        assertThat(asked()).isEmpty();
+        assertThat(world.boats.find("a").orElseThrow().explain().text()).doesNotContain("nobody has allowed");
+        assertThat(world.boats.find("b").orElseThrow().explain().text()).contains("nobody has allowed it to move again");
+        assertThat(world.boats.find("c").orElseThrow().explain().text()).doesNotContain("nobody has allowed");
+    }
+
+    @Test
+    void aBoatThatStartsAnewWhileTheQuestionWaitsIsAddedAndOneThatIsGoneIsNotAskedAbout() {
+        world.addBoat("b", 20, 0);
+        world.run(3);
+        world.startServer("a", "a-boot2");
+        world.run(5);
+        world.startServer("b", "b-boot2");
+        world.run(5);
+
+        assertThat(asked()).singleElement().satisfies(decision -> assertThat(decision.question())
+                .isEqualTo(new Question.ChooseProxies(List.of("a", "b"), 0, 2)));
+        boat().retire("gone");
+        world.run(2);
+
+        assertThat(asked()).singleElement().satisfies(decision -> assertThat(decision.prompt())
+                .isEqualTo("b has started anew and does not move. May it move again?"));
     }
 
     private static SimulatedOperator simulated(String rules) {

@@ -40,7 +40,7 @@ class KilledWindowTest {
             robot.untilSaid("mission-state", "runs since");
             robot.untilSaid(
                     "decisions-count",
-                    "6 decisions"); // the mission's, and of each boat that started anew whether it may move
+                    "2 decisions"); // the mission's, and which of the boats that started anew may move
             robot.untilShown("value-decision-yes");
             assertThat(window.session().models().missions().snapshot().missions())
                     .singleElement()

@@ -91,6 +91,9 @@ final class EffectWriter {
                     .put("kind", e.kind())
                     .put("about", e.about())
                     .put("yes", e.yes());
+            if (!e.proxies().isEmpty()) {
+                node.set("proxies", InputWriter.texts(e.proxies()));
+            }
         } else {
             throw new IllegalArgumentException("An effect of an unknown kind: " + effect);
         }

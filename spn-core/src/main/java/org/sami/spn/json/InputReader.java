@@ -57,7 +57,8 @@ final class InputReader {
             case "remember" -> value(m).map(v -> new Input.Remember(m.whole("mission"), m.text("key", ""), v));
             case "ask-operator" ->
                 m.word("priority", Priority.class)
-                        .map(p -> new Input.AskOperator(m.text("kind"), m.text("about", ""), m.text("prompt", ""), p));
+                        .map(p -> new Input.AskOperator(
+                                m.text("kind"), m.text("about", ""), m.text("prompt", ""), p, m.texts("proxies")));
             case "withdraw-question" -> Optional.of(new Input.WithdrawQuestion(m.text("kind"), m.text("about", "")));
             default -> {
                 m.problem(Codes.UNKNOWN_WORD, "input", "\"" + kind + "\" is no kind of input");

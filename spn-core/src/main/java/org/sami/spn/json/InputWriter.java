@@ -78,6 +78,9 @@ final class InputWriter {
                     .put("about", i.about())
                     .put("prompt", i.prompt())
                     .put("priority", Words.of(i.priority()));
+            if (!i.proxies().isEmpty()) {
+                node.set("proxies", texts(i.proxies()));
+            }
         } else if (input instanceof Input.HoldDecision i) {
             node.put("input", "hold-decision").put("decision", i.decision());
         } else if (input instanceof Input.WithdrawQuestion i) {

@@ -105,9 +105,20 @@ public sealed interface Effect {
     /** The timer of a decision was stopped: autonomy will not answer it ({@link Input.HoldDecision}). */
     record DecisionHeld(long decision) implements Effect {}
 
-    /** The operator has answered what the domain asked ({@link Input.AskOperator}). */
-    record QuestionAnswered(String kind, String about, boolean yes) implements Effect {
+    /**
+     * The operator has answered what the domain asked ({@link Input.AskOperator}).
+     *
+     * @param yes the answer; where robots were to be chosen, whether any was
+     * @param proxies whom the operator chose, where that was asked
+     */
+    record QuestionAnswered(String kind, String about, boolean yes, List<String> proxies) implements Effect {
+        /** The answer to a question for a yes or a no. */
+        public QuestionAnswered(String kind, String about, boolean yes) {
+            this(kind, about, yes, List.of());
+        }
+
         public QuestionAnswered {
+            proxies = List.copyOf(proxies);
             Objects.requireNonNull(kind, "kind");
             Objects.requireNonNull(about, "about");
         }

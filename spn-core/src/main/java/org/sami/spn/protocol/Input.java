@@ -142,19 +142,27 @@ public sealed interface Input {
     }
 
     /**
-     * The domain asks the operator for a yes or a no, outside of any plan; autonomy does not answer. Asked again while it is
+     * The domain asks the operator for a yes or a no, or which robots are chosen, outside of any plan; autonomy does not answer. Asked again while it is
      * open, it changes nothing.
      *
      * @param kind names what is asked, such as {@code BoatRestarted}; becomes the decision's type
      * @param about whom it is about; there is one open question of a kind about each
      * @param prompt one sentence for the operator
+     * @param proxies of whom any number, also none, is to be chosen; empty for a yes or a no
      */
-    record AskOperator(String kind, String about, String prompt, Priority priority) implements Input {
+    record AskOperator(String kind, String about, String prompt, Priority priority, List<String> proxies)
+            implements Input {
+        /** A question for a yes or a no. */
+        public AskOperator(String kind, String about, String prompt, Priority priority) {
+            this(kind, about, prompt, priority, List.of());
+        }
+
         public AskOperator {
             Objects.requireNonNull(kind, "kind");
             Objects.requireNonNull(about, "about");
             Objects.requireNonNull(prompt, "prompt");
             Objects.requireNonNull(priority, "priority");
+            proxies = List.copyOf(proxies);
         }
     }
 

@@ -70,6 +70,7 @@ class ProtocolJsonTest {
                 new Input.HandlerFailed(7, "no such robot"),
                 new Input.Remember(1, "progress", new TextValue("half")),
                 new Input.AskOperator("BoatRestarted", "b1", "May it move?", Priority.CRITICAL),
+                new Input.AskOperator("BoatRestarted", "b1 b2", "Which?", Priority.CRITICAL, List.of("b1", "b2")),
                 new Input.HoldDecision(3),
                 new Input.WithdrawQuestion("BoatRestarted", "b1"));
     }

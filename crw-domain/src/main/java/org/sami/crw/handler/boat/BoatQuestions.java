@@ -29,11 +29,13 @@ public final class BoatQuestions implements BoatListener, HostListener {
     private final ProxyRegistry boats;
     private final Executor fleet;
     private final Map<String, String> askers = new TreeMap<>(); // by boat, the base that wishes to command it
+    private final RestartQuestion restarts;
 
     public BoatQuestions(EngineHost host, ProxyRegistry boats, Executor fleet) {
         this.host = host;
         this.boats = boats;
         this.fleet = fleet;
+        restarts = new RestartQuestion(host);
     }
 
     @Override
@@ -53,17 +55,18 @@ public final class BoatQuestions implements BoatListener, HostListener {
 
     @Override
     public void onRestarted(BoatStatus status) {
-        host.post(new Input.AskOperator(
-                DomainQuestion.BOAT_RESTARTED.kind(),
-                status.boatId(),
-                status.boatId() + " has started anew and does not move. May it move again?",
-                Priority.CRITICAL));
+        restarts.add(status.boatId());
+    }
+
+    @Override
+    public void onStatus(BoatStatus status) {
+        restarts.askIfDue();
     }
 
     @Override
     public void onRestartAllowed(BoatStatus status) {
         remember(status);
-        withdraw(DomainQuestion.BOAT_RESTARTED, status.boatId());
+        restarts.remove(status.boatId());
     }
 
     @Override
@@ -88,8 +91,11 @@ public final class BoatQuestions implements BoatListener, HostListener {
     @Override
     public void onRetired(String boatId) {
         askers.remove(boatId);
+        restarts.remove(boatId);
         for (DomainQuestion question : DomainQuestion.values()) {
-            withdraw(question, boatId);
+            if (question != DomainQuestion.BOAT_RESTARTED) {
+                withdraw(question, boatId);
+            }
         }
     }
 
@@ -111,16 +117,16 @@ public final class BoatQuestions implements BoatListener, HostListener {
     }
 
     private void carryOut(Effect.QuestionAnswered answered) {
+        if (answered.kind().equals(DomainQuestion.BOAT_RESTARTED.kind())) {
+            restarts.answered(answered).forEach(allowed -> boats.find(allowed).ifPresent(BoatProxy::confirmRestart));
+            return;
+        }
         Optional<BoatProxy> boat = boats.find(answered.about());
         if (boat.isEmpty()) {
             return;
         }
         DomainQuestion.of(answered.kind()).ifPresent(question -> {
-            if (question == DomainQuestion.BOAT_RESTARTED) {
-                if (answered.yes()) {
-                    boat.get().confirmRestart();
-                }
-            } else if (question == DomainQuestion.COMMAND_ASKED) {
+            if (question == DomainQuestion.COMMAND_ASKED) {
                 Optional.ofNullable(askers.remove(answered.about()))
                         .filter(client -> answered.yes())
                         .ifPresent(boat.get().handOver()::grantCommand);

@@ -130,7 +130,10 @@ public final class Decisions {
                 Ids.NONE,
                 asked.kind(),
                 asked.prompt(),
-                new Question.Approve(),
+                asked.proxies().isEmpty()
+                        ? new Question.Approve()
+                        : new Question.ChooseProxies(
+                                asked.proxies(), 0, asked.proxies().size()),
                 Optional.empty(),
                 OptionalLong.empty(),
                 asked.priority(),
@@ -266,11 +269,16 @@ public final class Decisions {
                     rules.interrupts.chosen(open.mission, open.subject, chosen.proxies());
                 }
             }
-            case DOMAIN ->
-                rules.emit(
-                        new Effect.QuestionAnswered(open.decision.type(), open.subject, ((Answer.YesNo) answer).yes()));
+            case DOMAIN -> rules.emit(answered(open, answer));
             case ABORTED_CHILD -> rules.subMissions.decided(open.instance, ((Answer.YesNo) answer).yes());
         }
+    }
+
+    private static Effect.QuestionAnswered answered(OpenDecision open, Answer answer) {
+        String kind = open.decision.type();
+        return answer instanceof Answer.Proxies chosen
+                ? new Effect.QuestionAnswered(kind, open.subject, !chosen.proxies().isEmpty(), chosen.proxies())
+                : new Effect.QuestionAnswered(kind, open.subject, ((Answer.YesNo) answer).yes());
     }
 
     /** The answer becomes the occurrence of an input event. */
