@@ -23,13 +23,10 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.area.OperatingArea;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.service.water.Water;
-import org.sami.crw.session.fault.BoatsAtFault;
-import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.crw.task.TaskMove;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
-import org.sami.spn.host.HostStatus;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -434,27 +431,9 @@ public final class Session implements AutoCloseable {
         return parts.scheduler;
     }
 
-    /** What boats do while the engine or its journal does not work. From any thread. */
-    public BoatsAtFault boatsAtFault() {
-        return parts.care
-                .map(care -> care.engine().still())
-                .orElse(setup.onFault().boats());
-    }
-
-    /** Sets it; counts at once. From any thread; does nothing where everything is one thread of the caller's. */
-    public void setBoatsAtFault(BoatsAtFault still) {
-        parts.care.ifPresent(care -> care.engine().setStill(still));
-    }
-
-    /** What is to be told of whatever is thrown on other threads of a program that shows this session, such as a window's event thread. */
-    public ThreadGuard guard() {
-        return parts.guard;
-    }
-
-    /** Why the session cannot go on; empty as long as it can. From any thread. */
-    public Optional<String> failure() {
-        HostStatus status = parts.host.status();
-        return status.kind() == HostStatus.Kind.FAILED ? Optional.of(status.reason()) : Optional.empty();
+    /** What becomes of it when its engine, its journal or a thread fails. */
+    public SessionFaults faults() {
+        return parts.faults;
     }
 
     /** Has something done on the engine's thread. */

@@ -95,6 +95,8 @@ final class SessionParts {
     /** Empty where everything is one thread of the caller's, who sees what it throws. */
     final Optional<SessionCare> care;
 
+    final SessionFaults faults;
+
     SessionParts(SessionSetup setup) throws IOException {
         vocabulary = setup.vocabulary();
         journal = setup.journal();
@@ -183,6 +185,8 @@ final class SessionParts {
         host.addListener(posted);
         care = loop.map(
                 real -> new SessionCare(host, journal, connector, models.health(), messages, setup.onFault(), guard));
+        faults = new SessionFaults(
+                host, guard, care.map(SessionCare::engine), setup.onFault().boats());
         events.subscribe(models.fleetListener(connector.boats(), showMillis));
     }
 

@@ -73,6 +73,7 @@ final class WindowStart {
             return Optional.empty();
         }
         Session session = goesOn.get() ? opener.resume(unfinished.get()) : opener.openNew();
+        Thread.setDefaultUncaughtExceptionHandler(session.faults().guard()); // of the event thread, above all
         OperatorWindow window = EventThread.get(() -> {
             OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
             opener.named().ifPresent(made::showConditions);

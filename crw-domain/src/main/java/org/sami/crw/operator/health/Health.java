@@ -34,6 +34,15 @@ public record Health(List<HealthEntry> entries) {
                 .count();
     }
 
+    /** Whether no mission goes on, whatever it says itself: the engine waits for its journal or has stopped. */
+    public boolean missionsStandStill() {
+        return entries.stream()
+                .map(HealthEntry::fault)
+                .anyMatch(fault -> fault.kind() == HealthKind.ENGINE
+                        || (fault.kind() == HealthKind.JOURNAL
+                                && fault.subject().isEmpty()));
+    }
+
     /** The faults of one kind. */
     public List<HealthEntry> of(HealthKind kind) {
         return entries.stream().filter(entry -> entry.fault().kind() == kind).toList();

@@ -17,8 +17,8 @@ final class RoomWatch {
     private static final long SHORTEST_MS = 30_000;
     private static final double LITTLE_MIN = 60;
     private static final double NONE_MIN = 10;
-    private static final long LITTLE_BYTES = 100L << 20;
-    private static final long NONE_BYTES = 20L << 20;
+    private static final long LITTLE_BYTES = 50L << 20;
+    private static final long NONE_BYTES = 2L << 20;
     /** A warning that came stays until there is clearly more room. */
     private static final double MARGIN = 1.25;
 
@@ -49,7 +49,7 @@ final class RoomWatch {
         boolean almostNone = minutes < NONE_MIN || freeBytes < NONE_BYTES;
         return Optional.of(HealthFault.ofSession(
                 HealthKind.DISK,
-                almostNone ? Priority.CRITICAL : Priority.HIGH,
+                almostNone ? Priority.HIGH : Priority.MEDIUM,
                 words(freeBytes, minutes),
                 "Delete files there or move them away: when the disk is full, missions stand still"));
     }

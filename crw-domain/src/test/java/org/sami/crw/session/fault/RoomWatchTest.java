@@ -24,7 +24,7 @@ class RoomWatchTest {
 
         Optional<HealthFault> said = watch.look(2 * MINUTE, 60 * MB, 950 * MB);
         assertThat(text(said)).isEqualTo("the journal's disk has 950 MB left: room for about 40 minutes");
-        assertThat(said.orElseThrow().severity()).isEqualTo(Priority.HIGH);
+        assertThat(said.orElseThrow().severity()).isEqualTo(Priority.MEDIUM);
     }
 
     @Test
@@ -36,18 +36,18 @@ class RoomWatchTest {
 
     @Test
     void littleRoomIsSaidBeforeAnythingWasWritten() {
-        assertThat(text(watch.look(0, MB, 50 * MB))).isEqualTo("the journal's disk has 50 MB left");
+        assertThat(text(watch.look(0, MB, 40 * MB))).isEqualTo("the journal's disk has 40 MB left");
         Optional<HealthFault> none = watch.look(1000, MB, 3 * MB / 2);
         assertThat(text(none)).isEqualTo("the journal's disk has 1.5 MB left");
-        assertThat(none.orElseThrow().severity()).isEqualTo(Priority.CRITICAL);
+        assertThat(none.orElseThrow().severity()).isEqualTo(Priority.HIGH);
     }
 
     @Test
     void warningEndsWhenThereIsClearlyMoreRoom() {
-        assertThat(watch.look(0, MB, 99 * MB)).isPresent();
-        assertThat(watch.look(1000, MB, 101 * MB)).isPresent();
-        assertThat(watch.look(2000, MB, 130 * MB)).isEmpty();
-        assertThat(watch.look(3000, MB, 101 * MB)).isEmpty();
+        assertThat(watch.look(0, MB, 49 * MB)).isPresent();
+        assertThat(watch.look(1000, MB, 51 * MB)).isPresent();
+        assertThat(watch.look(2000, MB, 70 * MB)).isEmpty();
+        assertThat(watch.look(3000, MB, 51 * MB)).isEmpty();
     }
 
     @Test

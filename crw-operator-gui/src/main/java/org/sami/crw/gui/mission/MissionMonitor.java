@@ -55,6 +55,7 @@ public final class MissionMonitor extends JPanel {
         add(tabs);
         addCommands();
         context.models().missions().addListener(this::show);
+        context.models().health().addListener(health -> tabChanged()); // no mission goes on while the engine does not
         show(context.models().missions().snapshot());
     }
 

@@ -210,12 +210,13 @@ final class MissionView extends JPanel {
         if (ended) {
             ending.leave();
         }
-        stuck = !ended && now.stuck().isPresent();
+        boolean still = context.models().health().snapshot().missionsStandStill();
+        stuck = !ended && (still || now.stuck().isPresent());
         stuckBar.show(ended ? Optional.empty() : now.stuck());
         said = now.outcome()
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
                                 + SessionClock.text(now.endedAtMillis().orElse(0)))
-                        .orElse((stuck ? "stuck, runs since " : "runs since ")
+                        .orElse((still ? "stands still, runs since " : stuck ? "stuck, runs since " : "runs since ")
                                 + SessionClock.text(now.startedAtMillis()))
                 + ", " + now.firings() + (now.firings() == 1 ? " firing" : " firings");
         head.show(said, ended, stuck);

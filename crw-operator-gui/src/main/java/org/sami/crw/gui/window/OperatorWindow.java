@@ -15,6 +15,7 @@ import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.sound.AlarmSounds;
 import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.status.FaultCommands;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
@@ -34,6 +35,7 @@ import org.sami.ui.window.WindowSettings;
 /** The operator's window over a session. On the event thread. */
 public final class OperatorWindow {
     private static final String TITLE = "SAMI operator";
+    private static final int BROKEN = 4;
     private static final int REFRESH_MS = 250;
 
     private final Session session;
@@ -52,7 +54,7 @@ public final class OperatorWindow {
      *
      * @param project file of the project with which the session began; empty = it came with the program
      * @param data is closed with the window, as the session is
-     * @param ended is told when all is closed: 0, or 4 where something could not be
+     * @param ended is told when all is closed: 0, or 4 where something could not be, or the session had broken
      */
     public OperatorWindow(
             Session session, Optional<Path> project, DataDirectory data, WindowSettings settings, IntConsumer ended) {
@@ -62,6 +64,7 @@ public final class OperatorWindow {
         context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         FleetStopCommands fleetStop = new FleetStopCommands(context);
+        new FaultCommands(context, settings);
         LoadedProject file = new LoadedProject(project);
         panels = new OperatorPanels(context, settings, file);
         sounds = AlarmSounds.of(context, settings);
@@ -169,12 +172,13 @@ public final class OperatorWindow {
         dock.close();
         panels.close();
         frame.dispose();
-        boolean unfinished = hasUnfinished();
-        new Thread(() -> leave(boats, unfinished), "closing the session").start();
+        boolean failed = session.faults().failure().isPresent();
+        boolean unfinished = failed || hasUnfinished();
+        new Thread(() -> leave(boats, unfinished, failed), "closing the session").start();
     }
 
-    private void leave(BoatsAtEnd boats, boolean unfinished) {
-        int code = 0;
+    private void leave(BoatsAtEnd boats, boolean unfinished, boolean failed) {
+        int code = failed ? BROKEN : 0;
         try {
             session.leave(boats).forEach(line -> System.err.println("crw-operator: " + line));
             session.close();
@@ -184,7 +188,10 @@ public final class OperatorWindow {
             data.close();
         } catch (IOException fault) {
             System.err.println("crw-operator: " + fault.getMessage());
-            code = 4;
+            code = BROKEN;
+        } catch (RuntimeException | Error fault) {
+            session.faults().guard().lost(Thread.currentThread().getName(), fault);
+            code = BROKEN;
         }
         ended.accept(code);
     }

@@ -2,16 +2,11 @@ package org.sami.crw.gui.window;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import org.sami.crw.gui.boat.ConnectForm;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.ReplayProcess;
-import org.sami.spn.finding.Finding;
-import org.sami.spn.json.ProjectReader;
-import org.sami.spn.json.Reading;
-import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.dock.DockArea;
@@ -89,20 +84,8 @@ final class WindowCommands {
     }
 
     private void load(Path file) {
-        Reading<Project> reading = new ProjectReader(context.vocabulary()).readAndCheck(file);
-        Optional<Finding> wrong =
-                reading.findings().stream().filter(Finding::isError).findFirst();
-        if (wrong.isPresent() || reading.result().isEmpty()) {
-            context.notices()
-                    .refused(file.getFileName() + " is not loaded: "
-                            + wrong.map(Finding::message).orElse("it cannot be read"));
-            return;
-        }
         context.tell(
-                context.session()
-                        .project()
-                        .load(reading.result().get())
-                        .thenAccept(version -> projectLoaded.accept(file)),
+                context.session().project().load(file).thenAccept(version -> projectLoaded.accept(file)),
                 file.getFileName() + " is loaded; missions that start now have its plans");
     }
 }

@@ -57,7 +57,9 @@ public final class WindowMenus {
                 "",
                 "fleet-stop",
                 "fleet-release",
-                "fleet-release-confirm"));
+                "fleet-release-confirm",
+                "",
+                "fault-boats"));
         bar.add(menus.menu("Notices", 'N', "message-acknowledge", "alarm-acknowledge", "alarm-mute", "alarm-sounds"));
         JMenu replay = menus.menu(
                 "Replay",

@@ -130,11 +130,13 @@ final class MissionCommands {
         if (all.isEmpty()) {
             out.accept("no mission has begun; start one with: start PLAN");
         }
+        String runs =
+                context.models().health().snapshot().missionsStandStill() ? "stands still, runs since " : "runs since ";
         for (MissionSnapshot mission : all) {
             String state = mission.outcome()
                     .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
                             + Numbers.clock(mission.endedAtMillis().orElse(0)))
-                    .orElse("runs since " + Numbers.clock(mission.startedAtMillis()));
+                    .orElse(runs + Numbers.clock(mission.startedAtMillis()));
             String of = mission.parent() == Ids.NONE ? "" : " in mission " + mission.parent();
             out.accept(
                     mission.id() + "  " + mission.plan() + of + "  " + state + ", " + mission.firings() + " firings");

@@ -214,9 +214,9 @@ final class SessionCommands {
                     .filter(one -> one.typed().equals(word))
                     .findFirst()
                     .orElseThrow(() -> new ConsoleFault("on a fault boats hold or stop, they do not '" + word + "'"));
-            context.session().setBoatsAtFault(chosen);
+            context.session().faults().setBoats(chosen);
         }
-        BoatsAtFault still = context.session().boatsAtFault();
+        BoatsAtFault still = context.session().faults().boats();
         out.accept("on a fault of engine or journal: " + still.typed() + " (" + still.words() + ")");
     }
 

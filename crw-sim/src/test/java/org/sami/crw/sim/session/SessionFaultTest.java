@@ -120,7 +120,7 @@ class SessionFaultTest {
         Await.until("anna is held", () -> isHeld(session));
         assertThatThrownBy(() -> TestSession.get(session.start("clv", "second", Map.of())))
                 .hasMessageContaining("nothing is taken in while the journal cannot be written");
-        assertThat(session.failure()).isEmpty();
+        assertThat(session.faults().failure()).isEmpty();
 
         journal.makeRoom();
         Await.until("anna goes on", () -> isUnderWay(session));
@@ -158,8 +158,8 @@ class SessionFaultTest {
     @Test
     void boatsAreStoppedWhereThatIsSet() throws Exception {
         Session session = underWay(FaultPolicy.ATTENDED);
-        session.setBoatsAtFault(BoatsAtFault.STOP);
-        assertThat(session.boatsAtFault()).isEqualTo(BoatsAtFault.STOP);
+        session.faults().setBoats(BoatsAtFault.STOP);
+        assertThat(session.faults().boats()).isEqualTo(BoatsAtFault.STOP);
         journal.fill();
 
         assertThat(awaitEntry(session, HealthKind.JOURNAL).fault().text()).contains("all boats are stopped");
@@ -184,7 +184,7 @@ class SessionFaultTest {
                         "the engine has stopped: the journal failed: the disk is full; it could not be written for 1 s");
         assertThat(said.fault().advice()).contains("by hand", "F12", "where its journal ends");
         assertThat(broken).hasSize(1);
-        assertThat(session.failure()).isPresent();
+        assertThat(session.faults().failure()).isPresent();
         assertThat(isHeld(session)).isTrue();
         TestSession.get(session.byHand().hold("anna")); // boats are commanded still
         TestSession.get(session.ask(view -> view.proxies().size())); // and the engine's state is shown
@@ -237,7 +237,7 @@ class SessionFaultTest {
                                 .text()
                                 .contains("2 errors, the last: java.lang.IllegalStateException: a gap"))
                         .isPresent());
-        assertThat(session.failure()).isEmpty();
+        assertThat(session.faults().failure()).isEmpty();
         TestSession.get(session.start("clv", "goes on", Map.of()));
         assertThat(isUnderWay(session)).isTrue();
     }

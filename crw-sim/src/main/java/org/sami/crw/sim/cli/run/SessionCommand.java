@@ -199,7 +199,7 @@ public final class SessionCommand implements Callable<Integer> {
                         Session.open(setup.with(stated.services()).with(runtime).with(policy));
                 Console console = new Console(session);
                 LineSource lines = lines(console)) {
-            Thread.setDefaultUncaughtExceptionHandler(session.guard());
+            Thread.setDefaultUncaughtExceptionHandler(session.faults().guard());
             ConsoleEnd end = new ConsoleEnd(console, lines, attended);
             session.addListener(end);
             if (goesOn) {
@@ -215,7 +215,7 @@ public final class SessionCommand implements Callable<Integer> {
             session.begin();
             int faults = end.run();
             session.leave().forEach(lines::print);
-            if (session.failure().isPresent()) {
+            if (session.faults().failure().isPresent()) {
                 return ExitCode.FAILED;
             }
             return faults == 0 ? ExitCode.OK : WITH_FAULTS;
@@ -227,12 +227,12 @@ public final class SessionCommand implements Callable<Integer> {
     private LineSource lines(Console console) throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         if (script != null) {
-            return new PlainLines(Files.newBufferedReader(script), out);
+            return new PlainLines("--script: " + script, Files.newBufferedReader(script), out);
         }
         if (Terminal.onStandardInputAndOutput()) {
             return new TerminalLines("crw> ", console::completions, history());
         }
-        return new PlainLines(new InputStreamReader(System.in, StandardCharsets.UTF_8), out);
+        return new PlainLines("standard input", new InputStreamReader(System.in, StandardCharsets.UTF_8), out);
     }
 
     /** Where typed lines are kept, beside the command's configuration. */

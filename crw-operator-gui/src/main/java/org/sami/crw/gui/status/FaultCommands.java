@@ -1,0 +1,39 @@
+package org.sami.crw.gui.status;
+
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.fault.BoatsAtFault;
+import org.sami.ui.command.Command;
+import org.sami.ui.window.WindowSettings;
+
+/** What boats of missions do while the engine or its journal does not work: chosen by the operator, and remembered. On the event thread. */
+public final class FaultCommands {
+    private static final String KEY = "on-fault";
+
+    private final OperatorContext context;
+    private final WindowSettings settings;
+
+    /** Adds the command to those of the window, and has the session do what was chosen last. */
+    public FaultCommands(OperatorContext context, WindowSettings settings) {
+        this.context = context;
+        this.settings = settings;
+        if (settings.text(KEY).equals(BoatsAtFault.STOP.typed())) {
+            session().faults().setBoats(BoatsAtFault.STOP);
+        }
+        context.commands()
+                .add(new Command("fault-boats", "On a fault of the engine: boats hold, or all stop", this::toggle)
+                        .withKey("ctrl shift F11")
+                        .withIcon("health"));
+    }
+
+    private Session session() {
+        return context.session();
+    }
+
+    private void toggle() {
+        BoatsAtFault chosen = session().faults().boats() == BoatsAtFault.HOLD ? BoatsAtFault.STOP : BoatsAtFault.HOLD;
+        session().faults().setBoats(chosen);
+        settings.keep(KEY, chosen.typed());
+        context.notices().told("When the engine or its journal does not work, " + chosen.words());
+    }
+}
