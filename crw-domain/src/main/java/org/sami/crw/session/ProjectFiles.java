@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.GlobalsFile;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -27,7 +28,11 @@ final class ProjectFiles {
 
     /** The project of a file or a folder. */
     Project read(Path path) {
-        return of(path + ": ", new ProjectReader(vocabulary).read(path));
+        try {
+            return of(path + ": ", BoundedFile.making(path, () -> new ProjectReader(vocabulary).read(path)));
+        } catch (IOException tooLarge) {
+            throw new RefusedException("the project is not loaded: " + tooLarge.getMessage());
+        }
     }
 
     /** The document of a project without errors. */

@@ -2,7 +2,6 @@ package org.sami.dreamm.file;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,6 +18,7 @@ import org.sami.spn.geotext.GeoTextReader;
 import org.sami.spn.geotext.GeoVariables;
 import org.sami.spn.geotext.LineFinding;
 import org.sami.spn.geotext.ProjectVariables;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.model.VariableSpec;
 
 /** Makes a variable of the project of a text file of positions; where brackets can mean several things, the author says what they mean. */
@@ -36,7 +36,7 @@ final class GeometryImport {
                         "Reading " + path.getFileName(),
                         () -> {
                             try {
-                                return GeoTextReader.read(Files.readAllBytes(path));
+                                return GeoTextReader.read(BoundedFile.bytes(path, BoundedFile.DATA_BYTES));
                             } catch (IOException unreadable) {
                                 throw new UncheckedIOException(path + " cannot be read", unreadable);
                             }

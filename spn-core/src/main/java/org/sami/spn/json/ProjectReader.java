@@ -102,6 +102,9 @@ public final class ProjectReader {
                 problems.add(Codes.FILE, "", "There is no file " + file);
             }
             return text;
+        } catch (FileTooLargeException e) {
+            problems.add(Codes.FILE, "", "The file " + e.getMessage());
+            return Optional.empty();
         } catch (IOException e) {
             problems.add(
                     Codes.FILE, "", "The file " + file + " cannot be read: it is not UTF-8 text or not accessible");

@@ -109,7 +109,9 @@ public record VocabularyFiles(Map<String, String> texts) {
         private Texts() {}
 
         static Optional<String> read(Path file) throws IOException {
-            return Files.isRegularFile(file) ? Optional.of(decode(Files.readAllBytes(file))) : Optional.empty();
+            return Files.isRegularFile(file)
+                    ? Optional.of(decode(BoundedFile.bytes(file, BoundedFile.PROJECT_BYTES)))
+                    : Optional.empty();
         }
 
         static String decode(byte[] bytes) throws IOException {

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -12,6 +11,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.FileTooLargeException;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.Reading;
@@ -97,12 +98,14 @@ public final class LegacyImport {
             return read(
                     StandardCharsets.UTF_8
                             .newDecoder()
-                            .decode(java.nio.ByteBuffer.wrap(Files.readAllBytes(file)))
+                            .decode(java.nio.ByteBuffer.wrap(BoundedFile.bytes(file, BoundedFile.PROJECT_BYTES)))
                             .toString(),
                     name(file),
                     String.valueOf(file.getFileName()));
         } catch (CharacterCodingException e) {
             return failed(LegacyCodes.FILE, "The file " + file + " is not UTF-8 text");
+        } catch (FileTooLargeException e) {
+            return failed(LegacyCodes.FILE, "The file " + e.getMessage());
         } catch (IOException e) {
             return failed(LegacyCodes.FILE, "The file " + file + " cannot be read");
         }

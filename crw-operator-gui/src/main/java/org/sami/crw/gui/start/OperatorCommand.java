@@ -1,7 +1,6 @@
 package org.sami.crw.gui.start;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,6 +9,8 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.FileTooLargeException;
 import org.sami.ui.window.LookOptions;
 import org.sami.ui.window.WindowStart;
 import picocli.CommandLine.Command;
@@ -140,9 +141,11 @@ public final class OperatorCommand implements Callable<Integer> {
     private static List<BoatAddress> addressesIn(Path file) throws IOException {
         List<String> lines;
         try {
-            lines = Files.readAllLines(file);
+            lines = BoundedFile.text(file, BoundedFile.SETTINGS_BYTES).lines().toList();
         } catch (NoSuchFileException missing) {
             throw new IOException("--boats: there is no file " + file);
+        } catch (FileTooLargeException large) {
+            throw new IOException("--boats: " + large.getMessage());
         } catch (IOException fault) {
             throw new IOException("--boats: " + file + " cannot be read: " + fault.getMessage());
         }

@@ -18,6 +18,7 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -91,7 +92,8 @@ public final class SessionOpener {
         ProjectReader reader = new ProjectReader(library.vocabulary());
         Reading<Project> reading;
         if (projectFile.isPresent()) {
-            reading = reader.readAndCheck(projectFile.get());
+            Path file = projectFile.get();
+            reading = BoundedFile.making(file, () -> reader.readAndCheck(file));
         } else {
             reading = reader.readAndCheck(beach());
         }

@@ -1,7 +1,7 @@
 package org.sami.crw.sim.cli;
 
-import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -10,6 +10,8 @@ import java.util.Optional;
 import java.util.Properties;
 import java.util.TreeSet;
 import org.sami.crw.sim.cli.output.UsageFault;
+import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.FileTooLargeException;
 import picocli.CommandLine;
 import picocli.CommandLine.IDefaultValueProvider;
 import picocli.CommandLine.Model.ArgSpec;
@@ -64,8 +66,10 @@ final class Configuration implements IDefaultValueProvider {
 
     private void load(CommandLine line, Path file) {
         Properties properties = new Properties();
-        try (BufferedReader reader = Files.newBufferedReader(file)) {
-            properties.load(reader);
+        try {
+            properties.load(new StringReader(BoundedFile.text(file, BoundedFile.SETTINGS_BYTES)));
+        } catch (FileTooLargeException e) {
+            throw new UsageFault(OPTION + ": " + e.getMessage());
         } catch (IOException | IllegalArgumentException e) {
             throw new UsageFault(OPTION + ": " + file + " cannot be read"
                     + (Files.exists(file) ? "; it is to be lines of NAME = VALUE in UTF-8" : ": it is not there"));

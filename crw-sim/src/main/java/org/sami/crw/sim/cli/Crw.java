@@ -125,7 +125,11 @@ public final class Crw implements Runnable {
         } catch (UsageFault fault) {
             return ErrorMessages.onException(fault, line, null);
         }
-        return line.execute(args);
+        try {
+            return line.execute(args);
+        } catch (Error fault) {
+            return ErrorMessages.onError(fault, line);
+        }
     }
 
     /** Runs the command and ends the process with its exit code. */

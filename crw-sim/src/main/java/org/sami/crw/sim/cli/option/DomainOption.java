@@ -1,11 +1,15 @@
 package org.sami.crw.sim.cli.option;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.sami.crw.sim.cli.output.UsageFault;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import picocli.CommandLine.Option;
@@ -41,7 +45,7 @@ public final class DomainOption {
             return new Reading<>(Optional.of(PlanSource.library()), List.of());
         }
         if (folder().isPresent()) {
-            return DomainLibrary.fromFolder(folder().get());
+            return fromFolder(folder().get());
         }
         boolean ships = domain.matches("[a-z][a-z0-9-]*")
                 && DomainOption.class.getResource(SHIPPED + domain + "/domain.json") != null;
@@ -49,6 +53,17 @@ public final class DomainOption {
             throw new UsageFault("--domain: there is no folder '" + domain + "', nor does such a domain come with crw");
         }
         return DomainLibrary.fromClassPath(SHIPPED + domain);
+    }
+
+    private static Reading<DomainLibrary> fromFolder(Path folder) {
+        try (Stream<Path> files = Files.walk(folder, 2)) {
+            for (Path file : (Iterable<Path>) files.filter(one -> one.toString().endsWith(".json"))::iterator) {
+                BoundedFile.check(file, BoundedFile.PROJECT_BYTES);
+            }
+            return BoundedFile.making(folder, () -> DomainLibrary.fromFolder(folder));
+        } catch (IOException | UncheckedIOException fault) {
+            throw new UsageFault("--domain: " + fault.getMessage());
+        }
     }
 
     /**

@@ -1,7 +1,6 @@
 package org.sami.crw.sim.cli.option;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -16,6 +15,8 @@ import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
 import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.FileTooLargeException;
 import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Option;
 
@@ -189,7 +190,9 @@ public final class MissionOptions {
             return "";
         }
         try {
-            return Files.readString(folder.resolve(answers));
+            return BoundedFile.text(folder.resolve(answers), BoundedFile.DATA_BYTES);
+        } catch (FileTooLargeException e) {
+            throw new UsageFault("--answers: " + e.getMessage());
         } catch (IOException e) {
             throw new UsageFault("--answers: cannot read " + answers);
         }

@@ -1,5 +1,6 @@
 package org.sami.crw.sim.cli.option;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,6 +14,7 @@ import org.sami.crw.handler.HandledEvents;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
@@ -52,8 +54,7 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
     public static PlanSource find(String name, DomainLibrary library) {
         Path path = Path.of(name);
         if (Files.exists(path)) {
-            Reading<Project> reading =
-                    new ProjectReader(library.vocabulary()).readAndCheck(path, read -> checked(library, read));
+            Reading<Project> reading = read(path, library);
             return new PlanSource(name, reading.result(), Optional.empty(), reading.findings());
         }
         Optional<Project> project = library.projectOf(name);
@@ -62,6 +63,17 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
             throw new UsageFault("there is no " + kind + " '" + name + "'; the library has " + ids(library.plans()));
         }
         return new PlanSource(name, project, project.get().plan(name), checked(library, project.get()));
+    }
+
+    private static Reading<Project> read(Path path, DomainLibrary library) {
+        try {
+            BoundedFile.check(Files.isDirectory(path) ? path.resolve("project.json") : path, BoundedFile.PROJECT_BYTES);
+            return BoundedFile.making(
+                    path,
+                    () -> new ProjectReader(library.vocabulary()).readAndCheck(path, read -> checked(library, read)));
+        } catch (IOException tooLarge) {
+            throw new UsageFault(tooLarge.getMessage());
+        }
     }
 
     /** A plan that stands in a file, chosen by its id. */

@@ -7,6 +7,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import org.sami.spn.json.FileTooLargeException;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
@@ -59,12 +60,28 @@ public final class ErrorMessages {
 
     public static int onException(Exception fault, CommandLine command, ParseResult arguments) {
         PrintWriter err = command.getErr();
-        if (fault instanceof UsageFault) {
+        if (fault instanceof UsageFault || fault instanceof FileTooLargeException) {
             err.println("crw: " + fault.getMessage());
             err.flush();
             return ExitCode.USAGE;
         }
         err.println("crw: " + words(fault));
+        if (wantsTrace()) {
+            fault.printStackTrace(err);
+        }
+        err.flush();
+        return ExitCode.FAILED;
+    }
+
+    /** What is said when the Java machine itself fails. */
+    public static int onError(Error fault, CommandLine command) {
+        PrintWriter err = command.getErr();
+        if (fault instanceof OutOfMemoryError) {
+            long most = Runtime.getRuntime().maxMemory() >> 20;
+            err.println("crw: the memory of " + most + " MB ran out; start it with more: JAVA_OPTS=-Xmx4g");
+        } else {
+            err.println("crw: the program broke: " + fault);
+        }
         if (wantsTrace()) {
             fault.printStackTrace(err);
         }

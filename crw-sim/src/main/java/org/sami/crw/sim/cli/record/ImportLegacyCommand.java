@@ -23,6 +23,7 @@ import org.sami.crw.sim.legacy.PlanTrials;
 import org.sami.crw.sim.legacy.TrialReport;
 import org.sami.crw.sim.legacy.TrialSettings;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.legacy.LegacyImport;
 import org.sami.spn.legacy.LegacyTable;
@@ -94,6 +95,7 @@ public final class ImportLegacyCommand implements Callable<Integer> {
         if (!Files.isRegularFile(file)) {
             throw new UsageFault("there is no file '" + file + "'");
         }
+        BoundedFile.check(file, BoundedFile.PROJECT_BYTES);
         ImportedProjectFile target = new ImportedProjectFile(out);
         target.refusal().ifPresent(why -> {
             throw new UsageFault(why);
@@ -101,7 +103,7 @@ public final class ImportLegacyCommand implements Callable<Integer> {
         DomainLibrary library = PlanSource.library();
         Vocabulary vocabulary = library.vocabulary();
         LegacyTable table = LegacyTableReader.fromClassPath(TABLE, vocabulary).orThrow();
-        LegacyImport.Result result = new LegacyImport(vocabulary, table).read(file);
+        LegacyImport.Result result = BoundedFile.making(file, () -> new LegacyImport(vocabulary, table).read(file));
         if (result.project().isPresent()) {
             target.write(result.project().get(), vocabulary);
         }

@@ -22,6 +22,7 @@ import org.sami.spn.geotext.GeoTextReader;
 import org.sami.spn.geotext.GeoVariables;
 import org.sami.spn.geotext.LineFinding;
 import org.sami.spn.geotext.ProjectVariables;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -98,8 +99,13 @@ public final class ImportLocationsCommand implements Callable<Integer> {
         if (!Files.isRegularFile(file)) {
             throw new UsageFault("there is no file " + file);
         }
+        byte[] bytes = BoundedFile.bytes(file, BoundedFile.DATA_BYTES);
+        return BoundedFile.making(file, () -> declare(bytes));
+    }
+
+    private int declare(byte[] bytes) throws IOException {
         String variable = variableName();
-        GeoTextReader.Result read = GeoTextReader.read(Files.readAllBytes(file));
+        GeoTextReader.Result read = GeoTextReader.read(bytes);
         print(read.findings());
         if (read.text().isEmpty()) {
             return ExitCode.FINDINGS;

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.sim.cli.option.Converters;
 import org.sami.crw.sim.cli.option.MissionOptions;
@@ -21,7 +20,9 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.FileTooLargeException;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import picocli.CommandLine;
@@ -113,9 +114,11 @@ public final class ExperimentRuns {
     }
 
     private static List<String> lines(Path file) {
-        try (Stream<String> lines = Files.lines(file)) {
-            return lines.toList();
-        } catch (IOException | java.io.UncheckedIOException e) {
+        try {
+            return BoundedFile.text(file, BoundedFile.DATA_BYTES).lines().toList();
+        } catch (FileTooLargeException e) {
+            throw new UsageFault("--runs: " + e.getMessage());
+        } catch (IOException e) {
             throw new UsageFault("--runs: cannot read " + file);
         }
     }
