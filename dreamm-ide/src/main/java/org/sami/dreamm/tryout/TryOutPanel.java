@@ -28,6 +28,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
+import org.sami.ui.look.PlainText;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
@@ -123,7 +124,7 @@ public final class TryOutPanel extends JPanel {
 
     private void tab(String title, JPanel view) {
         view.setName("try-tab-" + title.toLowerCase(Locale.ROOT));
-        tabs.addTab(title, view);
+        tabs.addTab(PlainText.of(title), view);
     }
 
     private JPanel toolbar() {

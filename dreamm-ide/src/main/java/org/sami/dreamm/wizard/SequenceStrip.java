@@ -151,7 +151,7 @@ public final class SequenceStrip extends JPanel {
             return shown.refusal().get();
         }
         String lines = shown.change().map(c -> String.join("\n", c.lines())).orElse("");
-        preview.setToolTipText(lines.isEmpty() ? null : "<html>" + lines.replace("\n", "<br>"));
+        preview.setToolTipText(lines.isEmpty() ? null : lines);
         String where = edit instanceof AddEvent add ? where(add.target()) : "";
         return where + shown.change().map(PlanChange::summary).orElse("");
     }

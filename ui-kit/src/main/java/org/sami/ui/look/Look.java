@@ -41,6 +41,7 @@ public final class Look {
         scalePercent = Math.min(MOST, Math.max(LEAST, percent));
         UIScale.setZoomFactor(1); // else the font's size would be taken as one at the scale that was
         UIManager.put("defaultFont", Fonts.base());
+        PlainText.install();
         try {
             UIManager.setLookAndFeel(next.laf());
         } catch (UnsupportedLookAndFeelException e) {

@@ -70,14 +70,4 @@ final class NetTips {
         }
         return token instanceof Token.Task task ? "task " + task.task().name() : "generic";
     }
-
-    /** Lines as a tooltip shows them, the first in bold. */
-    static String html(List<String> lines) {
-        StringBuilder html = new StringBuilder("<html>");
-        for (int i = 0; i < lines.size(); i++) {
-            String text = lines.get(i).replace("&", "&amp;").replace("<", "&lt;");
-            html.append(i == 0 ? "<b>" + text + "</b>" : "<br>" + text);
-        }
-        return html.append("</html>").toString();
-    }
 }

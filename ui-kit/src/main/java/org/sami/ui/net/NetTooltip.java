@@ -37,6 +37,6 @@ final class NetTooltip {
             return Optional.empty();
         }
         explanation.apply(id).ifPresent(lines::add);
-        return Optional.of(NetTips.html(lines));
+        return Optional.of(String.join("\n", lines));
     }
 }

@@ -317,7 +317,7 @@ class NetViewTest {
         view.setExplanation(id -> id.equals(transition.id()) ? Optional.of("waits for anna & bert") : Optional.empty());
 
         assertThat(tip(place)).contains("1 token: anna");
-        assertThat(tip(transition)).contains("waits for anna &amp; bert");
+        assertThat(tip(transition)).contains("waits for anna & bert");
     }
 
     @Test

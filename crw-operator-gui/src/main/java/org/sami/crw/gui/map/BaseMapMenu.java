@@ -60,26 +60,18 @@ final class BaseMapMenu {
         JMenu forget = new JMenu("Take off the list");
         forget.setName("forget-base-map");
         for (BaseMapState state : all) {
-            JCheckBoxMenuItem item = new JCheckBoxMenuItem();
-            plain(item, "base map " + state.name());
-            item.setSelected(state.on() && state.problem().isEmpty());
+            JCheckBoxMenuItem item = new JCheckBoxMenuItem(
+                    "base map " + state.name(), state.on() && state.problem().isEmpty());
             item.setName("base-map-" + state.file().getFileName());
             item.setToolTipText(state.problem().isEmpty() ? state.file().toString() : state.problem());
             item.addActionListener(e -> view.setBaseMap(state.file(), item.isSelected()));
             menu.add(item);
-            JMenuItem gone = new JMenuItem();
-            plain(gone, state.name());
+            JMenuItem gone = new JMenuItem(state.name());
             gone.setName("forget-" + state.file().getFileName());
             gone.setToolTipText(state.file().toString());
             gone.addActionListener(e -> view.forgetBaseMap(state.file()));
             forget.add(gone);
         }
         menu.add(forget);
-    }
-
-    /** A file's name is a text, whatever it looks like. */
-    private static void plain(JMenuItem item, String text) {
-        item.putClientProperty("html.disable", true);
-        item.setText(text);
     }
 }

@@ -20,6 +20,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Outcome;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Icons;
+import org.sami.ui.look.PlainText;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.ValueEditors;
@@ -229,7 +230,8 @@ public final class MissionMonitor extends JPanel {
         boolean again = views.values().stream().anyMatch(other -> other.title().equals(mission.title()));
         String title = again ? mission.title() + " (" + mission.id() + ")" : mission.title();
         outcomes.put(mission.id(), mission.outcome());
-        tabs.addTab(title, icon(mission), view); // with its icon: a tab that widens later is cut at the edge
+        tabs.addTab(
+                PlainText.of(title), icon(mission), view); // with its icon: a tab that widens later is cut at the edge
         tabs.setSelectedComponent(view);
         view.focusFirst();
         return view;

@@ -11,7 +11,6 @@ import java.util.function.Supplier;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import javax.swing.MenuElement;
-import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.ui.EventThread;
@@ -93,9 +92,6 @@ class BaseMapMemoryTest {
         BaseMapMenu menu = onEventThread(() -> new BaseMapMenu(view));
         JMenuItem item = onEventThread(() -> item(menu));
         assertThat(item.getText()).isEqualTo("base map <html><b>shore.geojson");
-        assertThat(onEventThread(() -> item(menu).getClientProperty(BasicHTML.propertyKey)))
-                .as("a file's name is a text")
-                .isNull();
 
         onEventThread(() -> {
             item.doClick(0);
