@@ -20,6 +20,7 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.GeoShape;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.geo.MapFrame;
+import org.sami.ui.look.Look;
 
 /**
  * A map: base map or grid, layers, scale, and below it the coordinates under the pointer and a field in which coordinates are typed.
@@ -28,6 +29,7 @@ import org.sami.ui.geo.MapFrame;
  */
 public final class MapView extends JPanel implements AutoCloseable {
     private static final double PAN_PX = 80;
+    private static final int LOW_PX = 240;
 
     private final MapCanvas canvas = new MapCanvas();
     private final transient MapStatusBar status;
@@ -280,10 +282,15 @@ public final class MapView extends JPanel implements AutoCloseable {
             Optional<String> problem = tool.sketch().problem();
             String words = hint.isEmpty()
                     ? problem.orElse(ended)
-                    : problem.map(lacks -> lacks + " · " + hint).orElse(hint);
+                    : problem.map(lacks -> isLow() ? lacks : lacks + " · " + hint).orElse(hint);
             say(words, false);
         });
         canvas.repaint();
+    }
+
+    /** Whether there is room for few words, so that they leave something of the map. */
+    private boolean isLow() {
+        return canvas.getHeight() < Look.px(LOW_PX);
     }
 
     /** Measures a way until {@link MapKey#MEASURE} or Escape ends it; what is being drawn waits. */

@@ -19,7 +19,7 @@ final class DecisionPen {
     private static final String PUT_DOWN = "The pen is put down; Alt+D takes it up again";
     private static final String DRAW = "Enter or a double click ends, Escape puts the pen down";
     private static final String PICK =
-            "A click chooses a boat for the answer, or leaves it out; Shift and a box choose those in it; Escape puts the pen down";
+            "Click boats, or draw a box with Shift held, to choose them for the answer; Escape puts the pen down";
 
     private final DecisionMap map;
     private final Consumer<PenEnd> ended;
@@ -128,18 +128,20 @@ final class DecisionPen {
         map.putDown();
     }
 
-    /** What the map says: what is to be minded of what is drawn, and what the pen does. */
+    /** What the map says: what the pen does, or what is to be minded of what is drawn; the panel says all of it. */
     private String words(DecisionView view) {
         if (!isOut(view)) {
             return isDown(view) ? PUT_DOWN : "";
         }
         Judgement judged = view.judged().judgement();
-        List<String> said = judged.refusal().map(List::of).orElseGet(() -> {
-            List<String> all = new ArrayList<>(judged.doubts());
-            all.addAll(judged.costs());
-            return all;
-        });
-        String pen = view.pick().isPresent() ? PICK : DRAW;
-        return said.isEmpty() ? pen : String.join(" · ", said) + " · " + pen;
+        List<String> said = new ArrayList<>(judged.refusal().map(List::of).orElseGet(judged::doubts));
+        if (view.pick().isPresent()) {
+            said.add(PICK);
+        } else if (judged.refusal().isEmpty() && !judged.costs().isEmpty()) {
+            said.add(judged.costs().get(judged.costs().size() - 1));
+        } else if (said.isEmpty()) {
+            said.add(DRAW);
+        }
+        return String.join(" · ", said);
     }
 }
