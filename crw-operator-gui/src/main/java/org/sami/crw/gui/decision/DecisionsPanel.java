@@ -41,7 +41,6 @@ public final class DecisionsPanel extends JPanel {
     private static final String ONE = "one";
     private static final int LOW = 230;
     private static final double MOST_WAITING = 0.5; // of the panel's height
-    private static final long LONGEST_JUDGING_MS = 3000;
 
     private final DecisionActions actions;
     private final DecisionMap map;
@@ -62,10 +61,7 @@ public final class DecisionsPanel extends JPanel {
     private final JudgementView judgement = new JudgementView();
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
-    private boolean underWay;
-    private boolean givenOnceJudged;
-    private long pressedMillis;
-    private String refusal = "";
+    private final AnswerGiving giving;
 
     DecisionsPanel(
             CommandRegistry registry,
@@ -81,6 +77,7 @@ public final class DecisionsPanel extends JPanel {
         this.choice = choice;
         this.editors = editors;
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
+        giving = new AnswerGiving(actions, shown::follow, this::refresh);
         pen = new DecisionPen(map, this::penEnded);
         commands = new DecisionCommands(registry, this);
         bar = new AnswerBar(commands);
@@ -181,7 +178,7 @@ public final class DecisionsPanel extends JPanel {
         current.ifPresent(view -> editors.showNow(view.editor()));
         showQueue(other);
         current.ifPresent(view -> view.judged().look());
-        giveAtLast();
+        settleAnswer();
         tendPen();
         tellProblem();
         bar.showPosition(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
@@ -196,7 +193,7 @@ public final class DecisionsPanel extends JPanel {
     }
 
     private void tendPen() {
-        pen.tend(current, !shown.isOver() && !underWay && actions.whyNotAct().isEmpty());
+        pen.tend(current, !shown.isOver() && giving.whyNot().isEmpty() && actions.whyNotAct().isEmpty());
     }
 
     /** Of the pen that is out nobody needs to be offered it. */
@@ -223,8 +220,7 @@ public final class DecisionsPanel extends JPanel {
 
     private void turnTo(Optional<PendingDecision> pending) {
         boolean focused = DecisionKeys.hasFocusIn(this);
-        refusal = "";
-        givenOnceJudged = false;
+        giving.forget();
         pen.lay();
         body.removeAll();
         current = pending.map(one -> views.computeIfAbsent(one.decision().id(), id -> view(one)));
@@ -252,8 +248,7 @@ public final class DecisionsPanel extends JPanel {
                 shown.keep();
                 attend();
             }
-            refusal = "";
-            givenOnceJudged = false;
+            giving.forget();
             view.judged().look();
             map.show(view.decision(), view.editor().values());
             tellProblem();
@@ -266,53 +261,24 @@ public final class DecisionsPanel extends JPanel {
         if (current.filter(view::equals).isEmpty()) {
             return;
         }
-        boolean give = givenOnceJudged && view.judged().isCurrent();
-        if (give) {
-            givenOnceJudged = false;
-        }
-        tellProblem();
-        commands.refresh();
+        settleAnswer();
         tendPen();
-        if (give && whyNot().isEmpty() && view.judged().judgement().doubts().isEmpty()) {
-            give(view.editor().answer().orElseThrow());
-        }
+        tellProblem();
     }
 
-    /** No answer waits for long because the computer is busy. */
-    private void giveAtLast() {
-        if (givenOnceJudged && actions.nowMillis() - pressedMillis > LONGEST_JUDGING_MS) {
-            givenOnceJudged = false;
-            if (whyNot().isEmpty()) {
-                give(current.orElseThrow().editor().answer().orElseThrow());
-            }
-        }
+    private void settleAnswer() {
+        current.ifPresent(view -> giving.settle(view, whyNot().isEmpty()));
+        commands.refresh();
     }
 
     private void tellProblem() {
-        String text = shown.isOver() ? "This decision was answered meanwhile" : refusal;
-        if (text.isEmpty()) {
-            text = whyNot().orElseGet(this::askedFirst);
-        }
-        judgement.show(
-                shown.isOver()
-                        ? Judgement.NOTHING
-                        : current.map(view -> view.judged().judgement()).orElse(Judgement.NOTHING));
-        boolean refused = !refusal.isEmpty()
-                || current.flatMap(view -> view.judged().judgement().refusal())
-                        .filter(text::equals)
-                        .isPresent();
-        bar.tell(text, refused);
-    }
-
-    /** What is to be known of an answer that can be given; empty text where nothing is. */
-    private String askedFirst() {
-        if (givenOnceJudged) {
-            return "It is looked at first, and given unless something is to be minded";
-        }
-        boolean doubted = current.filter(
-                        view -> !view.judged().judgement().doubts().isEmpty())
-                .isPresent();
-        return doubted ? "Answer gives it all the same" : "";
+        Judgement judged = current.filter(view -> !shown.isOver())
+                .map(view -> view.judged().judgement())
+                .orElse(Judgement.NOTHING);
+        judgement.show(judged);
+        String refusal = shown.isOver() ? "This decision was answered meanwhile" : giving.refusal();
+        String text = refusal.isEmpty() ? whyNot().orElseGet(() -> giving.first(judged)) : refusal;
+        bar.tell(text, !giving.refusal().isEmpty() || judged.refusal().filter(text::equals).isPresent());
     }
 
     private void attend() {
@@ -331,7 +297,7 @@ public final class DecisionsPanel extends JPanel {
         if (shown.isOver()) {
             return Optional.of("this decision was answered meanwhile");
         }
-        return underWay ? Optional.of("an answer is under way") : current.get().whyNot(actions);
+        return giving.whyNot().or(() -> current.get().whyNot(actions));
     }
 
     /** Why no decision can be looked at besides the shown one; empty where one can. */
@@ -341,7 +307,7 @@ public final class DecisionsPanel extends JPanel {
 
     /** Why "none of these" is no answer now; empty where it is. */
     Optional<String> whyNotRefuse() {
-        return current.filter(DecisionView::refusable).isPresent() && !shown.isOver() && !underWay
+        return current.filter(DecisionView::refusable).isPresent() && !shown.isOver() && giving.whyNot().isEmpty()
                 ? Optional.empty()
                 : Optional.of("this decision asks for a choice");
     }
@@ -391,45 +357,24 @@ public final class DecisionsPanel extends JPanel {
 
     /** Gives the answer that is filled in. */
     void answer() {
-        if (whyNot().isPresent()) {
-            tellProblem();
-        } else if (current.get().judged().isCurrent()) {
-            give(current.get().editor().answer().orElseThrow());
-        } else {
-            givenOnceJudged = true;
-            pressedMillis = actions.nowMillis();
-            current.get().judged().look();
-            tellProblem();
+        if (whyNot().isEmpty()) {
+            attend();
+            giving.press(current.orElseThrow());
+            commands.refresh();
         }
+        tellProblem();
     }
 
     /** Answers with none of what is offered. */
     void refuse() {
-        give(new Answer.Rejected());
-    }
-
-    private void give(Answer answer) {
-        underWay = true;
         attend();
-        CompletionStage<Void> given =
-                actions.answer(current.orElseThrow().decision().id(), answer);
-        given.whenComplete((done, fault) -> {
-            underWay = false;
-            refusal = fault == null ? "" : "▲ " + RefusedException.reason(fault);
-            if (fault == null) {
-                shown.follow();
-            }
-            refresh();
-        });
+        giving.give(current.orElseThrow(), new Answer.Rejected());
         commands.refresh();
     }
 
     /** Stops the timer after which autonomy would answer. */
     void stopTimer() {
-        current.ifPresent(view -> actions.hold(view.decision().id()).whenComplete((done, fault) -> {
-            refusal = fault == null ? "" : "▲ " + RefusedException.reason(fault);
-            refresh();
-        }));
+        current.ifPresent(giving::stopTimer);
     }
 
     /** Shows another decision, and answers nothing. */
