@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.UnreachedBoat;
@@ -43,7 +44,7 @@ public final class ConnectAttempt {
      *
      * @param changed is told when a boat answered or it was refused; that nobody answers is to be asked for ({@link #state})
      */
-    public static ConnectAttempt begin(Session session, BoatAddress address, Runnable changed) {
+    public static ConnectAttempt begin(Session session, BoatAddress address, Consumer<ConnectAttempt> changed) {
         Set<String> known = new HashSet<>();
         session.models().fleet().snapshot().forEach(one -> known.add(one.boat()));
         ConnectAttempt attempt = new ConnectAttempt(session.models(), address, known);
@@ -53,7 +54,7 @@ public final class ConnectAttempt {
             } else {
                 attempt.refusal = Optional.of(RefusedException.reason(fault));
             }
-            changed.run();
+            changed.accept(attempt);
         });
         return attempt;
     }

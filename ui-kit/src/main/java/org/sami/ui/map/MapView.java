@@ -282,7 +282,8 @@ public final class MapView extends JPanel implements AutoCloseable {
             Optional<String> problem = tool.sketch().problem();
             String words = hint.isEmpty()
                     ? problem.orElse(ended)
-                    : problem.map(lacks -> isLow() ? lacks : lacks + " · " + hint).orElse(hint);
+                    : problem.map(lacks -> isLow() ? lacks : lacks + " · " + hint)
+                            .orElse(hint);
             say(words, false);
         });
         canvas.repaint();

@@ -7,37 +7,38 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.Timer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.ConnectAttempt;
+import org.sami.crw.session.ConnectAttempt.State;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /**
- * Takes a boat's server by its address, and says what came of it: that it connects, that the boat is connected, or why not. It stays open until the
- * boat is connected or the form is closed. On the event thread.
+ * Takes a boat's server by its address, and says what came of it: which boat is connected, why it is refused, or that nobody answers, why and how often it was
+ * tried. It stays open, for the next address. On the event thread.
  */
 public final class ConnectForm extends JPanel {
     private static final String KEEP = "wmin 0";
+    private static final int LOOK_MS = 500; // how often it was tried in vain changes by itself
 
     private final OperatorContext context;
-    private final Runnable close;
     private final JTextField address = new JTextField(28);
     private final JButton connect = new JButton("Connect");
     private final WrappedText said = new WrappedText("");
+    private final JButton giveUp = new JButton("Give up this address");
+    private final Timer look = new Timer(LOOK_MS, e -> refresh());
+    private Optional<ConnectAttempt> attempt = Optional.empty();
 
-    /**
-     * An empty form.
-     *
-     * @param close closes what shows it
-     */
-    public ConnectForm(OperatorContext context, Runnable close) {
+    /** An empty form. */
+    public ConnectForm(OperatorContext context) {
         super(new MigLayout("novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2", "[grow,fill][]"));
         this.context = context;
-        this.close = close;
         setName("boat-connect-form");
         JLabel label = new JLabel("Address of the boat's server, HOST:PORT");
         label.setLabelFor(address);
@@ -50,7 +51,18 @@ public final class ConnectForm extends JPanel {
         add(label, "span");
         add(address, "hmin 40");
         add(connect, "hmin 40");
-        add(said, "span, growx, hmin 40, " + KEEP);
+        add(said, "growx, hmin 40, " + KEEP);
+        add(giveUp, "hmin 40");
+        giveUp.setName("boat-connect-give-up");
+        giveUp.setToolTipText("Try this address no longer");
+        giveUp.addActionListener(e -> giveUp());
+        addHierarchyListener(event -> {
+            if (isShowing()) {
+                look.start();
+            } else {
+                look.stop();
+            }
+        });
         address.getDocument().addDocumentListener(new DocumentListener() {
             @Override
             public void insertUpdate(DocumentEvent e) {
@@ -88,13 +100,38 @@ public final class ConnectForm extends JPanel {
         Optional<String> wrong = wrong();
         connect.setEnabled(wrong.isEmpty());
         connect.setToolTipText(wrong.orElse("Connect to this boat (Enter)"));
-        say(wrong.orElse(""), SemanticColor.MUTED);
+        if (!address.getText().isBlank()) {
+            attempt =
+                    Optional
+                            .empty(); // another address is typed: what came of the last one is in messages and the list
+                                      // of boats
+        }
+        refresh();
+    }
+
+    /** Says what came of the last address, or why the one that is typed cannot be used. */
+    void refresh() {
+        giveUp.setVisible(attempt.filter(one -> one.state() == State.NO_ANSWER).isPresent());
+        if (attempt.isEmpty()) {
+            say(wrong().orElse(""), SemanticColor.MUTED);
+            return;
+        }
+        State state = attempt.get().state();
+        boolean bad = state == State.REFUSED || state == State.NO_ANSWER;
+        String goesOn = state == State.CONNECTING ? ". It goes on when this is closed." : "";
+        say(
+                (bad ? "▲ " : state == State.CONNECTED ? "✓ " : "")
+                        + attempt.get().words()
+                        + goesOn,
+                bad ? SemanticColor.WARNING : state == State.CONNECTED ? SemanticColor.OK : SemanticColor.TEXT);
     }
 
     private void say(String text, SemanticColor color) {
-        said.setText(text);
+        if (!said.getText().equals(text)) {
+            said.setText(text);
+            revalidate();
+        }
         said.setColor(color);
-        revalidate();
     }
 
     private void connect() {
@@ -104,25 +141,27 @@ public final class ConnectForm extends JPanel {
             return;
         }
         BoatAddress at = BoatAddress.parse(address.getText().strip());
-        say("Connecting to " + at + ". It goes on when this is closed.", SemanticColor.TEXT);
-        context.notices().told("Connecting to " + at);
-        context.session().fleet().connect(at).whenComplete((boat, fault) -> {
-            if (fault == null) {
-                context.notices().told(boat + " is connected");
-                if (isShowing() && wasFor(at)) {
-                    close.run();
-                }
-            } else {
-                context.notices().refused(at + ": " + fault.getMessage());
-                if (wasFor(at)) {
-                    say("▲ " + at + ": " + fault.getMessage(), SemanticColor.WARNING);
-                }
-            }
-        });
+        address.setText("");
+        attempt = Optional.of(ConnectAttempt.begin(context.session(), at, this::told));
+        refresh();
     }
 
-    /** Whether the address is still the one of which something is told. */
-    private boolean wasFor(BoatAddress told) {
-        return wrong().isEmpty() && BoatAddress.parse(address.getText().strip()).equals(told);
+    /** A boat answered, or the address is refused: also said at the top, for this form may be closed by then. */
+    private void told(ConnectAttempt one) {
+        if (one.state() == State.REFUSED) {
+            context.notices().refused(one.words());
+        } else {
+            context.notices().told(one.words());
+        }
+        refresh();
+    }
+
+    private void giveUp() {
+        attempt.ifPresent(one -> {
+            context.tell(context.session().fleet().disconnect(one.address()), one.address() + " is tried no longer");
+        });
+        attempt = Optional.empty();
+        refresh();
+        address.requestFocusInWindow();
     }
 }

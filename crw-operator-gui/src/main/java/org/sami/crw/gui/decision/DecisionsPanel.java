@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -18,7 +17,6 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.message.PendingDecision;
-import org.sami.crw.session.RefusedException;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
@@ -193,7 +191,11 @@ public final class DecisionsPanel extends JPanel {
     }
 
     private void tendPen() {
-        pen.tend(current, !shown.isOver() && giving.whyNot().isEmpty() && actions.whyNotAct().isEmpty());
+        pen.tend(
+                current,
+                !shown.isOver()
+                        && giving.whyNot().isEmpty()
+                        && actions.whyNotAct().isEmpty());
     }
 
     /** Of the pen that is out nobody needs to be offered it. */
@@ -278,7 +280,10 @@ public final class DecisionsPanel extends JPanel {
         judgement.show(judged);
         String refusal = shown.isOver() ? "This decision was answered meanwhile" : giving.refusal();
         String text = refusal.isEmpty() ? whyNot().orElseGet(() -> giving.first(judged)) : refusal;
-        bar.tell(text, !giving.refusal().isEmpty() || judged.refusal().filter(text::equals).isPresent());
+        bar.tell(
+                text,
+                !giving.refusal().isEmpty()
+                        || judged.refusal().filter(text::equals).isPresent());
     }
 
     private void attend() {
@@ -307,7 +312,9 @@ public final class DecisionsPanel extends JPanel {
 
     /** Why "none of these" is no answer now; empty where it is. */
     Optional<String> whyNotRefuse() {
-        return current.filter(DecisionView::refusable).isPresent() && !shown.isOver() && giving.whyNot().isEmpty()
+        return current.filter(DecisionView::refusable).isPresent()
+                        && !shown.isOver()
+                        && giving.whyNot().isEmpty()
                 ? Optional.empty()
                 : Optional.of("this decision asks for a choice");
     }

@@ -30,7 +30,7 @@ class ConnectAttemptTest {
         /** What a stage that is ready runs comes before the attempt is handed out. */
         void begin(Session session, BoatAddress address) throws Exception {
             session.ask(view -> true)
-                    .thenAccept(front -> latest.set(ConnectAttempt.begin(session, address, () -> {})))
+                    .thenAccept(front -> latest.set(ConnectAttempt.begin(session, address, one -> {})))
                     .toCompletableFuture()
                     .get(60, TimeUnit.SECONDS);
         }
@@ -65,7 +65,9 @@ class ConnectAttemptTest {
             attempts.until(session, anna + " is connected as anna");
             assertThat(attempts.latest.get().state()).isEqualTo(State.CONNECTED);
 
-            Await.until("it is a boat of the fleet", () -> session.models().fleet().boat("anna").isPresent());
+            Await.until(
+                    "it is a boat of the fleet",
+                    () -> session.models().fleet().boat("anna").isPresent());
             attempts.begin(session, anna);
             attempts.until(session, anna + " is anna, which is connected already");
         }
