@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetStopState;
+import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.status.StopLatch;
@@ -19,6 +20,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
     private final Consumer<Runnable> inbox;
     private final LongSupplier nowMillis;
     private final Map<String, StopLatch> boats = new TreeMap<>(NaturalOrder.INSTANCE);
+    private List<String> unreached = List.of();
     private boolean everyBoat;
     private long sinceMillis;
 
@@ -44,6 +46,11 @@ public final class FleetStopModel extends Model<FleetStopState> {
         }
     }
 
+    void unreached(List<UnreachedBoat> now) {
+        unreached = now.stream().map(UnreachedBoat::name).toList();
+        change();
+    }
+
     void gone(String boat) {
         boats.remove(boat);
         change();
@@ -52,6 +59,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
     /** Forgets all. */
     void clear() {
         boats.clear();
+        unreached = List.of();
         everyBoat = false;
         change();
     }
@@ -63,7 +71,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
                     HealthKind.FLEET_STOP,
                     state.isOfFleet() ? Priority.CRITICAL : Priority.HIGH,
                     state.words(),
-                    "When all is clear, release it in two steps; commands wait until then"));
+                    state.advice()));
         } else {
             health.over(HealthKind.FLEET_STOP, "");
         }
@@ -80,8 +88,12 @@ public final class FleetStopModel extends Model<FleetStopState> {
             sinceMillis = Math.max(1, nowMillis.getAsLong());
         }
         return latched
-                ? new FleetStopState(everyBoat, here, elsewhere, of(StopLatch.NONE), sinceMillis)
+                ? new FleetStopState(everyBoat, here, elsewhere, of(StopLatch.NONE), neverAnswered(), sinceMillis)
                 : FleetStopState.NONE;
+    }
+
+    private List<String> neverAnswered() {
+        return unreached.stream().filter(name -> !boats.containsKey(name)).toList();
     }
 
     private List<String> of(StopLatch latch) {

@@ -87,6 +87,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         health = new HealthModel(inbox::post, nowMillis);
         unreached = new UnreachedModel(inbox::post);
         fleetStop = new FleetStopModel(inbox::post, nowMillis);
+        unreached.addListener(fleetStop::unreached);
         fleetStop.addListener(state -> FleetStopModel.report(state, health));
         alarms.addListener(health::alarms);
         map = new MapModel(inbox::post, commands, variables, missions::words, computing, nowMillis);

@@ -90,9 +90,7 @@ final class BoatCondition {
             return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
         } else if (fleetStopped) {
             return Obstacle.because(
-                    Cause.FLEET_STOPPED,
-                    "the fleet stop is latched"
-                            + (stoppedFromHere ? "" : " by another base or an earlier start of this one"));
+                    Cause.FLEET_STOPPED, "the fleet stop is latched" + (stoppedFromHere ? "" : ", not from here"));
         } else if (takenOver) {
             return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
         } else if (unconfirmedRestart) {

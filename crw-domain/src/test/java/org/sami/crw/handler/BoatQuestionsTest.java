@@ -200,7 +200,8 @@ class BoatQuestionsTest {
 
         assertThat(asked()).isEmpty();
         assertThat(world.boats.find("a").orElseThrow().explain().text()).doesNotContain("nobody has allowed");
-        assertThat(world.boats.find("b").orElseThrow().explain().text()).contains("nobody has allowed it to move again");
+        assertThat(world.boats.find("b").orElseThrow().explain().text())
+                .contains("nobody has allowed it to move again");
         assertThat(world.boats.find("c").orElseThrow().explain().text()).doesNotContain("nobody has allowed");
     }
 
@@ -213,13 +214,17 @@ class BoatQuestionsTest {
         world.startServer("b", "b-boot2");
         world.run(5);
 
-        assertThat(asked()).singleElement().satisfies(decision -> assertThat(decision.question())
-                .isEqualTo(new Question.ChooseProxies(List.of("a", "b"), 0, 2)));
+        assertThat(asked())
+                .singleElement()
+                .satisfies(decision ->
+                        assertThat(decision.question()).isEqualTo(new Question.ChooseProxies(List.of("a", "b"), 0, 2)));
         boat().retire("gone");
         world.run(2);
 
-        assertThat(asked()).singleElement().satisfies(decision -> assertThat(decision.prompt())
-                .isEqualTo("b has started anew and does not move. May it move again?"));
+        assertThat(asked())
+                .singleElement()
+                .satisfies(decision -> assertThat(decision.prompt())
+                        .isEqualTo("b has started anew and does not move. May it move again?"));
     }
 
     private static SimulatedOperator simulated(String rules) {

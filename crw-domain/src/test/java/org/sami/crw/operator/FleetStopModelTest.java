@@ -13,6 +13,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.operator.boat.FleetStopState;
+import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.operator.health.HealthEntry;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.BoatProxy;
@@ -69,9 +70,14 @@ class FleetStopModelTest {
 
         assertThat(state().words())
                 .isEqualTo(
-                        "FLEET STOP: 1 of 2 boats is stopped, bert has not said so; nothing moves before the release");
+                        "FLEET STOP: 1 of 2 boats is stopped; nothing moves before the release; bert has not said so");
         assertThat(state().stops("bert")).isTrue();
         does(bert, BoatMode.FLEET_STOP);
+        models.unreached().show(List.of(new UnreachedBoat("10.0.0.9:11411", "", "connection refused", 3, 0)));
+        assertThat(state().words())
+                .isEqualTo(
+                        "FLEET STOP: 2 of 3 boats are stopped; nothing moves before the release; 10.0.0.9:11411 has not said so");
+        models.unreached().show(List.of());
         assertThat(state().words()).isEqualTo("FLEET STOP: 2 of 2 boats are stopped; nothing moves before the release");
         assertThat(faults()).singleElement().satisfies(entry -> {
             assertThat(entry.severity()).isEqualTo(Priority.CRITICAL);
@@ -96,11 +102,11 @@ class FleetStopModelTest {
 
         assertThat(state().isOfFleet()).isTrue();
         assertThat(state().words())
-                .isEqualTo("FLEET STOP: 2 of 2 boats are stopped by another base or an earlier start of this one;"
-                        + " nothing moves before the release");
+                .isEqualTo("FLEET STOP, not from here: 2 of 2 boats are stopped; nothing moves before the release");
+        assertThat(state().advice()).startsWith("Another base stopped it, or this one before it started anew");
         assertThat(faults()).hasSize(1);
         assertThat(models.fleet().boat("anna").orElseThrow().why().text())
-                .startsWith("anna does not move: the fleet stop is latched by another base");
+                .startsWith("anna does not move: the fleet stop is latched, not from here");
     }
 
     @Test

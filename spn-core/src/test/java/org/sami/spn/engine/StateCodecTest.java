@@ -259,7 +259,8 @@ class StateCodecTest {
         int missions = engine.view(state).missions().size();
         int times = second.length - missions * 16; // when each started and how often it fired: not in the first version
         assertThat(Arrays.copyOf(StateCodec.encode(decoded), times)).isEqualTo(Arrays.copyOf(second, times));
-        assertThat(engine.view(decoded).missions()).allMatch(mission -> mission.startedAtMillis().isEmpty());
+        assertThat(engine.view(decoded).missions())
+                .allMatch(mission -> mission.startedAtMillis().isEmpty());
     }
 
     @Test

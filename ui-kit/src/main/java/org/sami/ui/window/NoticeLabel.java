@@ -13,6 +13,7 @@ import org.sami.ui.window.Notices.Notice;
 /** The line that tells what came of the last command, for as long as it is news. It is called {@code notice}. On the event thread. */
 public final class NoticeLabel extends JLabel {
     private final transient ShownNotice shown;
+    private transient Optional<SemanticColor> ink = Optional.empty();
     private final transient Timer leaves = new Timer(0, e -> refresh());
 
     /**
@@ -32,6 +33,14 @@ public final class NoticeLabel extends JLabel {
         refresh();
     }
 
+    /** From now on all is written in this colour, as what is behind the line has another one than usual; empty = as usual. */
+    public void setInk(Optional<SemanticColor> color) {
+        if (!ink.equals(color)) {
+            ink = color;
+            refresh();
+        }
+    }
+
     /** Shows what is news now; asked again when it is none any longer. */
     void refresh() {
         Optional<Notice> now = shown.now();
@@ -44,8 +53,10 @@ public final class NoticeLabel extends JLabel {
                 now.isEmpty()
                         ? null
                         : Icons.of(
-                                refused ? "alarm" : "check", 16, refused ? SemanticColor.WARNING : SemanticColor.OK));
-        LookColors.foreground(this, refused ? SemanticColor.WARNING : SemanticColor.MUTED);
+                                refused ? "alarm" : "check",
+                                16,
+                                ink.orElse(refused ? SemanticColor.WARNING : SemanticColor.OK)));
+        LookColors.foreground(this, ink.orElse(refused ? SemanticColor.WARNING : SemanticColor.MUTED));
         if (now.isPresent()) {
             leaves.setInitialDelay(Math.toIntExact(shown.leftMillis()));
             leaves.restart();

@@ -1,5 +1,6 @@
 package org.sami.crw.operator.boat;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -9,19 +10,24 @@ import java.util.List;
  * @param here boats that are stopped from this base
  * @param elsewhere boats that another base stopped, or this one before it started anew
  * @param free the other boats
+ * @param unreached those that have never answered, by their names or addresses
  * @param sinceMillis when the first of them was stopped, on the session's clock; 0 where none is
  */
 public record FleetStopState(
-        boolean everyBoat, List<String> here, List<String> elsewhere, List<String> free, long sinceMillis) {
+        boolean everyBoat,
+        List<String> here,
+        List<String> elsewhere,
+        List<String> free,
+        List<String> unreached,
+        long sinceMillis) {
     /** Nobody is stopped. */
-    public static final FleetStopState NONE = new FleetStopState(false, List.of(), List.of(), List.of(), 0);
-
-    private static final String RELEASE = "nothing moves before the release";
+    public static final FleetStopState NONE = new FleetStopState(false, List.of(), List.of(), List.of(), List.of(), 0);
 
     public FleetStopState {
         here = List.copyOf(here);
         elsewhere = List.copyOf(elsewhere);
         free = List.copyOf(free);
+        unreached = List.copyOf(unreached);
     }
 
     /** Whether any boat is stopped, or all are to be. */
@@ -43,30 +49,45 @@ public record FleetStopState(
         return here.size() + elsewhere.size();
     }
 
-    /** Such as {@code FLEET STOP: 3 of 4 boats are stopped, dora has not said so; nothing moves before the release}; empty text where nobody is stopped. */
+    /**
+     * Such as {@code FLEET STOP: 3 of 4 boats are stopped; nothing moves before the release; dora has not said so}; empty text where nobody is stopped. A stop that
+     * was not sent from here is called so: the link does not say who latched it.
+     */
     public String words() {
         if (!isLatched()) {
             return "";
         }
-        String by = elsewhere.isEmpty()
-                ? ""
-                : here.isEmpty() && !everyBoat
-                        ? " by another base or an earlier start of this one"
-                        : ", " + String.join(", ", elsewhere) + " by another base or an earlier start of this one";
+        boolean notFromHere = here.isEmpty() && !everyBoat;
+        String whence = notFromHere ? ", not from here" : "";
         if (!isOfFleet()) {
-            String who = String.join(", ", here.isEmpty() ? elsewhere : here);
-            int count = here.isEmpty() ? elsewhere.size() : here.size();
-            return "Stopped" + (here.isEmpty() ? by : "") + ": " + who + (here.isEmpty() ? "" : by) + "; "
-                    + (count == 1 && stopped() == 1 ? "it does" : "they do") + " not move before the release";
+            List<String> who = new ArrayList<>(here);
+            who.addAll(elsewhere);
+            return "Stopped" + whence + ": " + String.join(", ", who) + "; " + (who.size() == 1 ? "it does" : "they do")
+                    + " not move before the release" + (notFromHere ? "" : notFromHere());
         }
-        int all = stopped() + free.size();
-        String late = free.isEmpty()
-                ? ""
-                : ", " + String.join(", ", free) + (free.size() == 1 ? " has" : " have") + " not said so";
+        List<String> silent = new ArrayList<>(free);
+        silent.addAll(unreached);
+        int all = stopped() + silent.size();
         String counted = all == 0
                 ? "whoever joins is stopped"
                 : stopped() + " of " + all + (all == 1 ? " boat " : " boats ") + (stopped() == 1 ? "is" : "are")
                         + " stopped";
-        return "FLEET STOP: " + counted + by + late + "; " + RELEASE;
+        String late = silent.isEmpty()
+                ? ""
+                : "; " + String.join(", ", silent) + (silent.size() == 1 ? " has" : " have") + " not said so";
+        return "FLEET STOP" + whence + ": " + counted + "; nothing moves before the release" + late
+                + (notFromHere ? "" : notFromHere());
+    }
+
+    private String notFromHere() {
+        return elsewhere.isEmpty() ? "" : "; " + String.join(", ", elsewhere) + " not from here";
+    }
+
+    /** What the operator can do about it: one sentence without a full stop at its end. */
+    public String advice() {
+        String ask =
+                elsewhere.isEmpty() ? "" : "Another base stopped it, or this one before it started anew: ask there; ";
+        String release = "when all is clear, release it in two steps; commands wait until then";
+        return ask.isEmpty() ? Character.toUpperCase(release.charAt(0)) + release.substring(1) : ask + release;
     }
 }

@@ -5,6 +5,7 @@ import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.ui.look.SemanticColor;
 
@@ -53,6 +54,11 @@ public final class BoatWords {
 
     /** The same without how far it is on its path, which stands beside it. */
     static String brief(BoatSnapshot boat) {
+        boolean isAddress =
+                boat.boat().contains(":"); // of which the column of names has no room for more than the beginning
+        if (boat.why().cause() == BoatExplanation.Cause.NEVER_ANSWERED && isAddress) {
+            return state(boat).replaceFirst("△ ", "△ " + boat.boat() + " · ");
+        }
         return state(boat).replaceFirst(", \\d+ of \\d+ points visited", "");
     }
 

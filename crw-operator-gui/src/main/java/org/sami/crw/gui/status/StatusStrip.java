@@ -48,6 +48,7 @@ public final class StatusStrip extends JPanel {
     private final JLabel boats = new JLabel();
     private final JLabel links = new JLabel();
     private final JLabel clock = new JLabel();
+    private final NoticeLabel notice;
     private final JButton alarms = new JButton();
     private final JButton unseen = new JButton();
     private final transient Supplier<Optional<String>> decisionUnseen;
@@ -96,7 +97,8 @@ public final class StatusStrip extends JPanel {
         List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32"));
         add(unseen, "h 40!, wmin 56, wmax 360, hidemode 2, shrinkprio 250"); // nothing that can be pressed moves as it
         // comes
-        add(new NoticeLabel(context.notices(), System::nanoTime), "wmin 0, shrinkprio 300, gapright 8");
+        notice = new NoticeLabel(context.notices(), System::nanoTime);
+        add(notice, "wmin 0, shrinkprio 300, gapright 8");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
         JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][][]", "[]"));
@@ -142,6 +144,7 @@ public final class StatusStrip extends JPanel {
         decisions.setIcon(icon("decision"));
         boats.setIcon(icon("boat"));
         ink(missions, SemanticColor.TEXT);
+        notice.setInk(red ? Optional.of(SemanticColor.ON_CRITICAL) : Optional.empty());
         ink(clock, SemanticColor.TEXT);
         alarms.setFont(Fonts.strong());
         unseen.setFont(Fonts.strong());

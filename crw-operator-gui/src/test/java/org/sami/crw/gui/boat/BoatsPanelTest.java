@@ -57,7 +57,7 @@ class BoatsPanelTest {
             BoatsPanel panel = laidOut(() -> new BoatsPanel(world.context));
             world.session.fleet().connect(nobody);
 
-            shows(panel, nobody + "|△ no answer · connection refused · tried ");
+            shows(panel, nobody + "|△ " + nobody + " · no answer · connection refused · tried ");
             select(panel, "boats-table", 0); // worst first
             assertThat(onEventThread(() -> world.context.boats().boats())).isEmpty();
             world.run("address-give-up");

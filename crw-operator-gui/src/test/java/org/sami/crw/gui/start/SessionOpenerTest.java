@@ -71,9 +71,8 @@ class SessionOpenerTest {
 
     private static Optional<GeoPoint> pose(String boat, Session session) {
         return session.fleet()
-                .ask(boats -> boats.find(boat)
-                        .flatMap(proxy -> proxy.status().pose())
-                        .map(BoatPose::position))
+                .ask(boats ->
+                        boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position))
                 .toCompletableFuture()
                 .orTimeout(60, TimeUnit.SECONDS)
                 .join();

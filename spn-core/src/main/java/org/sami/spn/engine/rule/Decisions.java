@@ -277,7 +277,8 @@ public final class Decisions {
     private static Effect.QuestionAnswered answered(OpenDecision open, Answer answer) {
         String kind = open.decision.type();
         return answer instanceof Answer.Proxies chosen
-                ? new Effect.QuestionAnswered(kind, open.subject, !chosen.proxies().isEmpty(), chosen.proxies())
+                ? new Effect.QuestionAnswered(
+                        kind, open.subject, !chosen.proxies().isEmpty(), chosen.proxies())
                 : new Effect.QuestionAnswered(kind, open.subject, ((Answer.YesNo) answer).yes());
     }
 
