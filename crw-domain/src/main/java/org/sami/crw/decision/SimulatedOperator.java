@@ -68,9 +68,8 @@ public final class SimulatedOperator {
         if (question instanceof Question.ChooseProxies choice
                 && DomainQuestion.of(decision.type()).isPresent()) {
             boolean all = rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true))
-                    .orElseGet(() -> DomainQuestion.of(decision.type())
-                            .orElseThrow()
-                            .simulatedAnswer());
+                    .orElseGet(() ->
+                            DomainQuestion.of(decision.type()).orElseThrow().simulatedAnswer());
             return Optional.of(new Answer.Proxies(all ? choice.proxies() : List.of()));
         }
         if (question instanceof Question.ChooseProxies choice) {
