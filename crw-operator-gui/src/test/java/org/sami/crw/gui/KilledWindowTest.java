@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import java.awt.GraphicsEnvironment;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.mission.MissionSnapshot;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.testing.JavaProcess;
 import org.sami.ui.check.WindowRobot;
 
@@ -41,7 +43,9 @@ class KilledWindowTest {
             robot.untilSaid(
                     "decisions-count",
                     "2 decisions"); // the mission's, and which of the boats that started anew may move
-            robot.untilShown("value-decision-yes");
+            assertThat(window.session().models().decisions().snapshot())
+                    .anyMatch(waiting -> waiting.decision().question() instanceof Question.ChooseProxies choice
+                            && choice.proxies().equals(List.of("anna", "bert", "carl", "dora", "emil")));
             assertThat(window.session().models().missions().snapshot().missions())
                     .singleElement()
                     .matches(mission -> !mission.hasEnded())
