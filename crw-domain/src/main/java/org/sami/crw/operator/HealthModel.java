@@ -50,6 +50,11 @@ public final class HealthModel extends Model<Health> {
         inbox.accept(() -> put(fault, now));
     }
 
+    /** As {@link #report(HealthFault)}, for a fault that began earlier, on the session's clock. From any thread. */
+    public void report(HealthFault fault, long sinceMillis) {
+        inbox.accept(() -> put(fault, sinceMillis));
+    }
+
     /** A fault is over; one that is not there changes nothing. From any thread. */
     public void over(HealthKind kind, String subject) {
         inbox.accept(() -> {

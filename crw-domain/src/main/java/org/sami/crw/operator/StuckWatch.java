@@ -66,7 +66,7 @@ public final class StuckWatch {
         for (List<StuckMission> all : byRoot.values()) {
             HealthFault fault = fault(all);
             now.add(fault.subject());
-            models.health().report(fault);
+            models.health().report(fault, all.get(0).sinceMillis());
         }
         subjects.stream()
                 .filter(subject -> !now.contains(subject))
@@ -79,7 +79,7 @@ public final class StuckWatch {
         StuckMission first = all.get(0);
         String more = all.size() == 1 ? "" : " (and " + (all.size() - 1) + " sub-missions more)";
         return HealthFault.ofMission(
-                first.root(), first.title(), Priority.HIGH, "stuck: " + first.what() + more, first.help());
+                first.root(), first.title(), Priority.HIGH, first.title() + " is stuck: " + first.what() + more, first.help());
     }
 
     /** Whether some mission waits for news that come by themselves. */

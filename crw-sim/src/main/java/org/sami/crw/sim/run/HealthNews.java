@@ -44,7 +44,7 @@ public final class HealthNews implements AutoCloseable {
                 HealthEntry before = told.get(entry.number());
                 if (before == null || before.severity().compareTo(entry.severity()) < 0) {
                     told.put(entry.number(), entry);
-                    out.accept("FAULT: " + words(entry));
+                    out.accept("FAULT: " + entry.fault().text());
                     out.accept("    " + entry.fault().advice());
                 }
             }
@@ -52,16 +52,10 @@ public final class HealthNews implements AutoCloseable {
         told.values().removeIf(entry -> {
             boolean over = !now.contains(entry.number());
             if (over) {
-                out.accept("over: " + words(entry));
+                out.accept("over: " + entry.fault().text());
             }
             return over;
         });
-    }
-
-    private static String words(HealthEntry entry) {
-        boolean ofMission = entry.fault().kind() == HealthKind.MISSION;
-        return (ofMission ? entry.fault().subject() + " is " : "")
-                + entry.fault().text();
     }
 
     @Override

@@ -33,7 +33,7 @@ final class StuckNotes {
                 note(
                         entry.sinceMillis(),
                         entry,
-                        entry.fault().subject() + " is " + entry.fault().text());
+                        entry.fault().text());
             }
         }
         before.forEach((number, entry) -> {
