@@ -110,7 +110,7 @@ class MapNamesTest {
         g.setFont(Fonts.small());
         MapFrame frame = new MapFrame(
                 Mercator.x(MapScenes.LAKE.lonDeg()), Mercator.y(MapScenes.LAKE.latDeg()), WORLD_PX, WIDTH, HEIGHT);
-        MapPaint paint = new MapPaint(g, frame, Set.of(), new Written());
+        MapPaint paint = new MapPaint(g, frame, Set.of(), new Written(), false);
         for (MapLayer layer : layers) {
             layer.paint(paint);
         }
