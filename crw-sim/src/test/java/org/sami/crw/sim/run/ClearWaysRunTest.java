@@ -94,6 +94,7 @@ class ClearWaysRunTest {
                 "clv-interrupts",
                 new ProjectWriter(TestRuns.LIBRARY.vocabulary()).text(project),
                 TestRuns.LIBRARY.files().texts(),
+                Optional.empty(),
                 Optional.empty());
         try (WrittenJournal written = WrittenJournal.create(file, record)) {
             CrashingJournal crashing = new CrashingJournal(written, 14);
