@@ -90,6 +90,14 @@ final class WindowInMemory {
         }
     }
 
+    /** Runs something, not on the event thread, with each tab in front once. */
+    void betweenTabs(Runnable look) {
+        Set<String> seen = new HashSet<>();
+        while (WindowRobot.ask(() -> bringToFront(root(), seen))) {
+            look.run();
+        }
+    }
+
     /** How it looks now. */
     BufferedImage picture() {
         return WindowRobot.ask(() -> Layout.paint(root()));

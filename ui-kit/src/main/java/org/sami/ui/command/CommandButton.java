@@ -24,7 +24,6 @@ public final class CommandButton extends JButton {
     public static CommandButton iconOnly(Command command) {
         CommandButton button = new CommandButton(command);
         button.setHideActionText(true);
-        button.getAccessibleContext().setAccessibleName(command.title());
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         return button;
     }
@@ -46,6 +45,13 @@ public final class CommandButton extends JButton {
         button.setIcon(Icons.of(icon, ICON, SemanticColor.ON_ACCENT));
         button.setDisabledIcon(Icons.of(icon, ICON, SemanticColor.DISABLED));
         return button;
+    }
+
+    /** Without its words it keeps them as its name for those who do not see it. */
+    @Override
+    public void setHideActionText(boolean hidden) {
+        super.setHideActionText(hidden);
+        getAccessibleContext().setAccessibleName(hidden && getAction() instanceof Command command ? command.title() : null);
     }
 
     @Override

@@ -18,6 +18,7 @@ import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.TabKey;
 import org.sami.ui.sheet.Sheet;
 import org.sami.ui.sheet.WindowSheet;
 
@@ -52,6 +53,7 @@ public final class CommandKeysPanel extends JPanel {
         JTable table = new JTable(rows);
         table.setName("command-keys-table");
         table.getAccessibleContext().setAccessibleName(TITLE);
+        TabKey.leaves(table);
         table.setRowHeight(Look.px(ROW));
         if (table.getTableHeader().getDefaultRenderer() instanceof JLabel head) {
             head.setHorizontalAlignment(SwingConstants.LEADING);

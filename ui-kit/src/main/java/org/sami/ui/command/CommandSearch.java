@@ -64,9 +64,11 @@ public final class CommandSearch extends JPanel {
                         BorderFactory.createEmptyBorder(inset, inset, inset, inset)));
         field.setName("command-search-text");
         field.setFont(Fonts.heading());
+        field.setPreferredSize(new Dimension(Look.px(WIDTH), Look.px(Spacing.HIT_TARGET_FIELD)));
         field.putClientProperty("JTextField.placeholderText", "Type what you want to do");
         field.getAccessibleContext().setAccessibleName("Command search");
         list.setName("command-search-found");
+        list.getAccessibleContext().setAccessibleName("Commands that match");
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new CommandCell(Look.px(WIDTH) - 2 * inset - Look.px(SCROLL_BAR)));
         list.setFocusable(false);

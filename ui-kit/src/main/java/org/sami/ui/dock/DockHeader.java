@@ -5,6 +5,7 @@ import io.github.andrewauclair.moderndocking.ui.HeaderController;
 import io.github.andrewauclair.moderndocking.ui.HeaderModel;
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -30,7 +31,13 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
         this.model = model;
         controller.setUI(this);
         title = new JLabel(panel.title(), panel.getIcon(), JLabel.LEADING);
-        JButton more = new JButton(Icons.small("more"));
+        JButton more = new JButton(Icons.small("more")) {
+            @Override
+            public Dimension getPreferredSize() {
+                Dimension size = super.getPreferredSize();
+                return new Dimension(Math.max(size.width, Look.px(Look.hitTarget())), size.height);
+            }
+        };
         more.setName(panel.getPersistentID() + "-menu");
         more.setToolTipText("Set " + panel.title() + " free, enlarge or close it");
         more.getAccessibleContext().setAccessibleName("Menu of " + panel.title());

@@ -28,6 +28,7 @@ public final class Look {
     private static volatile Theme theme = Theme.LIGHT;
     private static volatile int scalePercent = 100;
     private static volatile boolean highRows;
+    private static volatile int hitTarget = Spacing.HIT_TARGET;
 
     private Look() {}
 
@@ -67,6 +68,16 @@ public final class Look {
     /** Makes rows of tables and lists high enough for wet fingers from the next {@link #apply} on, or as high as their text needs. */
     public static void setHighRows(boolean high) {
         highRows = high;
+    }
+
+    /** Makes what is clicked large enough for wet fingers in windows that are made from now on. */
+    public static void useFieldTargets() {
+        hitTarget = Spacing.HIT_TARGET_FIELD;
+    }
+
+    /** The least height and width of what is clicked, in logical pixels. */
+    public static int hitTarget() {
+        return hitTarget;
     }
 
     /** Whether rows of tables and lists are high enough for wet fingers. */

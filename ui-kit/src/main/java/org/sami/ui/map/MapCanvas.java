@@ -17,6 +17,7 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.FocusFrame;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Theme;
@@ -48,6 +49,7 @@ final class MapCanvas extends JXMapViewer {
     MapCanvas() {
         setName("map-canvas");
         setFocusable(true);
+        FocusFrame.watch(this);
         setRestrictOutsidePanning(false);
         setHorizontalWrapped(false);
         setInfiniteMapRendering(false);
@@ -203,6 +205,7 @@ final class MapCanvas extends JXMapViewer {
         } else {
             whole.paint(target, new Object(), getWidth(), getHeight(), super::paintComponent);
         }
+        FocusFrame.paint(g, this);
     }
 
     /** All that {@link #paintStill} depends on. */

@@ -8,10 +8,12 @@ import edu.uci.ics.jung.visualization.VisualizationViewer;
 import edu.uci.ics.jung.visualization.renderers.BasicRenderer;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import org.sami.ui.look.FocusFrame;
 import org.sami.ui.look.SemanticColor;
 
 /** JUNG's viewer with the painter of nets: JUNG has graph, layout and view transformation, the painter all that is seen. */
@@ -29,6 +31,7 @@ final class NetViewer extends VisualizationViewer<String, String> {
         this.tips = tips;
         setName("net-canvas");
         setFocusable(true);
+        FocusFrame.watch(this);
         setDoubleBuffered(false);
         setRenderer(new BasicRenderer<>() {
             @Override
@@ -39,6 +42,12 @@ final class NetViewer extends VisualizationViewer<String, String> {
             }
         });
         setToolTipText("");
+    }
+
+    @Override
+    protected void paintComponent(Graphics g) {
+        super.paintComponent(g);
+        FocusFrame.paint(g, this);
     }
 
     /** Asked at each painting, so that another theme is seen at once. */

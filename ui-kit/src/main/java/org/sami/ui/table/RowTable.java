@@ -2,7 +2,9 @@ package org.sami.ui.table;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Graphics;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -22,9 +24,11 @@ import javax.swing.SwingUtilities;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
+import org.sami.ui.look.FocusFrame;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.TabKey;
 import org.sami.ui.value.WrappedText;
 
 /**
@@ -70,6 +74,12 @@ public final class RowTable<R> extends JScrollPane {
             if (!replacing && !e.getValueIsAdjusting()) {
                 rowFit.leave();
                 selectionListeners.forEach(Runnable::run);
+            }
+        });
+        FocusFrame.watch(table);
+        getViewport().addChangeListener(e -> {
+            if (table.isFocusOwner()) {
+                table.repaint(); // the line goes with what is seen
             }
         });
         setViewportView(table);
@@ -222,6 +232,26 @@ public final class RowTable<R> extends JScrollPane {
         return allSelected().stream().findFirst();
     }
 
+    /** Whether the middle of the selected row is in sight: on the screen, and not scrolled away. */
+    public boolean isSelectionSeen() {
+        int row = table.getSelectedRow();
+        if (row < 0 || !table.isShowing()) {
+            return false;
+        }
+        Rectangle cell = table.getCellRect(row, 0, true);
+        int middle = cell.y + cell.height / 2;
+        Rectangle seen = table.getVisibleRect();
+        return middle >= seen.y && middle < seen.y + seen.height;
+    }
+
+    /** Scrolls the selected row into sight. */
+    public void scrollToSelection() {
+        int row = table.getSelectedRow();
+        if (row >= 0) {
+            table.scrollRectToVisible(table.getCellRect(row, 0, true));
+        }
+    }
+
     /** All selected rows, in order. */
     public List<R> allSelected() {
         List<R> all = new ArrayList<>();
@@ -287,11 +317,26 @@ public final class RowTable<R> extends JScrollPane {
         View(String name, String nothingYet) {
             super(model);
             setName(name);
+            getAccessibleContext().setAccessibleName(words(name));
+            TabKey.leaves(this);
             hint = new WrappedText(nothingYet);
             hint.setName(name + "-empty");
             hint.setColor(SemanticColor.MUTED);
             add(hint);
             setPreferredScrollableViewportSize(new Dimension(0, 0));
+        }
+
+        /** What a table is called for those who do not see it: {@code Boat queue} for {@code boat-queue}, {@code Plans} for {@code plans-table}. */
+        private static String words(String name) {
+            String words = name.replaceFirst("-table$", "").replace('-', ' ').strip();
+            return words.isEmpty() ? "Table" : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+        }
+
+        /** Where the keyboard's focus is, a line around what is seen of the table says so. */
+        @Override
+        protected void paintComponent(Graphics g) {
+            super.paintComponent(g);
+            FocusFrame.paint(g, this);
         }
 
         /** An empty table is as high as its hint, so that it scrolls in a low panel. */

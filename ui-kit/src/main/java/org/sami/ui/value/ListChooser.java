@@ -1,5 +1,6 @@
 package org.sami.ui.value;
 
+import java.awt.Dimension;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +15,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
 
 /**
@@ -86,7 +88,7 @@ final class ListChooser extends ValueChooser {
         filter.putClientProperty("JTextField.showClearButton", true);
         filter.getAccessibleContext().setAccessibleName("Show only what contains");
         filter.getDocument().addDocumentListener(new TextChanges(this::applyFilter));
-        panel.add(filter, "hmin 32");
+        panel.add(filter, "hmin " + Look.hitTarget());
     }
 
     private void addAllAndNone() {
@@ -99,7 +101,18 @@ final class ListChooser extends ValueChooser {
     }
 
     private JButton button(String words, String part, Runnable action) {
-        JButton button = new JButton(words);
+        JButton button = new JButton(words) {
+            @Override
+            public Dimension getPreferredSize() {
+                Dimension size = super.getPreferredSize();
+                return new Dimension(size.width, Math.max(size.height, Look.px(Look.hitTarget())));
+            }
+
+            @Override
+            public Dimension getMinimumSize() {
+                return getPreferredSize();
+            }
+        };
         button.setName(field().componentName(part));
         button.setToolTipText(words.equals("All") ? "Choose all that are shown" : "Choose none");
         button.addActionListener(event -> action.run());

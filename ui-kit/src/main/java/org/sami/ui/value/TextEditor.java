@@ -13,6 +13,8 @@ import javax.swing.JTextField;
 import javax.swing.text.JTextComponent;
 import net.miginfocom.swing.MigLayout;
 import org.sami.spn.value.Value;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.TabKey;
 
 /**
  * A value that is typed: texts, numbers with their unit, durations, coordinates. A value that was shown stays exactly itself as long as its
@@ -46,9 +48,10 @@ final class TextEditor extends ValueEditor {
         panel.setName(field.componentName(""));
         boolean withUnit = !field.unit().isEmpty();
         if (form.multiline()) {
+            TabKey.leaves(text);
             panel.add(new JScrollPane(text), "growx, pushx, wmin 60, hmin 56, wrap");
         } else {
-            panel.add(text, withUnit ? "split 2, hmin 32" : "growx, hmin 32, wrap");
+            panel.add(text, (withUnit ? "split 2" : "growx, wrap") + ", hmin " + Look.hitTarget());
             if (withUnit) {
                 JLabel unit = new JLabel(field.unit());
                 unit.setName(field.componentName("unit"));

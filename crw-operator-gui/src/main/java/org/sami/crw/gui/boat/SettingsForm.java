@@ -50,7 +50,7 @@ final class SettingsForm extends JPanel {
             CommandButton button = new CommandButton(command);
             button.setText("Set");
             add(new JLabel(title));
-            add(fields);
+            add(fields, "hmin 40");
             add(button);
             add(now, "wmin 60");
         }
@@ -137,7 +137,7 @@ final class SettingsForm extends JPanel {
         fields.setOpaque(false);
         List<Supplier<JComponent>> parts =
                 List.of(() -> new JLabel("P"), () -> p, () -> new JLabel("I"), () -> i, () -> new JLabel("D"), () -> d);
-        parts.forEach(part -> fields.add(part.get()));
+        parts.forEach(part -> fields.add(part.get(), part.get() instanceof JTextField ? "hmin 40" : ""));
         lines.add(new Line(
                 id,
                 title,

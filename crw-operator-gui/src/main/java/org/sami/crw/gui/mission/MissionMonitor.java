@@ -52,6 +52,12 @@ public final class MissionMonitor extends JPanel {
         plans = new PlansPanel(context, starter);
         globals = new GlobalsPanel(context, editors, file);
         tabs.addTab("Plans", Icons.small("folder"), plans);
+        plans.onNeedToShow(() -> {
+            if (!isShowing()) {
+                context.commands().find("panel-missions").ifPresent(Command::run);
+            }
+            tabs.setSelectedComponent(plans);
+        });
         tabs.addTab("Globals", Icons.small("variables"), globals);
         add(tabs);
         addCommands();

@@ -98,7 +98,7 @@ final class MissionNet extends JPanel {
             }
         });
         head.add(which, "wmin 80");
-        head.add(mode, "wmin 80");
+        head.add(mode, "wmin 80, hmin 40");
         add(head, BorderLayout.NORTH);
         add(net);
         show(missions);

@@ -38,7 +38,7 @@ final class ParameterRow extends JPanel {
         last.ifPresent(editor::show);
         JLabel instead = new JLabel(otherwise);
         LookColors.foreground(instead, SemanticColor.MUTED);
-        add(given, "split 2, growx 0");
+        add(given, "split 2, growx 0, hmin 40");
         add(instead, "wmin 0");
         add(editor.component(), "gapleft 24, hidemode 3");
         editor.component().setVisible(given.isSelected());

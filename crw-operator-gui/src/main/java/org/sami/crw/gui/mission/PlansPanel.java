@@ -46,6 +46,7 @@ public final class PlansPanel extends JPanel {
     private final RowTable<Plan> table;
     private final Command start;
     private Optional<Project> project = Optional.empty();
+    private Runnable shower = () -> {};
 
     PlansPanel(OperatorContext context, MissionStarter starter) {
         super(new BorderLayout());
@@ -169,8 +170,28 @@ public final class PlansPanel extends JPanel {
         return table.table();
     }
 
+    /** Starts what is seen to be selected; where it is out of sight it is shown first, and the next press starts it. */
     private void startSelected() {
-        table.selected().ifPresent(starter::start);
+        table.selected().ifPresent(plan -> {
+            if (table.isSelectionSeen()) {
+                starter.start(plan);
+            } else {
+                show(plan);
+            }
+        });
+    }
+
+    private void show(Plan plan) {
+        shower.run();
+        table.scrollToSelection();
+        first().requestFocusInWindow();
+        context.notices().refused("Nothing has begun: " + plan.title() + " was out of sight. "
+                + start.keyText() + " again starts it");
+    }
+
+    /** Is run to bring these plans to the front, where what is to be started is out of sight. */
+    void onNeedToShow(Runnable next) {
+        shower = next;
     }
 
     private void startWithValues() {

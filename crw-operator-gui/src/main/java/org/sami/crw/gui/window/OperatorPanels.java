@@ -28,6 +28,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.Arrangements;
 import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.Look;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.window.WindowSettings;
@@ -90,6 +91,7 @@ public final class OperatorPanels implements AutoCloseable {
      * @param file of the project that is shown
      */
     public OperatorPanels(OperatorContext context, WindowSettings settings, LoadedProject file) {
+        Look.useFieldTargets();
         MarksOfBoats.give(context.shown(), context.marks());
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);

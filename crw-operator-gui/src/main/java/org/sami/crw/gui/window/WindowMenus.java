@@ -1,14 +1,19 @@
 package org.sami.crw.gui.window;
 
+import java.awt.Dimension;
 import java.util.List;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Spacing;
 import org.sami.ui.window.CommandMenus;
 
 /** The menus: every command of the window, by what it is about. */
 public final class WindowMenus {
+    private static final int BORDER = 2; // above and below the menus
+
     private final CommandMenus menus;
     private final List<DockPanel> panels;
 
@@ -20,7 +25,13 @@ public final class WindowMenus {
 
     /** The bar of a window over a session, or over its replay. */
     public JMenuBar bar() {
-        JMenuBar bar = new JMenuBar();
+        JMenuBar bar = new JMenuBar() {
+            @Override
+            public Dimension getPreferredSize() {
+                Dimension size = super.getPreferredSize();
+                return new Dimension(size.width, Math.max(size.height, Look.px(Spacing.HIT_TARGET_FIELD) + BORDER));
+            }
+        };
         bar.setName("menus");
         bar.add(menus.menu("Session", 'S', "project-open", "globals-save", "replay-open", "", "end"));
         bar.add(menus.menu(
