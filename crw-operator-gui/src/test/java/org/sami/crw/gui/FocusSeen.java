@@ -59,7 +59,9 @@ final class FocusSeen {
     private static void collect(Container at, List<JComponent> parts) {
         for (Component child : at.getComponents()) {
             if (child.isVisible() && child instanceof JComponent part) {
-                if (Traversal.TAKES.takes(part) && !part.isFocusOwner() && !part.getVisibleRect().isEmpty()) {
+                if (Traversal.TAKES.takes(part)
+                        && !part.isFocusOwner()
+                        && !part.getVisibleRect().isEmpty()) {
                     parts.add(part);
                 }
                 collect(part, parts);

@@ -45,7 +45,13 @@ class ReachWindowTest {
     private static final int LEAST = 40;
     private static final String HEADS = "-menu '' Set "; // as high as the heads of panels (decision 0403)
     private static final List<String> SHEETS = List.of(
-            "boat-connect", "project-open", "map-base", "replay-open", "help-keys", "command-search", "mission-start-with");
+            "boat-connect",
+            "project-open",
+            "map-base",
+            "replay-open",
+            "help-keys",
+            "command-search",
+            "mission-start-with");
 
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
     private final Set<String> unnamed = new TreeSet<>();
@@ -68,7 +74,9 @@ class ReachWindowTest {
         walk(memory);
         for (String sheet : SHEETS) {
             run(sheet);
-            robot.until(sheet + " is shown", () -> WindowSheet.in(window.frame().getRootPane()).isOpen());
+            robot.until(
+                    sheet + " is shown",
+                    () -> WindowSheet.in(window.frame().getRootPane()).isOpen());
             look();
             WindowRobot.ask(() -> {
                 WindowSheet.in(window.frame().getRootPane()).close();
@@ -119,11 +127,13 @@ class ReachWindowTest {
     }
 
     private static Map<String, Value> fields(Question.FillIn question) {
-        GeoArea area = new GeoArea(List.of(
-                GeoPoint.of(25.3596, 51.5272),
-                GeoPoint.of(25.3599, 51.5272),
-                GeoPoint.of(25.3599, 51.5275),
-                GeoPoint.of(25.3596, 51.5275)), List.of());
+        GeoArea area = new GeoArea(
+                List.of(
+                        GeoPoint.of(25.3596, 51.5272),
+                        GeoPoint.of(25.3599, 51.5272),
+                        GeoPoint.of(25.3599, 51.5275),
+                        GeoPoint.of(25.3596, 51.5275)),
+                List.of());
         return Map.of(question.items().get(0).key(), area);
     }
 
@@ -159,9 +169,11 @@ class ReachWindowTest {
     /** On the event thread. */
     private void lookNow() {
         add(unnamed, Reach::unnamed);
-        add(small, root -> Reach.small(root, LEAST).stream()
-                .filter(each -> !each.contains(HEADS))
-                .toList());
+        add(
+                small,
+                root -> Reach.small(root, LEAST).stream()
+                        .filter(each -> !each.contains(HEADS))
+                        .toList());
         add(keepTab, Reach::keepsTab);
     }
 

@@ -51,7 +51,8 @@ public final class CommandButton extends JButton {
     @Override
     public void setHideActionText(boolean hidden) {
         super.setHideActionText(hidden);
-        getAccessibleContext().setAccessibleName(hidden && getAction() instanceof Command command ? command.title() : null);
+        getAccessibleContext()
+                .setAccessibleName(hidden && getAction() instanceof Command command ? command.title() : null);
     }
 
     @Override

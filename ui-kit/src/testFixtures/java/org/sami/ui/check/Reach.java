@@ -39,7 +39,11 @@ public final class Reach {
     /** What is used by a person and has no accessible name. */
     public static List<String> unnamed(Container root) {
         List<String> found = new ArrayList<>();
-        walk(root, root, component -> isUsed(component) && accessibleName(component).isBlank(), found);
+        walk(
+                root,
+                root,
+                component -> isUsed(component) && accessibleName(component).isBlank(),
+                found);
         return found;
     }
 
@@ -53,7 +57,8 @@ public final class Reach {
                 || component instanceof JSpinner
                 || component instanceof JTabbedPane
                 || (component instanceof JTextComponent text && text.isFocusable())
-                || (component.isFocusable() && component.getClass().getName().startsWith("org.sami.")
+                || (component.isFocusable()
+                        && component.getClass().getName().startsWith("org.sami.")
                         && component instanceof JComponent own
                         && own.getInputMap(JComponent.WHEN_FOCUSED).size() > 0);
     }
@@ -76,7 +81,8 @@ public final class Reach {
                 root,
                 root,
                 component -> isPressed(component)
-                        && (target(component).getHeight() < least || target(component).getWidth() < least)
+                        && (target(component).getHeight() < least
+                                || target(component).getWidth() < least)
                         && component.getWidth() > 0
                         && component.getHeight() > 0,
                 found);
@@ -85,7 +91,8 @@ public final class Reach {
 
     /** What is pressed for it: a box that is ticked may stand in a row that takes the press for it. */
     private static Component target(Component component) {
-        boolean inRow = component instanceof JToggleButton && component.getParent().getMouseListeners().length > 0;
+        boolean inRow =
+                component instanceof JToggleButton && component.getParent().getMouseListeners().length > 0;
         return inRow ? component.getParent() : component;
     }
 
@@ -142,7 +149,9 @@ public final class Reach {
     private static String path(Container root, Component component) {
         StringBuilder path = new StringBuilder(words(component));
         for (Component at = component.getParent(); at != null && at != root; at = at.getParent()) {
-            if (at.getName() != null && !(at instanceof JSplitPane) && !at.getName().startsWith("null.")) {
+            if (at.getName() != null
+                    && !(at instanceof JSplitPane)
+                    && !at.getName().startsWith("null.")) {
                 path.insert(0, at.getName() + " > ");
             } else if (at instanceof JFileChooser || at instanceof JScrollPane || at instanceof JTabbedPane) {
                 path.insert(0, at.getClass().getSimpleName() + " > ");
@@ -152,7 +161,9 @@ public final class Reach {
     }
 
     private static String words(Component component) {
-        String text = component instanceof AbstractButton button ? " '" + button.getText() + "' " + button.getToolTipText() : "";
+        String text = component instanceof AbstractButton button
+                ? " '" + button.getText() + "' " + button.getToolTipText()
+                : "";
         return component.getClass().getSimpleName() + " " + component.getName() + text;
     }
 }

@@ -185,8 +185,9 @@ public final class PlansPanel extends JPanel {
         shower.run();
         table.scrollToSelection();
         first().requestFocusInWindow();
-        context.notices().refused("Nothing has begun: " + plan.title() + " was out of sight. "
-                + start.keyText() + " again starts it");
+        context.notices()
+                .refused("Nothing has begun: " + plan.title() + " was out of sight. " + start.keyText()
+                        + " again starts it");
     }
 
     /** Is run to bring these plans to the front, where what is to be started is out of sight. */
