@@ -34,7 +34,7 @@ final class ListChooser extends ValueChooser {
     private final JLabel count = new JLabel(" ");
     private final JTextField filter = new JTextField();
     private final JPanel several =
-            new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[][][grow,right]", "[32:pref]"));
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[][][grow,right]", "[]"));
     private final JPanel panel = new JPanel(new MigLayout(
             "novisualpadding, insets 0, gap 4 4, fillx, hidemode 3, wrap 1", "[grow,fill]", "[][][grow,fill][]"));
 
