@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import org.sami.spn.analysis.PlanChecks;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -66,7 +67,7 @@ public final class ProjectLoader {
     /**
      * Loads a project that was read and checked.
      *
-     * @return completed when the load is durable, on the engine's thread, or at once where the project is refused; never, where the
+     * @return completed when the load is durable, on the engine's thread, or at once where the project is refused, also since the
      *     host fails before
      */
     public CompletableFuture<Loaded> load(Reading<Project> checked) {
@@ -98,9 +99,17 @@ public final class ProjectLoader {
     private CompletableFuture<Loaded> post(Input.LoadProject load, List<Finding> findings) {
         CompletableFuture<Loaded> loaded = new CompletableFuture<>();
         AtomicReference<Registration> registration = new AtomicReference<>();
-        registration.set(host.addListener((index, atMillis, input, effects, view) -> {
-            if (input == load) {
-                loaded.complete(outcome(effects, findings));
+        registration.set(host.addListener(new HostListener() {
+            @Override
+            public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+                if (input == load) {
+                    loaded.complete(outcome(effects, findings));
+                }
+            }
+
+            @Override
+            public void onFailed(String reason) {
+                loaded.complete(refused(findings, error("is not loaded: " + reason)));
             }
         }));
         CompletableFuture<Loaded> heard =

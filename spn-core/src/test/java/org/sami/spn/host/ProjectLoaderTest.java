@@ -75,6 +75,17 @@ class ProjectLoaderTest {
     }
 
     @Test
+    void aLoadIsRefusedInWordsWhereTheHostFailsBefore() {
+        CompletableFuture<ProjectLoader.Loaded> loaded = loader.load(MENDED);
+        host.fail("the disk is full");
+
+        assertThat(loaded.join().version()).isEmpty();
+        assertThat(loaded.join().findings())
+                .extracting(Finding::message)
+                .contains("The project is not loaded: the disk is full");
+    }
+
+    @Test
     void aFileIsReadCheckedAndLoaded() throws Exception {
         Path file = folder.resolve("mended.json");
         Files.writeString(file, new ProjectWriter(TestVocabulary.TEST).text(MENDED));

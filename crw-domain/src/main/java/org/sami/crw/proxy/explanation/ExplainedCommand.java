@@ -39,12 +39,21 @@ public record ExplainedCommand(String does, String infinitive, String doing, Str
             "holding its place for the operator",
             "has held its place for the operator");
 
+    /** How the id of a command begins that holds a boat while the session's engine does not work. */
+    public static final String AT_FAULT = "held-";
+
+    private static final ExplainedCommand HELD_AT_FAULT = new ExplainedCommand(
+            "holds its place while the engine does not work",
+            "hold its place while the engine does not work",
+            "holding its place while the engine does not work",
+            "has held its place while the engine did not work");
+
     /** That of a command. What an operator wants of a boat by hand is for no mission, and is called the same wherever it is told. */
     public static ExplainedCommand of(BoatCommand command, MissionTitles titles) {
         if (command.mission() == Ids.NONE && command instanceof FollowPath) {
             return SENT;
         } else if (command.mission() == Ids.NONE && command instanceof KeepStation) {
-            return HELD;
+            return command.commandId().startsWith(AT_FAULT) ? HELD_AT_FAULT : HELD;
         }
         String whose = " for " + titles.words(command.mission());
         ExplainedCommand words = words(command);

@@ -7,6 +7,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.explanation.ExplainedCommand;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
@@ -38,7 +39,7 @@ final class HeldBoats {
     }
 
     private void hold(BoatProxy boat, GeoPoint here) {
-        String command = "held-" + ++made + "-" + boat.boatId();
+        String command = ExplainedCommand.AT_FAULT + ++made + "-" + boat.boatId();
         String before = holds.put(boat.boatId(), command);
         if (before != null) {
             boat.commands().withdraw(before);

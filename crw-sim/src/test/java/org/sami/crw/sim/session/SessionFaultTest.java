@@ -118,6 +118,8 @@ class SessionFaultTest {
                 .isEqualTo("missions stand still: the journal failed: the disk is full; boats that were under way for "
                         + "missions hold their places");
         Await.until("anna is held", () -> isHeld(session));
+        assertThat(TestSession.get(session.fleet().why("anna")).text())
+                .containsPattern("holds? its place while the engine does not work.*following its path for mission 7");
         assertThatThrownBy(() -> TestSession.get(session.start("clv", "second", Map.of())))
                 .hasMessageContaining("nothing is taken in while the journal cannot be written");
         assertThat(session.faults().failure()).isEmpty();
