@@ -24,7 +24,7 @@ public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, Ma
 
     /** Paints something of that id, dimmed where other things are spoken of. */
     void paint(String id, Runnable painting) {
-        if (highlighted.isEmpty() || highlighted.contains(id)) {
+        if (!isDimmed(id)) {
             painting.run();
         } else {
             Composite before = g.getComposite();
@@ -32,6 +32,11 @@ public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, Ma
             painting.run();
             g.setComposite(before);
         }
+    }
+
+    /** Whether other things are spoken of. */
+    boolean isDimmed(String id) {
+        return !highlighted.isEmpty() && !highlighted.contains(id);
     }
 
     /** Whether somebody speaks of it, and not of everything. */
@@ -47,10 +52,15 @@ public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, Ma
 
     /** Writes a text on a plate of the window's background, so that it is read on any base map. */
     void write(String text, Rectangle2D plate) {
+        write(text, plate, SemanticColor.TEXT);
+    }
+
+    /** The same in a colour of texts. */
+    void write(String text, Rectangle2D plate, SemanticColor color) {
         g.setColor(SemanticColor.SURFACE.withAlpha(220));
         g.fillRect((int) plate.getX(), (int) plate.getY(), (int) Math.ceil(plate.getWidth()), (int)
                 Math.ceil(plate.getHeight()));
-        g.setColor(SemanticColor.TEXT.get());
+        g.setColor(color.get());
         g.drawString(
                 text,
                 (int) plate.getX() + PAD,

@@ -14,7 +14,8 @@ import org.sami.ui.map.Sprites.Sprite;
 
 /**
  * Writes the names of vehicles, each beside its hull where it hides nothing, or a little away with a line to it. A name that would hide
- * others wherever it stands is left out until somebody looks nearer; the names of vehicles that are chosen, spoken of or silent are
+ * others wherever it stands is left out until somebody looks nearer. A name is never dimmed: where other things are spoken of it is written
+ * in the colour of less weight, so that each boat is still known. The names of vehicles that are chosen, spoken of or silent are
  * always written, and have the first choice.
  */
 final class VehicleNames {
@@ -25,7 +26,7 @@ final class VehicleNames {
     private final Sprites<Name> sprites = new Sprites<>();
     private final Map<String, Integer> before = new HashMap<>(); // at which place a name stood last, so that it stays
 
-    private record Name(String text, boolean bold) {}
+    private record Name(String text, boolean bold, boolean quiet) {}
 
     /** Writes the names of vehicles that are on the map. */
     void paint(MapPaint paint, List<ShownVehicle> vehicles) {
@@ -40,8 +41,7 @@ final class VehicleNames {
         }
         List<ShownVehicle> order = new ArrayList<>(vehicles);
         order.sort(Comparator.comparing(vehicle -> !isImportant(paint, vehicle)));
-        order.forEach(vehicle -> paint.paint(
-                vehicle.id(), () -> write(paint, vehicle, isImportant(paint, vehicle), vehicles.size() <= FEW)));
+        order.forEach(vehicle -> write(paint, vehicle, isImportant(paint, vehicle), vehicles.size() <= FEW));
     }
 
     /** Where many are spoken of, none of them is more important than others. */
@@ -55,7 +55,7 @@ final class VehicleNames {
         String text = vehicle.isStale()
                 ? vehicle.shortName() + " · " + Math.round(vehicle.ageS()) + " s old"
                 : vehicle.shortName();
-        Sprite plate = plate(paint, new Name(text, vehicle.selected()));
+        Sprite plate = plate(paint, new Name(text, vehicle.selected(), paint.isDimmed(vehicle.id())));
         double x = paint.frame().px(vehicle.at());
         double y = paint.frame().py(vehicle.at());
         double w = plate.width();
@@ -132,7 +132,7 @@ final class VehicleNames {
                 room.getWidth(),
                 room.getHeight(),
                 own -> new MapPaint(own, paint.frame(), paint.highlighted(), paint.labels(), paint.imagery())
-                        .write(name.text(), room));
+                        .write(name.text(), room, name.quiet() ? SemanticColor.MUTED : SemanticColor.TEXT));
         g.setFont(font);
         return plate;
     }

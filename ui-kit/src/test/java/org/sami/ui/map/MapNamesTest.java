@@ -2,6 +2,7 @@ package org.sami.ui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -9,13 +10,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
+import org.sami.ui.look.Contrast;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.IdentityMark;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Theme;
 
 /** Names of vehicles, points and areas that lie close to one another: none hides another. */
+@Isolated("the look is one for all windows of a process")
 class MapNamesTest {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 500;
@@ -78,6 +87,37 @@ class MapNamesTest {
         assertThat(names.get(1)).isEqualTo(before);
     }
 
+    /** As the window says: 4.5:1, in the theme for bright sun 7:1. */
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void namesAreReadWhereOtherThingsAreSpokenOf(Theme theme) {
+        Look.apply(theme, 100);
+        try {
+            VehicleLayer boats = new VehicleLayer("boats", "Boats");
+            boats.show(List.of(boat("mmmmm", MapScenes.at(0, 0)), boat("bert", MapScenes.at(80, 60))));
+
+            BufferedImage image = paint(Set.of("bert"), boats);
+
+            Rectangle2D name = names.get(1); // the important one comes first
+            Color lightest = SemanticColor.MAP_WATER.get();
+            Color darkest = lightest;
+            for (int x = (int) name.getMinX() + 1; x < name.getMaxX() - 1; x++) {
+                for (int y = (int) name.getMinY() + 1; y < name.getMaxY() - 1; y++) {
+                    Color there = new Color(image.getRGB(x, y));
+                    lightest = sum(there) > sum(lightest) ? there : lightest;
+                    darkest = sum(there) < sum(darkest) ? there : darkest;
+                }
+            }
+            assertThat(Contrast.of(lightest, darkest)).isGreaterThanOrEqualTo(theme == Theme.SUN ? 7 : 4.5);
+        } finally {
+            Look.apply(Theme.LIGHT, 100);
+        }
+    }
+
+    private static int sum(Color color) {
+        return color.getRed() + color.getGreen() + color.getBlue();
+    }
+
     private void assertNoneHidesAnother() {
         for (int i = 0; i < names.size(); i++) {
             for (Rectangle2D other : names.subList(i + 1, names.size())) {
@@ -104,13 +144,20 @@ class MapNamesTest {
 
     /** As a map paints them: the lowest layer first, the names of the topmost first. */
     private void paint(MapLayer... layers) {
+        paint(Set.of(), layers);
+    }
+
+    /** The same where some things are spoken of. */
+    private BufferedImage paint(Set<String> highlighted, MapLayer... layers) {
         names.clear();
         BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(Fonts.small());
+        g.setColor(SemanticColor.MAP_WATER.get());
+        g.fillRect(0, 0, WIDTH, HEIGHT);
         MapFrame frame = new MapFrame(
                 Mercator.x(MapScenes.LAKE.lonDeg()), Mercator.y(MapScenes.LAKE.latDeg()), WORLD_PX, WIDTH, HEIGHT);
-        MapPaint paint = new MapPaint(g, frame, Set.of(), new Written(), false);
+        MapPaint paint = new MapPaint(g, frame, highlighted, new Written(), false);
         for (MapLayer layer : layers) {
             layer.paint(paint);
         }
@@ -119,5 +166,6 @@ class MapNamesTest {
             layers[i].paintNames(paint);
         }
         g.dispose();
+        return image;
     }
 }
