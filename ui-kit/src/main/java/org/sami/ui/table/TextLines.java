@@ -14,11 +14,15 @@ final class TextLines {
      * The lines of a text; one at least.
      *
      * @param width in pixels; a word that is wider is broken
-     * @param most how many lines there are at most; where there would be more, the last one ends in dots
+     * @param most how many lines there are at most; where there would be more, the last one ends in dots; a
+     *     single one within a word
      */
     static List<String> of(String text, FontMetrics metrics, int width, int most) {
         if (metrics.stringWidth(text) <= width && text.indexOf('\n') < 0) {
             return List.of(text);
+        }
+        if (most == 1) {
+            return List.of(withMore(text.lines().findFirst().orElse(""), metrics, width));
         }
         List<String> lines = new ArrayList<>();
         for (String paragraph : text.split("\n", -1)) {

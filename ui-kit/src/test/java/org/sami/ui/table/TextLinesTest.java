@@ -34,6 +34,12 @@ class TextLinesTest {
     }
 
     @Test
+    void aSingleLineIsCutWhereItIsFull() {
+        assertThat(TextLines.of("one twothree", metrics, widthOf("one two…"), 1)).containsExactly("one two…");
+        assertThat(TextLines.of("one\ntwo", metrics, widthOf("one two"), 1)).containsExactly("one…");
+    }
+
+    @Test
     void whereThereWouldBeMoreLinesTheLastOneEndsInDots() {
         assertThat(TextLines.of("one two three", metrics, widthOf("two…"), 2)).containsExactly("one", "two…");
     }

@@ -52,14 +52,16 @@ public final class BoatWords {
         return mark + (text.startsWith(name) ? text.substring(name.length()) : text);
     }
 
-    /** The same without how far it is on its path, which stands beside it. */
+    /** The same without how far it is on its path, which stands beside it, and without the numbers of missions. */
     static String brief(BoatSnapshot boat) {
         boolean isAddress =
                 boat.boat().contains(":"); // of which the column of names has no room for more than the beginning
         if (boat.why().cause() == BoatExplanation.Cause.NEVER_ANSWERED && isAddress) {
             return state(boat).replaceFirst("△ ", "△ " + boat.boat() + " · ");
         }
-        return state(boat).replaceFirst(", \\d+ of \\d+ points visited", "");
+        return state(boat)
+                .replaceFirst(", \\d+ of \\d+ points visited", "")
+                .replaceAll("for mission \\d+, ", "for ");
     }
 
     /** Its charge in percent. */
