@@ -151,6 +151,10 @@ class PlanLibraryRunTest {
                         .pressing("hazard@60"),
                 Run.of("explore-marked", 3, 1, 150, "A vessel comes", "In safety", "It has passed", "All explored")
                         .pressing("hazard@60"),
+                Run.of("bring-home", 3, 1, 150, "Boats chosen", "Places found", "Arrived", "All at home"),
+                Run.of("bring-home", 3, 1, 150, "Boats chosen", "Places found", "Arrived", "All at home")
+                        .answering("""
+                                {"event": "OperatorSelectBoatList", "answer": {"silent": true}}"""),
                 Run.of("background-actions", 1, 1, 150, "All begin", "Done", "Enough")
                         .pressing("end background actions@200"));
     }
