@@ -94,6 +94,11 @@ public final class BusySituation implements AutoCloseable {
         return window.session();
     }
 
+    /** Starts the plan whose first question autonomy answers after 40 s; gives its mission. */
+    public long bringHome() throws Exception {
+        return start("bring-home", "Squall from the north");
+    }
+
     /** Ends a boat: nothing comes from it any longer. */
     public void end(String boat) throws IOException {
         fleet.end(boat);

@@ -17,6 +17,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import javax.swing.table.TableColumn;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -28,6 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
+import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
@@ -105,9 +107,63 @@ class BusyWindowTest {
     }
 
     @Test
+    void theShownDecisionIsSelectedInTheQueue() {
+        new WindowRobot()
+                .until(
+                        "the first is selected",
+                        () -> find("decisions-queue", JTable.class).getSelectedRow() == 0);
+    }
+
+    @Test
+    void whatAutonomyWillDoIsSaidInWordsWithTheTimeThatIsLeft() throws Exception {
+        long mission = situation.bringHome();
+        WindowRobot robot = new WindowRobot();
+        JTextComponent autonomy = find("decision-autonomy", JTextComponent.class);
+        robot.until(
+                "autonomy says what it will do",
+                () -> autonomy.getText().matches("Autonomy chooses 20 boats in \\d+ s"));
+        robot.until(
+                "its line says how long is left",
+                () -> column("decisions-queue", 3).get(0).toString().matches("\\d+ s"));
+        assertThat(WindowRobot.<Object>ask(() -> column("decisions-queue", 1).get(0)))
+                .isEqualTo("Squall from the north · Bring boats home");
+
+        situation.session().abort(mission).toCompletableFuture().join();
+        robot.until(
+                "the others wait on",
+                () -> find("decisions-queue", JTable.class).getRowCount() == BusySituation.DECISIONS);
+    }
+
+    @Test
     void boatsAreListedByTheirNumbers() {
         WindowRobot robot = new WindowRobot();
         robot.until("boats are in order", () -> column("boats-table", 0).equals(BusySituation.boats()));
+    }
+
+    @Test
+    void endedMissionsHaveLeftTheTabsAndAreFoundInTheList() {
+        JTabbedPane tabs = find("mission-tabs", JTabbedPane.class);
+        WindowRobot robot = new WindowRobot();
+        robot.until("ended ones have no tab", () -> tabs.indexOfTab("Resend to all") < 0);
+        assertThat(WindowRobot.<Boolean>ask(() -> tabs.indexOfTab("Visit the buoys") > 0))
+                .isTrue();
+        assertThat(WindowRobot.<List<Object>>ask(() -> column("missions-over-table", 0)))
+                .containsSubsequence("Connect a spare boat", "Resend to all");
+
+        WindowRobot.ask(() -> {
+            int row = column("missions-over-table", 0).indexOf("Resend to all");
+            find("missions-over-table", JTable.class).setRowSelectionInterval(row, row);
+            find("mission-show-ended", CommandButton.class).doClick(0);
+            return null;
+        });
+
+        assertThat(WindowRobot.<String>ask(() -> tabs.getTitleAt(tabs.getSelectedIndex())))
+                .isEqualTo("Resend to all");
+        WindowRobot.ask(() -> {
+            tabs.setSelectedIndex(0);
+            return null;
+        });
+        robot.until("it stays as it was asked for", () -> tabs.indexOfTab("Resend to all") > 0);
     }
 
     @ParameterizedTest

@@ -35,7 +35,8 @@ class TextLinesTest {
 
     @Test
     void aSingleLineIsCutWhereItIsFull() {
-        assertThat(TextLines.of("one twothree", metrics, widthOf("one two…"), 1)).containsExactly("one two…");
+        assertThat(TextLines.of("one twothree", metrics, widthOf("one two…"), 1))
+                .containsExactly("one two…");
         assertThat(TextLines.of("one\ntwo", metrics, widthOf("one two"), 1)).containsExactly("one…");
     }
 

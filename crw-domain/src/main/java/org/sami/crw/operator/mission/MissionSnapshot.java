@@ -93,6 +93,11 @@ public record MissionSnapshot(
         Objects.requireNonNull(stuck, "stuck");
     }
 
+    /** What people call it: the name that it was given, or its plan's title where it has none of its own. */
+    public String words() {
+        return name.isBlank() || name.equals(plan) ? title : name;
+    }
+
     /** Whether it is over or was halted. */
     public boolean hasEnded() {
         return outcome.isPresent();

@@ -1,10 +1,12 @@
 package org.sami.crw.operator.mission;
 
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.Value;
 
 /**
@@ -25,6 +27,17 @@ public record MissionsSnapshot(List<MissionSnapshot> missions, Map<String, Value
     /** One mission. */
     public Optional<MissionSnapshot> mission(long id) {
         return missions.stream().filter(mission -> mission.id() == id).findFirst();
+    }
+
+    /** The missions that have ended or were halted, without sub-missions; the latest first. */
+    public List<MissionSnapshot> ended() {
+        return missions.stream()
+                .filter(mission -> mission.hasEnded() && mission.parent() == Ids.NONE)
+                .sorted(Comparator.comparingLong((MissionSnapshot mission) ->
+                                mission.endedAtMillis().orElse(Long.MAX_VALUE))
+                        .thenComparingLong(MissionSnapshot::id)
+                        .reversed())
+                .toList();
     }
 
     /** The missions that go on, in order of creation. */

@@ -1,6 +1,9 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -25,7 +28,10 @@ import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.ValueEditors;
 
-/** The plans that can be started, and a tab for each mission that runs or has ended and was not closed yet. */
+/**
+ * The plans that can be started, a tab for each mission that runs, and the list of those that have ended. A mission that ends leaves the tabs, but
+ * for the one that is looked at, which does so later; no tab moves while the pointer is on the tabs. On the event thread.
+ */
 public final class MissionMonitor extends JPanel {
     private final OperatorContext context;
     private final JTabbedPane tabs = new JTabbedPane();
@@ -33,7 +39,8 @@ public final class MissionMonitor extends JPanel {
     private final PlansPanel plans;
     private final GlobalsPanel globals;
     private final PhaseFollower phases;
-    private final Set<Long> closed = new HashSet<>();
+    private final EndedMissionsPanel over;
+    private final Set<Long> again = new HashSet<>(); // ended ones that the operator has shown again
     private final Map<Long, Optional<Outcome>> outcomes = new HashMap<>(); // as the icons of the tabs say
 
     /**
@@ -59,6 +66,8 @@ public final class MissionMonitor extends JPanel {
             tabs.setSelectedComponent(plans);
         });
         tabs.addTab("Globals", Icons.small("variables"), globals);
+        over = new EndedMissionsPanel(context, this::showAgain);
+        tabs.addTab("Ended", Icons.small("complete"), over);
         add(tabs);
         addCommands();
         context.models().missions().addListener(this::show);
@@ -170,13 +179,12 @@ public final class MissionMonitor extends JPanel {
     /** Shows what changes by itself; to be called a few times a second. */
     public void refresh() {
         shown().ifPresent(MissionView::refreshEnding);
+        leaveEnded(context.models().missions().snapshot());
     }
 
     private void closeShown() {
         shown().ifPresent(view -> {
-            closed.add(view.mission());
-            views.remove(view.mission());
-            tabs.remove(view);
+            remove(view);
             if (shown().isEmpty()) {
                 tabs.setSelectedIndex(0); // the plans, of which the next mission is one
             }
@@ -201,7 +209,7 @@ public final class MissionMonitor extends JPanel {
 
     private void show(MissionsSnapshot missions) {
         for (MissionSnapshot mission : missions.missions()) {
-            if (mission.parent() == Ids.NONE && !closed.contains(mission.id())) {
+            if (mission.parent() == Ids.NONE && (!mission.hasEnded() || views.containsKey(mission.id()))) {
                 MissionView view = views.computeIfAbsent(mission.id(), id -> added(mission, missions));
                 if (view == tabs.getSelectedComponent()) {
                     view.show(mission, missions);
@@ -211,8 +219,49 @@ public final class MissionMonitor extends JPanel {
                 }
             }
         }
+        over.show(missions);
         leaveOut(missions);
+        leaveEnded(missions);
         refreshCommands();
+    }
+
+    /** Takes the tabs of ended missions away, but for the one that is looked at and those that were asked for. */
+    private void leaveEnded(MissionsSnapshot missions) {
+        if (isPointedAt()) {
+            return;
+        }
+        List<MissionView> leaving = views.values().stream()
+                .filter(view -> view != tabs.getSelectedComponent() && !again.contains(view.mission()))
+                .filter(view -> missions.mission(view.mission())
+                        .map(MissionSnapshot::hasEnded)
+                        .orElse(false))
+                .toList();
+        leaving.forEach(this::remove);
+    }
+
+    private void remove(MissionView view) {
+        again.remove(view.mission());
+        outcomes.remove(view.mission());
+        views.remove(view.mission());
+        tabs.remove(view);
+    }
+
+    /** Whether the pointer is on the tabs, which would move under it. */
+    private boolean isPointedAt() {
+        Point at = GraphicsEnvironment.isHeadless() ? null : tabs.getMousePosition();
+        Rectangle first = tabs.getBoundsAt(0);
+        return at != null && first != null && at.y < first.y + first.height;
+    }
+
+    private void showAgain(long mission) {
+        MissionsSnapshot missions = context.models().missions().snapshot();
+        missions.mission(mission).ifPresent(ended -> {
+            again.add(mission);
+            MissionView view = views.containsKey(mission) ? views.get(mission) : added(ended, missions);
+            views.put(mission, view);
+            tabs.setSelectedComponent(view);
+            tabChanged();
+        });
     }
 
     /** In a replay that went back there are missions that have not begun yet; a session forgets those that ended long ago only. */
@@ -233,8 +282,10 @@ public final class MissionMonitor extends JPanel {
     private MissionView added(MissionSnapshot mission, MissionsSnapshot all) {
         MissionView view = new MissionView(context, mission, all, this::refreshCommands);
         view.show(phases.of(mission.id()));
-        boolean again = views.values().stream().anyMatch(other -> other.title().equals(mission.title()));
-        String title = again ? mission.title() + " (" + mission.id() + ")" : mission.title();
+        boolean twice = views.keySet().stream()
+                .flatMap(id -> all.mission(id).stream())
+                .anyMatch(other -> other.id() != mission.id() && other.words().equals(mission.words()));
+        String title = twice ? mission.words() + " (" + mission.id() + ")" : mission.words();
         outcomes.put(mission.id(), mission.outcome());
         tabs.addTab(
                 PlainText.of(title), icon(mission), view); // with its icon: a tab that widens later is cut at the edge

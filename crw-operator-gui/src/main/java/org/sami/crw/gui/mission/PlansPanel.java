@@ -6,12 +6,15 @@ import java.util.Optional;
 import java.util.Set;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Document;
+import javax.swing.text.PlainDocument;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.SessionOpener;
+import org.sami.crw.operator.mission.PlanTree;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -22,11 +25,10 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
-import org.sami.ui.look.StrongLabel;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
-/** The plans of the session's project, one click from a mission. */
+/** The plans of the session's project in its mission tree, one click from a mission; they are searched by what they are called and what they do. */
 public final class PlansPanel extends JPanel {
     private static final int LEAST_ROWS = 3;
     private static final int LOW = 170;
@@ -36,14 +38,15 @@ public final class PlansPanel extends JPanel {
 
     private final OperatorContext context;
     private final MissionStarter starter;
-    private final JLabel title = new StrongLabel("");
-    private final JLabel titleBeside = new StrongLabel("");
+    private final Document searched = new PlainDocument();
+    private final PlanSearch search = new PlanSearch("plans-search", searched, this::toFound);
+    private final PlanSearch searchBeside = new PlanSearch("plans-search-beside", searched, this::toFound);
     private final CommandRow above = new CommandRow();
     private final MigLayout besideLayout = new MigLayout(BESIDE, "[grow,fill]", "[]");
     private final JPanel beside = new JPanel(besideLayout);
     private final CommandButton startBeside;
     private final CommandButton startWithBeside;
-    private final RowTable<Plan> table;
+    private final RowTable<PlanTree.Line> table;
     private final Command start;
     private Optional<Project> project = Optional.empty();
     private Runnable shower = () -> {};
@@ -56,33 +59,42 @@ public final class PlansPanel extends JPanel {
         table = new RowTable<>(
                 "plans-table",
                 "The project has no plan. Open another one, or draw one in the plan editor.",
-                Plan::id,
+                PlanTree.Line::number,
                 List.of(
-                        RowColumn.words("Plan", 190, Plan::title),
-                        RowColumn.<Plan>words("What it does", 0, PlansPanel::about)
+                        RowColumn.<PlanTree.Line>words("Plan", 270, PlanTree.Line::title)
+                                .withIcon(line -> Optional.of(PlanIcon.of(line)))
+                                .colored(line -> line.plan().isEmpty() ? SemanticColor.MUTED : SemanticColor.TEXT),
+                        RowColumn.<PlanTree.Line>words("What it does", 0, PlansPanel::about)
                                 .asSpare()));
         table.showWholeRows(LEAST_ROWS);
+        table.showOneLine();
         start = context.commands()
                 .add(new Command("mission-start", "Start mission", this::startSelected)
                         .withKey("ctrl ENTER")
                         .withIcon("play")
-                        .unless(() ->
-                                table.selected().isPresent() ? Optional.empty() : Optional.of("select a plan first")));
+                        .unless(this::whyNotStart));
         Command startWith = context.commands()
                 .add(new Command("mission-start-with", "Start mission with values…", this::startWithValues)
                         .withKey("ctrl shift N")
                         .withIcon("variables")
-                        .unless(() ->
-                                table.selected().isPresent() ? Optional.empty() : Optional.of("select a plan first")));
+                        .unless(this::whyNotStart));
         table.addSelectionListener(() -> {
             start.refresh();
             startWith.refresh();
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
-        above.left(title).right(CommandButton.primary(start, "play")).right(new CommandButton(startWith));
+        context.commands()
+                .add(new Command(
+                                "plans-find",
+                                "Search plans",
+                                () -> (above.isVisible() ? search : searchBeside).requestFocusInWindow())
+                        .withKey("ctrl F")
+                        .withIcon("search"));
+        PlanSearch.onChange(searched, this::find);
+        above.left(search).right(CommandButton.primary(start, "play")).right(new CommandButton(startWith));
         LookColors.border(above, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
-        beside.add(titleBeside, "wmin 0");
+        beside.add(searchBeside, "growx, wmin 0");
         startBeside = named(CommandButton.primary(start, "play"));
         startWithBeside = named(new CommandButton(startWith));
         startWithBeside.setText(WITH_VALUES);
@@ -102,7 +114,7 @@ public final class PlansPanel extends JPanel {
     }
 
     /**
-     * Where buttons above the table would leave it too few rows, they stand beside it: in a column below the project's name; without the name,
+     * Where buttons above the table would leave it too few rows, they stand beside it: in a column below the search; without it,
      * and then in a row, where the panel is lower still. In a row the second shows its words where they leave the table half of the width.
      */
     @Override
@@ -117,7 +129,7 @@ public final class PlansPanel extends JPanel {
         beside.setVisible(low);
         int buttons = height(startBeside) + height(startWithBeside) + Look.px(ROUND_BUTTONS);
         boolean inColumn = buttons <= getHeight();
-        titleBeside.setVisible(buttons + height(titleBeside) <= getHeight());
+        searchBeside.setVisible(buttons + height(searchBeside) <= getHeight());
         String constraints = inColumn ? BESIDE + ", wrap 1" : BESIDE;
         if (!constraints.equals(besideLayout.getLayoutConstraints())) {
             besideLayout.setLayoutConstraints(constraints);
@@ -140,8 +152,22 @@ public final class PlansPanel extends JPanel {
         return part.getPreferredSize().height;
     }
 
-    private static String about(Plan plan) {
-        return plan.description().isEmpty() ? plan.id() : plan.description();
+    private static String about(PlanTree.Line line) {
+        return line.plan()
+                .map(plan -> plan.description().isEmpty() ? plan.id() : plan.description())
+                .orElse("");
+    }
+
+    private Optional<Plan> chosen() {
+        return table.selected().flatMap(PlanTree.Line::plan);
+    }
+
+    private Optional<String> whyNotStart() {
+        return chosen().isPresent()
+                ? Optional.empty()
+                : Optional.of(table.selected()
+                        .map(folder -> "select a plan in " + folder.title() + " first")
+                        .orElse("select a plan first"));
     }
 
     /** Shows the plans of the newest project, as one was loaded or the session began. */
@@ -152,17 +178,38 @@ public final class PlansPanel extends JPanel {
     private void show(Project loaded) {
         project = Optional.of(loaded);
         String name = loaded.name().isEmpty() ? loaded.id() : loaded.name();
-        title.setText(name);
-        titleBeside.setText(name);
-        titleBeside.setToolTipText(name);
-        table.show(loaded.plans());
-        if (table.selected().isEmpty() && !loaded.plans().isEmpty()) {
-            String offered = loaded.plan(SessionOpener.OFFERED_PLAN).isPresent()
-                    ? SessionOpener.OFFERED_PLAN
-                    : loaded.plans().get(0).id();
-            table.offer(Set.of(offered));
-            context.commands().refresh();
+        search.setToolTipText("Search the plans of " + name);
+        searchBeside.setToolTipText(search.getToolTipText());
+        find();
+    }
+
+    /** Shows what is searched for; a plan is selected as long as any is found. */
+    private void find() {
+        List<PlanTree.Line> found =
+                project.map(loaded -> PlanTree.of(loaded, searched())).orElse(List.of());
+        table.show(found);
+        if (chosen().isEmpty()) {
+            List<PlanTree.Line> plans =
+                    found.stream().filter(line -> line.plan().isPresent()).toList();
+            plans.stream()
+                    .filter(line -> line.plan().orElseThrow().id().equals(SessionOpener.OFFERED_PLAN))
+                    .findFirst()
+                    .or(() -> plans.stream().findFirst())
+                    .ifPresent(line -> table.offer(Set.of(line.number())));
         }
+        context.commands().refresh();
+    }
+
+    private String searched() {
+        try {
+            return searched.getText(0, searched.getLength());
+        } catch (BadLocationException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    private void toFound() {
+        table.table().requestFocusInWindow();
     }
 
     /** Where the focus is to be when the window opens. */
@@ -172,7 +219,7 @@ public final class PlansPanel extends JPanel {
 
     /** Starts what is seen to be selected; where it is out of sight it is shown first, and the next press starts it. */
     private void startSelected() {
-        table.selected().ifPresent(plan -> {
+        chosen().ifPresent(plan -> {
             if (table.isSelectionSeen()) {
                 starter.start(plan);
             } else {
@@ -196,6 +243,6 @@ public final class PlansPanel extends JPanel {
     }
 
     private void startWithValues() {
-        table.selected().ifPresent(plan -> project.ifPresent(loaded -> starter.startWithValues(this, loaded, plan)));
+        chosen().ifPresent(plan -> project.ifPresent(loaded -> starter.startWithValues(this, loaded, plan)));
     }
 }

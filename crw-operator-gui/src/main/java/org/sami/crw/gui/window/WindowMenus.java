@@ -47,7 +47,9 @@ public final class WindowMenus {
                 "mission-end-leave",
                 "mission-close",
                 "",
-                "mission-sub-mission"));
+                "mission-sub-mission",
+                "mission-show-ended",
+                "plans-find"));
         bar.add(menus.menu(
                 "Boats",
                 'B',

@@ -8,6 +8,7 @@ import java.awt.Rectangle;
 import java.util.List;
 import java.util.Map;
 import javax.swing.AbstractButton;
+import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -102,6 +103,28 @@ class DecisionsPanelTest {
             assertThat(world.enabled("decision-answer"))
                     .as("what was done to it is forgotten")
                     .isTrue();
+        }
+    }
+
+    @Test
+    void theShownDecisionIsTheSelectedLineAndAnotherLineShowsAnother() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
+            world.until("two wait", () -> "1 of 2".equals(world.text("decision-position")));
+            JTable queue = onEventThread(() ->
+                    Layout.find(world.panel, "decisions-queue", JTable.class).orElseThrow());
+            world.until("both are listed", () -> queue.getRowCount() == 2);
+            assertThat(onEventThread(queue::getSelectedRow)).isZero();
+
+            onEventThread(() -> {
+                queue.setRowSelectionInterval(1, 1);
+                return null;
+            });
+            world.until("the other is shown", () -> world.text("decision-asker").startsWith("second"));
+            assertThat(world.context.models().decisions().snapshot()).hasSize(2);
+
+            world.press("decision-earlier");
+            assertThat(onEventThread(queue::getSelectedRow)).isZero();
         }
     }
 

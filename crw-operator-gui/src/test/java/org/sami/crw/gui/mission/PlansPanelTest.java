@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -50,7 +51,7 @@ class PlansPanelTest {
                 new MissionStarter(
                         world.context, new WindowSettings(folder.resolve("settings")), world.editors(), values -> {})));
         JTable table = find(plans, "plans-table", JTable.class);
-        until("plans are listed", () -> table.getRowCount() == 8);
+        until("plans are listed", () -> table.getRowCount() == 9);
         return plans;
     }
 
@@ -106,6 +107,33 @@ class PlansPanelTest {
                 assertThat(table.getParent().getWidth()).isGreaterThanOrEqualTo(width * 2 / 5);
                 return null;
             });
+        }
+    }
+
+    @Test
+    void plansAreFoundByWhatTheyDoAndAFolderStartsNone() throws Exception {
+        try (SessionWorld world = new SessionWorld(PROJECT)) {
+            PlansPanel plans = panel(world);
+            assertThat(SessionWorld.rows(plans, "plans-table")).startsWith("All|\nExplore Area with interrupts 0|The");
+            assertThat(world.whyNot("mission-start")).isEmpty();
+
+            SessionWorld.select(plans, "plans-table", 0);
+            assertThat(world.whyNot("mission-start")).isEqualTo("select a plan in All first");
+
+            SessionWorld.type(plans, "plans-search", "quay 5");
+            assertThat(SessionWorld.rows(plans, "plans-table").lines())
+                    .hasSize(2)
+                    .element(1)
+                    .asString()
+                    .startsWith("Explore Area with interrupts 5");
+            assertThat(world.whyNot("mission-start")).isEmpty();
+
+            SessionWorld.type(plans, "plans-search", "submarine");
+            assertThat(SessionWorld.rows(plans, "plans-table")).isEmpty();
+            assertThat(world.whyNot("mission-start")).isEqualTo("select a plan first");
+
+            SessionWorld.type(plans, "plans-search", "");
+            assertThat(SessionWorld.rows(plans, "plans-table").lines()).hasSize(9);
         }
     }
 
