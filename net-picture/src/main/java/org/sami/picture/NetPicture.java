@@ -79,7 +79,7 @@ public final class NetPicture {
             out.writeAttribute("font-family", "sans-serif");
             out.writeCharacters("\n");
             out.writeStartElement("title");
-            out.writeCharacters(drawing.title());
+            out.writeCharacters(XmlText.of(drawing.title()));
             out.writeEndElement();
             out.writeCharacters("\n");
             painter.paint(new SvgCanvas(out));

@@ -92,7 +92,7 @@ final class SvgCanvas implements Canvas {
                     number(line.width()),
                     "lengthAdjust",
                     "spacingAndGlyphs");
-            out.writeCharacters(line.text());
+            out.writeCharacters(XmlText.of(line.text()));
             out.writeEndElement();
             out.writeCharacters("\n");
         } catch (XMLStreamException e) {

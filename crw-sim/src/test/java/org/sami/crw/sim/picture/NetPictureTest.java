@@ -136,6 +136,34 @@ class NetPictureTest {
                 .contains("Take All Relevant", "→ Proxy Execute Path", "No Proxy");
     }
 
+    /** Control characters, halves of a pair, markup: XML allows none of them as they are. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "bell \u0007 and escape \u001b[31m",
+                "null \u0000",
+                "half of a pair \ud83d",
+                "no character \uffff",
+                "<script>alert('&')</script> ]]> <!-- \"",
+                "a boat \ud83d\udea4"
+            })
+    void namesOfAnyKindLeaveAPictureThatIsXml(String name) throws Exception {
+        Plan plan = plan("clv");
+        Plan named = plan.withName(name)
+                .withPlaces(plan.places().stream()
+                        .map(place -> place.withName(place.name() + name))
+                        .toList());
+
+        String svg = NetPicture.of(named, VOCABULARY, true).svg();
+
+        Document document = DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(new InputSource(new StringReader(svg)));
+        assertThat(document.getElementsByTagName("script").getLength()).isZero();
+        assertThat(document.getElementsByTagName("title").item(0).getTextContent())
+                .startsWith(name.substring(0, 4));
+    }
+
     private static Plan plan(String id) {
         return LIBRARY.projectOf(id).orElseThrow().plan(id).orElseThrow();
     }
