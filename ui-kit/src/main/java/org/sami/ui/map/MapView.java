@@ -41,6 +41,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     private transient Optional<MapPointer> pointer = Optional.empty();
     private final transient List<Command> commands = CanvasKey.commands(MapKey.values(), this::run, this::whyNot);
     private transient String valueSaid = "-";
+    private transient String problemSaid = "-";
     private transient String hint = "";
     private final transient Runnable sketchChanged = this::sketchChanged;
 
@@ -51,7 +52,10 @@ public final class MapView extends JPanel implements AutoCloseable {
         base = new BaseMaps(canvas, this::tellProblem, () -> listeners.forEach(MapListener::baseMapsChanged));
         chooseTool = new ChooseTool(
                 canvas.layers(),
-                click -> listeners.forEach(listener -> listener.clicked(click)),
+                click -> {
+                    leaveProblem();
+                    listeners.forEach(listener -> listener.clicked(click));
+                },
                 items -> listeners.forEach(listener -> listener.boxed(items)),
                 canvas::repaint);
         canvas.setTool(chooseTool);
@@ -218,7 +222,15 @@ public final class MapView extends JPanel implements AutoCloseable {
         canvas.say(text.isEmpty() ? hint : text, problem && !text.isEmpty());
     }
 
+    /** What was said of a file has been read by whoever works on the map; it stays in notices and in the list of base maps. */
+    private void leaveProblem() {
+        if (canvas.said().equals(problemSaid)) {
+            say("", false);
+        }
+    }
+
     private void tellProblem(String problem) {
+        problemSaid = problem;
         say(problem, true);
         listeners.forEach(listener -> listener.problem(problem));
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -129,6 +130,21 @@ class BaseMapsTest {
         run(() -> map.setBaseMap(stick, true));
         until("it is shown", () -> map.layers().find("base-stick.geojson").isPresent());
         assertThat(map.baseMaps()).containsExactly(new BaseMapState(stick, "stick.geojson", true, ""));
+    }
+
+    @Test
+    void aClickOnTheMapTakesAwayWhatWasSaidOfAFile() throws Exception {
+        run(() -> map.openBaseMap(folder.resolve("gone.geojson")));
+        until("it is told what is wrong", () -> !problems.isEmpty());
+        MapCanvas canvas = (MapCanvas) map.canvas();
+        assertThat(canvas.said()).isEqualTo(problems.get(0));
+
+        for (int id : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED}) {
+            run(() -> canvas.dispatchEvent(
+                    new MouseEvent(canvas, id, 0, MouseEvent.BUTTON1_DOWN_MASK, 50, 50, 1, false, MouseEvent.BUTTON1)));
+        }
+
+        assertThat(canvas.said()).isEmpty();
     }
 
     @Test

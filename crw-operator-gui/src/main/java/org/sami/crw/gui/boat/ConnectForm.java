@@ -102,9 +102,8 @@ public final class ConnectForm extends JPanel {
         connect.setToolTipText(wrong.orElse("Connect to this boat (Enter)"));
         if (!address.getText().isBlank()) {
             attempt =
-                    Optional
-                            .empty(); // another address is typed: what came of the last one is in messages and the list
-                                      // of boats
+                    Optional.empty(); // another address is typed: what came of the last one is in messages and the list
+            // of boats
         }
         refresh();
     }
