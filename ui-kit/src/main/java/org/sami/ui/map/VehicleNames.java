@@ -52,9 +52,7 @@ final class VehicleNames {
     }
 
     private void write(MapPaint paint, ShownVehicle vehicle, boolean important, boolean few) {
-        String text = vehicle.isStale()
-                ? vehicle.shortName() + " · " + Math.round(vehicle.ageS()) + " s old"
-                : vehicle.shortName();
+        String text = vehicle.isStale() ? vehicle.shortName() + " · " + vehicle.age() + " old" : vehicle.shortName();
         Sprite plate = plate(paint, new Name(text, vehicle.selected(), paint.isDimmed(vehicle.id())));
         double x = paint.frame().px(vehicle.at());
         double y = paint.frame().py(vehicle.at());

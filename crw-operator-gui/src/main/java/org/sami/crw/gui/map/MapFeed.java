@@ -7,15 +7,18 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.markup.MapRelevance.Visualization;
+import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPlace;
 import org.sami.crw.operator.map.ShownTrack;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.field.FieldGrid;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
@@ -154,6 +157,7 @@ final class MapFeed {
     }
 
     private ShownVehicle vehicle(ShownBoat boat, boolean standsOut, boolean withState) {
+        long ageMillis = ageMillis(boat);
         return new ShownVehicle(
                 boat.boat(),
                 withState ? boat.boat() + " · " + state(boat) : boat.boat(),
@@ -162,8 +166,20 @@ final class MapFeed {
                 boat.headingRad(),
                 boat.courseRad(),
                 boat.speedMps(),
-                Math.max(0, context.nowMillis() - boat.poseAtMillis()) / 1000.0,
+                ageMillis / 1000.0,
+                Age.words(ageMillis),
                 context.boats().contains(boat.boat()) || standsOut);
+    }
+
+    /** Of a boat whose link is lost the age is that of the link, as in the lists; of another one that of its pose, which may be old though the link stands. */
+    private long ageMillis(ShownBoat boat) {
+        long now = context.nowMillis();
+        OptionalLong silence = boat.link() == LinkState.LOST
+                ? context.models().fleet().boat(boat.boat()).stream()
+                        .flatMapToLong(known -> known.linkAgeMillis(now).stream())
+                        .findFirst()
+                : OptionalLong.empty();
+        return silence.orElse(Math.max(0, now - boat.poseAtMillis()));
     }
 
     /** Its charge, if it has told that, and its speed. */

@@ -9,11 +9,14 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPlace;
+import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
@@ -36,6 +39,36 @@ class MapFeedTest {
 
         assertThat(points).extracting(MapPoint::id).doesNotHaveDuplicates();
         assertThat(points).extracting(MapPoint::name).containsExactly("@home", "@locations", "2", "@locations");
+    }
+
+    @Test
+    void ageOfABoatThatIsOutOfReachIsThatOfTheLists() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+            MapView view = onEventThread(MapView::new);
+            MapFeed feed = onEventThread(() -> new MapFeed(world.context, view.layers()));
+            SessionWorld.until(
+                    "anna is on the map",
+                    () -> !world.context.models().map().snapshot().boats().isEmpty());
+            SessionWorld.get(world.session.fleet().ask(boats -> {
+                boats.find("anna").ifPresent(BoatProxy::disconnect);
+                return true;
+            }));
+            SessionWorld.until(
+                    "the link is lost and old",
+                    () -> world.context.models().fleet().snapshot().stream()
+                            .anyMatch(boat -> boat.link() == LinkState.LOST
+                                    && BoatWords.isStale(boat, world.context.nowMillis())));
+            SessionWorld.until("map and lists say the same", () -> {
+                feed.show(world.context.models().map().snapshot());
+                String age = ((VehicleLayer) view.layers().find("boats").orElseThrow())
+                        .vehicles()
+                        .get(0)
+                        .age();
+                return BoatWords.link(
+                                world.context.models().fleet().boat("anna").orElseThrow(), world.context.nowMillis())
+                        .equals("lost " + age);
+            });
+        }
     }
 
     @Test
