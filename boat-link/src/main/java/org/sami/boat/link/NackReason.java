@@ -23,5 +23,7 @@ public enum NackReason {
     /** The command is older than one that the boat has already taken. */
     STALE,
     /** The sender has used the id for another command. */
-    ID_TAKEN
+    ID_TAKEN,
+    /** The sender, or all clients together, ask too often; later it may be granted. */
+    TOO_OFTEN
 }

@@ -64,6 +64,7 @@ public final class BoatServer {
     private final SensorWatch sensors;
     private final BatteryWatch battery;
     private final MotionReports motion;
+    private final TransferLimits limits = new TransferLimits();
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
@@ -287,13 +288,29 @@ public final class BoatServer {
         }
         Optional<ServerSession> present = commander.filter(commanding -> !commanderLost);
         CommandTransfer transfer = CommandTransfer.of(command, session, present, sessions);
+        if (transfer.asked().isPresent() && !limits.takesWish(session.wishes(), nowMs)) {
+            return CommandExecutor.nack(command, NackReason.TOO_OFTEN, "asked too often: ask again in some seconds");
+        }
         transfer.asked().ifPresent(commanding -> commanding.send(new CommandAsked(session.clientId()), nowMs));
         transfer.appointed().ifPresent(next -> appoint(next, nowMs));
         if (transfer.answer() instanceof Ack) { // a refusal may be otherwise the next time
             ledger.record(session.clientId(), command, transfer.answer());
         }
-        log.answered(nowMs, session.clientId(), command, transfer.answer());
+        if (transfer.appointed().isPresent()) {
+            note(session, command, transfer.answer(), nowMs);
+        }
         return transfer.answer();
+    }
+
+    /** Only what changes who commands is written down, and not in masses: clients that observe must not fill the log. */
+    private void note(ServerSession session, CommandMessage command, LinkMessage answer, long nowMs) {
+        if (limits.takesLine(nowMs)) {
+            long leftOut = limits.takeLeftOut();
+            if (leftOut > 0) {
+                log.leftOut(nowMs, leftOut);
+            }
+            log.answered(nowMs, session.clientId(), command, answer);
+        }
     }
 
     private boolean isCommander(ServerSession session) {

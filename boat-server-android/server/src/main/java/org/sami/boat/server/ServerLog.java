@@ -14,4 +14,7 @@ public interface ServerLog {
      * @param clientId who sent it
      */
     void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer);
+
+    /** So many changes of who commands were not told, as there were too many. */
+    default void leftOut(long nowMs, long count) {}
 }

@@ -12,6 +12,7 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
 
 /**
@@ -35,6 +36,7 @@ public final class ServerSession {
     private long newestExecuted = -1; // by its sequence; it outlives every hello
     private long refusedFrames;
     private boolean wishesToCommand;
+    private final RateLimit wishes = TransferLimits.wishesOfOne();
     private Optional<String> dismissal = Optional.empty();
     private boolean open = true;
 
@@ -128,6 +130,11 @@ public final class ServerSession {
     /** For how long nothing that could be read has come from the client, in ms; for one that never spoke, since the clock began. */
     public long silentForMs(long nowMs) {
         return nowMs - lastReceivedMs;
+    }
+
+    /** How often the client may ask for the command. */
+    RateLimit wishes() {
+        return wishes;
     }
 
     void setRole(Role granted, String newTerm) {

@@ -129,6 +129,51 @@ class HandOverTest {
     }
 
     @Test
+    void observerThatAsksInMassesIsRefusedAndNeitherFillsTheCommandersLinkNorTheLog() {
+        Client first = greet("a", Role.COMMANDER);
+        Client second = greet("b", Role.OBSERVER);
+        int refused = 0;
+        for (int i = 0; i < 1000; i++) {
+            refused += answer(second, new AskForCommand("ask" + i)) instanceof Nack ? 1 : 0;
+            answer(second, new GrantCommand("grant" + i, "b"));
+        }
+
+        assertThat(first.all(CommandAsked.class)).hasSize(3);
+        assertThat(refused).isEqualTo(997);
+        assertNack(answer(second, new AskForCommand("once more")), NackReason.TOO_OFTEN);
+        assertThat(bench.log).isEmpty();
+        bench.run(6, first, second);
+        assertThat(answer(second, new AskForCommand("later"))).isInstanceOf(Ack.class);
+    }
+
+    @Test
+    void observersThatComeAnewForEachWishAreLimitedTogether() {
+        Client first = greet("a", Role.COMMANDER);
+        for (int i = 0; i < 200; i++) {
+            Client next = greet("b" + i, Role.OBSERVER);
+            next.say(new AskForCommand("ask" + i));
+            next.session.closed(bench.nowMs);
+        }
+
+        assertThat(first.all(CommandAsked.class)).hasSize(20);
+    }
+
+    @Test
+    void clientsThatTakeTheCommandInTurnsAlwaysGetItAndDoNotFillTheLog() {
+        Client first = greet("a", Role.COMMANDER);
+        Client second = greet("b", Role.OBSERVER);
+        for (int i = 0; i < 1000; i++) {
+            assertThat(answer(second, new TakeCommand("take" + i))).isInstanceOf(Ack.class);
+            assertThat(answer(first, new TakeCommand("back" + i))).isInstanceOf(Ack.class);
+        }
+
+        assertThat(bench.log).hasSize(100);
+        bench.run(60, first, second);
+        second.say(new TakeCommand("later"));
+        assertThat(bench.log).endsWith("left out: 1900", "later ack");
+    }
+
+    @Test
     void observerGrantsNothingAndNobodyGrantsToAStranger() {
         Client first = greet("a", Role.COMMANDER);
         Client second = greet("b", Role.OBSERVER);

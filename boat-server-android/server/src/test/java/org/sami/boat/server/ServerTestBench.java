@@ -48,7 +48,19 @@ final class ServerTestBench {
         this.config = config;
         vehicle.sensors = List.of(sensors);
         server = new BoatServer(
-                config.apply(ServerConfig.of(boatId, "boot" + starts)).build(), vehicle, this::answered);
+                config.apply(ServerConfig.of(boatId, "boot" + starts)).build(), vehicle, new Log());
+    }
+
+    private final class Log implements ServerLog {
+        @Override
+        public void answered(long ms, String clientId, CommandMessage command, LinkMessage answer) {
+            ServerTestBench.this.answered(ms, clientId, command, answer);
+        }
+
+        @Override
+        public void leftOut(long ms, long count) {
+            log.add("left out: " + count);
+        }
     }
 
     private void answered(long ms, String clientId, CommandMessage command, LinkMessage answer) {

@@ -14,6 +14,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatServer;
+import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpBoatServer;
@@ -56,7 +57,7 @@ public final class BoatOnTcp implements Closeable {
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
         hull.setBatteryPercent(settings.batteryPercent());
         hull.setQuay(Quay.atOrigin());
-        boat = new BoatServer(settings.server(bootId), instruments, this::answered);
+        boat = new BoatServer(settings.server(bootId), instruments, new Log());
         log = openLog(settings, boat, listener);
         try {
             server = new TcpBoatServer(
@@ -66,6 +67,19 @@ public final class BoatOnTcp implements Closeable {
         } catch (IOException | RuntimeException e) {
             closeLog();
             throw e;
+        }
+    }
+
+    /** What the boat's server tells its log goes to the file, where there is one. */
+    private final class Log implements ServerLog {
+        @Override
+        public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
+            BoatOnTcp.this.answered(nowMs, clientId, command, answer);
+        }
+
+        @Override
+        public void leftOut(long nowMs, long count) {
+            log.ifPresent(file -> file.leftOut(nowMs, count));
         }
     }
 

@@ -84,11 +84,20 @@ public final class CommandLogFile implements ServerLog, Closeable {
 
     @Override
     public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
+        add(LogLines.command(new LoggedCommand(bootId, nowMs, clientId, command, answer)));
+    }
+
+    @Override
+    public void leftOut(long nowMs, long count) {
+        add(LogLines.leftOut(bootId, nowMs, count));
+    }
+
+    private void add(String line) {
         if (broken) {
             return;
         }
         try {
-            write(LogLines.command(new LoggedCommand(bootId, nowMs, clientId, command, answer)));
+            write(line);
         } catch (IOException e) {
             broken = true;
             onFault.accept(e);

@@ -22,7 +22,7 @@ import org.sami.boat.link.LinkMessage;
 /**
  * The lines of a boat's log: a checksum of the rest of the line, the boat's time, the start of the server, the bodies of the
  * command and of its answer as they are on the link, and the client's name as in an address of the web, between tabs. A line without
- * bodies tells of a start; lines of earlier versions name no client.
+ * bodies tells of a start, or of what was left out; lines of earlier versions name no client.
  */
 public final class LogLines {
     private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
@@ -66,6 +66,11 @@ public final class LogLines {
 
     static String start(String bootId) {
         return checked("0\t" + bootId);
+    }
+
+    /** A line of changes of who commands that were too many to be written. */
+    static String leftOut(String bootId, long timeMs, long count) {
+        return checked(timeMs + "\t" + bootId + "\tleft out: " + count);
     }
 
     static String command(LoggedCommand entry) {
