@@ -54,7 +54,7 @@ final class ServerTestBench {
     private final class Log implements ServerLog {
         @Override
         public void answered(long ms, String clientId, CommandMessage command, LinkMessage answer) {
-            ServerTestBench.this.answered(ms, clientId, command, answer);
+            ServerTestBench.this.answered(clientId, command, answer);
         }
 
         @Override
@@ -63,7 +63,7 @@ final class ServerTestBench {
         }
     }
 
-    private void answered(long ms, String clientId, CommandMessage command, LinkMessage answer) {
+    private void answered(String clientId, CommandMessage command, LinkMessage answer) {
         log.add(command.commandId() + " " + answer.type());
         clients.add(clientId);
         commands.add(command);

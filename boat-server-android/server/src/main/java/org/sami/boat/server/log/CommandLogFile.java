@@ -7,9 +7,16 @@ import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.EnumSet;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
@@ -24,6 +31,11 @@ import org.sami.boat.server.ServerLog;
  * thread that drives the boat.
  */
 public final class CommandLogFile implements ServerLog, Closeable {
+    private static final Set<PosixFilePermission> OWNERS =
+            EnumSet.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE);
+    private static final Set<StandardOpenOption> OPTIONS =
+            EnumSet.of(StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+
     private final FileChannel channel;
     private final String bootId;
     private final int unreadLines;
@@ -48,8 +60,7 @@ public final class CommandLogFile implements ServerLog, Closeable {
     public static CommandLogFile open(
             Path file, String bootId, Consumer<LoggedCommand> earlier, Consumer<IOException> onFault)
             throws IOException {
-        FileChannel channel =
-                FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        FileChannel channel = FileChannel.open(file, OPTIONS, ownersOnly(file));
         try {
             lock(channel, file);
             LogExtent extent = LogLines.read(file, earlier);
@@ -63,6 +74,22 @@ public final class CommandLogFile implements ServerLog, Closeable {
             channel.close();
             throw e;
         }
+    }
+
+    /** The log is read by its user only, where the file system knows users. */
+    private static FileAttribute<?>[] ownersOnly(Path file) throws IOException {
+        PosixFileAttributeView posix = Files.getFileAttributeView(file, PosixFileAttributeView.class);
+        if (posix == null) {
+            return new FileAttribute<?>[0];
+        }
+        if (Files.isRegularFile(file) && Files.isWritable(file)) {
+            try {
+                posix.setPermissions(OWNERS);
+            } catch (IOException others) {
+                // it is somebody else's file, who says who reads it
+            }
+        }
+        return new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS)};
     }
 
     private static void lock(FileChannel channel, Path file) throws IOException {
