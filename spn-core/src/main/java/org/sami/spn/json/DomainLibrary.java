@@ -66,7 +66,7 @@ public record DomainLibrary(
         return load(
                 VocabularyFiles.fromFolder(folder),
                 folder.toString(),
-                name -> VocabularyFiles.Texts.read(folder.resolve(name)));
+                name -> VocabularyFiles.Texts.read(folder, name));
     }
 
     private static Reading<DomainLibrary> load(

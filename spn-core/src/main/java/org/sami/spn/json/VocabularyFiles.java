@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -40,7 +41,7 @@ public record VocabularyFiles(Map<String, String> texts) {
 
     /** Finds the files in a folder. */
     public static Reading<VocabularyFiles> fromFolder(Path folder) {
-        return load(folder.toString(), name -> Texts.read(folder.resolve(name)));
+        return load(folder.toString(), name -> Texts.read(folder, name));
     }
 
     /** A text by name; empty where there is none. */
@@ -92,6 +93,13 @@ public record VocabularyFiles(Map<String, String> texts) {
     }
 
     static Optional<String> fetch(Source source, String name, Problems problems) {
+        if (leadsOut(name)) {
+            problems.add(
+                    Codes.FILE,
+                    name,
+                    "The file " + name + " is outside the folder of the file that names it, and is not read");
+            return Optional.empty();
+        }
         try {
             Optional<String> text = source.text(name);
             if (text.isEmpty()) {
@@ -104,6 +112,14 @@ public record VocabularyFiles(Map<String, String> texts) {
         }
     }
 
+    /** Whether a name means a file that is not in the folder of the index: a domain names its own files only. */
+    private static boolean leadsOut(String name) {
+        String[] parts = name.split("[/\\\\]", -1);
+        return parts[0].isEmpty()
+                || name.indexOf(':') >= 0
+                || Arrays.asList(parts).contains("..");
+    }
+
     /** Files as text. */
     static final class Texts {
         private Texts() {}
@@ -112,6 +128,15 @@ public record VocabularyFiles(Map<String, String> texts) {
             return Files.isRegularFile(file)
                     ? Optional.of(decode(BoundedFile.bytes(file, BoundedFile.PROJECT_BYTES)))
                     : Optional.empty();
+        }
+
+        /** A file of a folder; a symbolic link may lead to another file of it, and nowhere else. */
+        static Optional<String> read(Path folder, String name) throws IOException {
+            Path file = folder.resolve(name);
+            if (Files.isRegularFile(file) && !file.toRealPath().startsWith(folder.toRealPath())) {
+                throw new IOException("a symbolic link leads outside the folder");
+            }
+            return read(file);
         }
 
         static String decode(byte[] bytes) throws IOException {
