@@ -1,5 +1,6 @@
 package org.sami.spn.journal;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.Connection;
@@ -41,6 +42,11 @@ final class Database implements AutoCloseable {
         if (Files.exists(file)) {
             throw new JournalException(file, 0, "exists already; a journal is never written over");
         }
+        try {
+            PrivateFiles.makeFile(file); // SQLite gives its log the same permissions
+        } catch (IOException fault) {
+            throw new JournalException(file, 0, "cannot be made: " + fault.getMessage(), fault);
+        }
         Database database = new Database(file, connect(file, new SQLiteConfig()));
         try {
             database.run("PRAGMA page_size=" + options.pageBytes());
@@ -67,9 +73,11 @@ final class Database implements AutoCloseable {
         config.resetOpenMode(SQLiteOpenMode.CREATE);
         Database database = new Database(file, connect(file, config));
         try {
+            database.run("PRAGMA trusted_schema=OFF"); // whatever stands in the file calls no function
             if (database.number("PRAGMA application_id") != APPLICATION_ID) {
                 throw new JournalException(file, 0, "is no journal of SAMI");
             }
+            JournalSchema.check(file, database.connection);
             return database;
         } catch (SQLException fault) {
             database.close();
@@ -151,6 +159,18 @@ final class Database implements AutoCloseable {
     /** SQLite's write-ahead log of a file. */
     static Path log(Path file) {
         return file.resolveSibling(file.getFileName() + "-wal");
+    }
+
+    /** SQLite's index of that log, which all who use it share. */
+    static Path index(Path file) {
+        return file.resolveSibling(file.getFileName() + "-shm");
+    }
+
+    /** Has the file, and what SQLite keeps beside it, be read by their user only. */
+    void restrict() {
+        PrivateFiles.restrictFile(file);
+        PrivateFiles.restrictFile(log(file));
+        PrivateFiles.restrictFile(index(file));
     }
 
     /** Folds the log into the file; what cannot be folded stays in the log. */

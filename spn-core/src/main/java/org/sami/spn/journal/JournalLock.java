@@ -53,6 +53,7 @@ final class JournalLock implements AutoCloseable {
         }
         FileChannel channel = null;
         try {
+            PrivateFiles.makeFile(key);
             channel = FileChannel.open(key, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
             FileLock lock = channel.tryLock();
             if (lock == null) {

@@ -142,6 +142,7 @@ public final class SqliteJournal implements InputJournal {
             JournalLock lock, Database database, Contents contents, Optional<String> damage, JournalOptions options)
             throws JournalException {
         try {
+            database.restrict();
             database.prepareWriting(options);
             database.addTelemetrySums();
             return new SqliteJournal(lock, database, contents, damage, options);

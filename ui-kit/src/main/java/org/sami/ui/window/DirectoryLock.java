@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
+import org.sami.spn.journal.PrivateFiles;
 
 /** Holds a folder for one process at a time, by a lock of the operating system, which ends with the process. */
 public final class DirectoryLock implements AutoCloseable {
@@ -20,12 +20,12 @@ public final class DirectoryLock implements AutoCloseable {
     }
 
     /**
-     * Takes a folder, which is made where it is not there; empty where another has it.
+     * Takes a folder, which is made, for its user only, where it is not there; empty where another has it.
      *
      * @throws IOException if the folder cannot be made or written to
      */
     public static Optional<DirectoryLock> take(Path folder) throws IOException {
-        Files.createDirectories(folder);
+        PrivateFiles.makeFolder(folder);
         FileChannel channel = FileChannel.open(
                 fileIn(folder), StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         if (tryLock(channel).isEmpty()) {

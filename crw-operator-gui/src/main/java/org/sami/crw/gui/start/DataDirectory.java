@@ -7,6 +7,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Optional;
+import org.sami.spn.journal.PrivateFiles;
 import org.sami.ui.window.DirectoryLock;
 
 /**
@@ -40,7 +41,7 @@ public final class DataDirectory implements AutoCloseable {
             throw new IOException("another window uses " + folder.toAbsolutePath() + " (lock: "
                     + DirectoryLock.fileIn(folder) + "); close it, or give this one a folder of its own: --data DIR");
         }
-        Files.createDirectories(folder.resolve("sessions"));
+        PrivateFiles.makeOwnFolder(folder.resolve("sessions"));
         return new DataDirectory(folder, lock.get());
     }
 
