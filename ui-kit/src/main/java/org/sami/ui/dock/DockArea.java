@@ -38,6 +38,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     private final Map<String, DockPanel> panels = new LinkedHashMap<>();
     private final JFrame frame;
+    private final Path remembered;
     private final Arrangements offered;
     private final Runnable adapting = this::adapt;
     private Optional<Arrangement> fitted = Optional.empty();
@@ -51,6 +52,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     public DockArea(JFrame frame, List<DockPanel> panels, Arrangements offered, Path remembered) {
         super(new BorderLayout());
         this.frame = frame;
+        this.remembered = remembered;
         setName("dock-area");
         // function keys are the window's commands': split panes of Swing's would take F6 and F8
         UIManager.put("SplitPane.ancestorInputMap", new InputMapUIResource());
@@ -109,8 +111,18 @@ public final class DockArea extends JPanel implements AutoCloseable {
     /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */
     public void arrange() {
         AppState.setDefaultApplicationLayout(fitting().layout());
+        Optional<String> fault = LayoutFile.fault(remembered);
         try {
-            AppState.restore();
+            if (fault.isPresent()) {
+                LOG.log(
+                        System.Logger.Level.WARNING,
+                        "the arrangement of panels in {0} is not read, the first one is taken: {1}",
+                        remembered,
+                        fault.get());
+                reset();
+            } else {
+                AppState.restore();
+            }
         } catch (DockingLayoutException unfit) {
             LOG.log(
                     System.Logger.Level.WARNING,
