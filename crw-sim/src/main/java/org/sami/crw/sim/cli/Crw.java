@@ -109,6 +109,8 @@ public final class Crw implements Runnable {
         CommandLine line = new CommandLine(crw);
         Converters.addTo(line).setParameterExceptionHandler(ErrorMessages::onWrongUsage);
         line.setExecutionExceptionHandler(ErrorMessages::onException);
+        line.setColorScheme(
+                CommandLine.Help.defaultColorScheme(CommandLine.Help.Ansi.OFF)); // no output has escape sequences
         line.setExecutionStrategy(parsed -> crw.options.execute(line, parsed));
         return line;
     }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import org.sami.crw.sim.cli.output.ErrorLines;
 import org.sami.crw.sim.cli.output.ErrorMessages;
+import org.sami.crw.sim.cli.output.TerminalWriter;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.cli.output.Version;
 import picocli.CommandLine;
@@ -50,13 +51,26 @@ final class GlobalOptions {
         if (quiet && verbose) {
             throw new CommandLine.ParameterException(line, "--quiet and --verbose contradict each other");
         }
-        if (!quiet && !verbose && logFile == null) {
-            return new RunLast().execute(parsed);
-        }
+        PrintWriter out = line.getOut();
         PrintWriter err = line.getErr();
+        line.setOut(TerminalWriter.of(out)); // names of files, boats and links are in all that is printed
+        try {
+            if (!quiet && !verbose && logFile == null) {
+                line.setErr(TerminalWriter.of(err));
+                return new RunLast().execute(parsed);
+            }
+            return toldOtherwise(line, parsed, err);
+        } finally {
+            line.getOut().flush();
+            line.setOut(out);
+            line.setErr(err);
+        }
+    }
+
+    private int toldOtherwise(CommandLine line, ParseResult parsed, PrintWriter err) {
         try (PrintWriter log = log()) {
             ErrorLines told = new ErrorLines(err, quiet, log);
-            line.setErr(new PrintWriter(told, true));
+            line.setErr(TerminalWriter.of(new PrintWriter(told, true)));
             if (verbose) {
                 ErrorMessages.trace(true);
                 String options = config == null ? "" : ", options of " + config;
@@ -73,8 +87,6 @@ final class GlobalOptions {
                     ErrorMessages.trace(false);
                 }
             }
-        } finally {
-            line.setErr(err);
         }
     }
 

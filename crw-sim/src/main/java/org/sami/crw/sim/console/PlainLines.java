@@ -53,7 +53,7 @@ public final class PlainLines implements LineSource {
     @Override
     public void print(String line) {
         synchronized (out) {
-            out.println(line);
+            out.println(TerminalText.shown(line));
             out.flush();
         }
     }

@@ -49,6 +49,9 @@ public final class TerminalLines implements LineSource {
         return (lineReader, line, candidates) -> {
             List<String> before = new ArrayList<>(line.words().subList(0, line.wordIndex()));
             for (String word : completions.apply(before)) {
+                if (!TerminalText.shown(word).equals(word)) {
+                    continue; // it could not be typed
+                }
                 boolean open = word.endsWith("=");
                 candidates.add(new Candidate(word, word, null, null, null, null, !open));
             }
@@ -68,7 +71,7 @@ public final class TerminalLines implements LineSource {
 
     @Override
     public void print(String line) {
-        reader.printAbove(line);
+        reader.printAbove(TerminalText.shown(line));
     }
 
     @Override

@@ -31,7 +31,7 @@ public final class ErrorMessages {
 
     public static int onWrongUsage(ParameterException fault, String[] args) {
         CommandLine command = fault.getCommandLine();
-        PrintWriter err = command.getErr();
+        PrintWriter err = TerminalWriter.of(command.getErr());
         // picocli says "option" twice where a NAME=VALUE is not one
         err.println("crw: " + fault.getMessage().replace("option option", "option"));
         UnmatchedArgumentException.printSuggestions(fault, err);
@@ -51,7 +51,7 @@ public final class ErrorMessages {
         if (!command.getOut().checkError() && !standardOutput.checkError()) {
             return code;
         }
-        PrintWriter err = command.getErr();
+        PrintWriter err = TerminalWriter.of(command.getErr());
         err.println(
                 "crw: standard output could not be written (a full disk or a closed pipe); what was printed is not complete");
         err.flush();
@@ -59,7 +59,7 @@ public final class ErrorMessages {
     }
 
     public static int onException(Exception fault, CommandLine command, ParseResult arguments) {
-        PrintWriter err = command.getErr();
+        PrintWriter err = TerminalWriter.of(command.getErr());
         if (fault instanceof UsageFault || fault instanceof FileTooLargeException) {
             err.println("crw: " + fault.getMessage());
             err.flush();
@@ -75,7 +75,7 @@ public final class ErrorMessages {
 
     /** What is said when the Java machine itself fails. */
     public static int onError(Error fault, CommandLine command) {
-        PrintWriter err = command.getErr();
+        PrintWriter err = TerminalWriter.of(command.getErr());
         if (fault instanceof OutOfMemoryError) {
             long most = Runtime.getRuntime().maxMemory() >> 20;
             err.println("crw: the memory of " + most + " MB ran out; start it with more: JAVA_OPTS=-Xmx4g");

@@ -8,6 +8,7 @@ import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import org.sami.crw.sim.console.TerminalText;
 
 /** What parts of the program log, as one line on standard error; where it came from only when that is asked for. */
 public final class LogFormatter extends Formatter {
@@ -31,7 +32,7 @@ public final class LogFormatter extends Formatter {
                 Locale.ROOT,
                 "crw: %s: %s%n",
                 record.getLevel().getName().toLowerCase(Locale.ROOT),
-                formatMessage(record));
+                TerminalText.shown(formatMessage(record)));
         if (!withCalls || record.getThrown() == null) {
             return line;
         }

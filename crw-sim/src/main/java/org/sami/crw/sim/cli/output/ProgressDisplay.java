@@ -15,7 +15,6 @@ import org.sami.crw.sim.run.record.RunProgress;
 public final class ProgressDisplay implements Consumer<RunProgress> {
     private static final long TERMINAL_NANOS = 200_000_000L;
     private static final long LINE_NANOS = 3_000_000_000L;
-    private static final String CLEAR_LINE = "\r\u001b[K";
 
     private final PrintWriter out;
     private final boolean terminal;
@@ -49,7 +48,8 @@ public final class ProgressDisplay implements Consumer<RunProgress> {
         }
         nextNanos = now + (terminal ? TERMINAL_NANOS : LINE_NANOS);
         if (terminal) {
-            out.print(CLEAR_LINE + words.get());
+            out.print(TerminalWriter.CLEAR_LINE);
+            out.print(words.get());
             lineIsOpen = true;
         } else {
             out.println(words.get());
@@ -60,7 +60,7 @@ public final class ProgressDisplay implements Consumer<RunProgress> {
     /** Leaves the line, so that something else can be written. */
     public void end() {
         if (lineIsOpen) {
-            out.print(CLEAR_LINE);
+            out.print(TerminalWriter.CLEAR_LINE);
             out.flush();
             lineIsOpen = false;
         }
