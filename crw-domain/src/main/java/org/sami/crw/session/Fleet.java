@@ -154,10 +154,15 @@ public final class Fleet {
      * their ids.
      *
      * @param except addresses to which nobody connects
+     * @param exceptBoats ids of boats to which the caller connects itself
      * @param positions where boats were last, by their names
      * @param notice is told of simulated boats that cannot be launched
      */
-    List<String> reconnect(Set<BoatAddress> except, Map<String, GeoPoint> positions, Consumer<String> notice) {
+    List<String> reconnect(
+            Set<BoatAddress> except,
+            Set<String> exceptBoats,
+            Map<String, GeoPoint> positions,
+            Consumer<String> notice) {
         List<RememberedBoats.Remembered> known =
                 remembered.map(RememberedBoats::all).orElse(List.of());
         known.forEach(boat -> expect(boat.boat()));
@@ -166,7 +171,7 @@ public final class Fleet {
                 GeoPoint at =
                         positions.getOrDefault(boat.boat(), boat.simulatedAt().get());
                 connector.executor().execute(() -> relaunch(boat.boat(), at, notice));
-            } else {
+            } else if (!exceptBoats.contains(boat.boat())) {
                 boat.address().filter(address -> !except.contains(address)).ifPresent(this::reach);
             }
         }

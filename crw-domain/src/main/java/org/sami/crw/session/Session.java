@@ -126,7 +126,12 @@ public final class Session implements AutoCloseable {
 
     /** As {@link #reconnect()}, leaving out addresses to which the caller connects, or which hold no longer. */
     public List<String> reconnect(Set<BoatAddress> except) throws IOException {
-        return fleet.reconnect(except, parts.lastPositions(), parts.messages::notice);
+        return fleet.reconnect(except, Set.of(), parts.lastPositions(), parts.messages::notice);
+    }
+
+    /** As {@link #reconnect()}, leaving out boats that have other addresses now, to which the caller connects; by their ids. */
+    public List<String> reconnectWithout(Set<String> boats) throws IOException {
+        return fleet.reconnect(Set.of(), boats, parts.lastPositions(), parts.messages::notice);
     }
 
     /**

@@ -66,7 +66,7 @@ final class WindowStart {
         data.trouble().ifPresent(trouble -> System.err.println("crw-operator: " + trouble));
         Optional<Boolean> goesOn = unfinished.isEmpty()
                 ? Optional.of(false)
-                : options.resume().or(() -> ResumeQuestion.ask(unfinished.get()));
+                : options.resume().or(() -> ResumeQuestion.ask(unfinished.get(), data.trouble()));
         if (goesOn.isEmpty()) {
             data.close();
             ended.accept(0);

@@ -13,7 +13,8 @@ import org.sami.spn.value.GeoPoint;
 final class BuiltInFleet {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
     private static final double APART_DEG = 0.0002; // 22 m
-    private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
+    /** The boats, by their ids. */
+    static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
 
     private BuiltInFleet() {}
 

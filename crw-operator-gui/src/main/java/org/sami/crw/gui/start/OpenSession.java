@@ -77,10 +77,14 @@ final class OpenSession {
             damage = Optional.of("is not UTF-8 text");
         }
         Optional<Path> newest = newest();
+        Path aside = setAside();
+        if (newest.isPresent()) {
+            write(newest.get()); // it stays on offer until it is finished, or a session begins anew
+        }
         return new Told(
                 newest,
                 file.toAbsolutePath() + " " + damage.get() + " and was set aside as "
-                        + setAside().getFileName() + "; "
+                        + aside.getFileName() + "; "
                         + newest.map(one -> "the newest journal is " + one.getFileName())
                                 .orElse("there is no journal in " + sessions.toAbsolutePath()));
     }

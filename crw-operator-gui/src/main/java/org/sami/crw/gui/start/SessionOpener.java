@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionJournal;
@@ -156,7 +157,7 @@ public final class SessionOpener {
             addresses = BuiltInFleet.launch(simulated, session.lastPositions());
         }
         if (setup.journal().resumedFrom().isPresent()) {
-            session.reconnect();
+            session.reconnectWithout(builtIn ? Set.copyOf(BuiltInFleet.NAMES) : Set.of());
         }
         addresses.forEach(session.fleet()::connect);
         return session;
