@@ -79,7 +79,11 @@ public final class StuckWatch {
         StuckMission first = all.get(0);
         String more = all.size() == 1 ? "" : " (and " + (all.size() - 1) + " sub-missions more)";
         return HealthFault.ofMission(
-                first.root(), first.title(), Priority.HIGH, first.title() + " is stuck: " + first.what() + more, first.help());
+                first.root(),
+                first.title(),
+                Priority.HIGH,
+                first.title() + " is stuck: " + first.what() + more,
+                first.help());
     }
 
     /** Whether some mission waits for news that come by themselves. */

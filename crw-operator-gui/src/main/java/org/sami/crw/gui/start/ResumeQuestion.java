@@ -23,10 +23,9 @@ public final class ResumeQuestion {
     private ResumeQuestion(Path journal, Optional<String> trouble) {
         String name = journal.getFileName().toString().replace(".journal", "").replace('_', ' ');
         JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, gap 8, fillx, w 480::", "[grow,fill]"));
-        WrappedText text = new WrappedText(
-                trouble.map(words -> words + ".\n").orElse("") + "The session of " + name
-                        + (trouble.isEmpty() ? " was not finished." : " may not have been finished.")
-                        + " Its missions, decisions and boats are in its journal. Escape closes this and leaves it on offer.");
+        WrappedText text = new WrappedText(trouble.map(words -> words + ".\n").orElse("") + "The session of " + name
+                + (trouble.isEmpty() ? " was not finished." : " may not have been finished.")
+                + " Its missions, decisions and boats are in its journal. Escape closes this and leaves it on offer.");
         text.setName("resume-question-text");
         panel.add(text, "span, wmin 60, gapbottom 8");
         JButton goOn = button("resume-go-on", "Go on with it", true);
@@ -69,6 +68,8 @@ public final class ResumeQuestion {
      * @param trouble why it is not known for sure that the session was not finished, one sentence without a full stop; empty where it is
      */
     public static Optional<Boolean> ask(Path journal, Optional<String> trouble) {
-        return EventThread.get(() -> new ResumeQuestion(journal, trouble)).answer.join();
+        return EventThread.get(() -> new ResumeQuestion(journal, trouble))
+                .answer
+                .join();
     }
 }

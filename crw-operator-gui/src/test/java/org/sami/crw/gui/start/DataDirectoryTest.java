@@ -65,7 +65,8 @@ class DataDirectoryTest {
                         .contains("set aside as open-session.damaged")
                         .contains(journal.getFileName().toString());
                 assertThat(own.resolve("open-session.damaged")).hasBinaryContent(damages[i]);
-                assertThat(own.resolve("open-session")).hasContent(journal.getFileName().toString());
+                assertThat(own.resolve("open-session"))
+                        .hasContent(journal.getFileName().toString());
             }
         }
     }

@@ -30,10 +30,7 @@ final class StuckNotes {
         for (HealthEntry entry : now.of(HealthKind.MISSION)) {
             before.remove(entry.number());
             if (open.put(entry.number(), entry) == null) {
-                note(
-                        entry.sinceMillis(),
-                        entry,
-                        entry.fault().text());
+                note(entry.sinceMillis(), entry, entry.fault().text());
             }
         }
         before.forEach((number, entry) -> {
