@@ -13,6 +13,7 @@ import static java.awt.event.KeyEvent.VK_SPACE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.awt.Component;
 import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.util.List;
@@ -113,6 +114,8 @@ class KeyboardWindowTest {
                 () -> boats(window).stream().filter(boat -> boat.points() > 0).count() == 2);
         robot.untilFocused("decisions"); // nothing waits: the next key is not the fleet stop's
 
+        Component avoid = robot.find(Component.class, "interrupt-team-avoid-boat");
+        robot.until("it can be pressed", avoid::isEnabled);
         robot.press(VK_8, VK_ALT);
         robot.untilFocused("interrupt-team-avoid-boat");
         robot.press(VK_SPACE);

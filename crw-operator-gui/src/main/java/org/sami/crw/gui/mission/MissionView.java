@@ -27,7 +27,7 @@ import org.sami.ui.table.RowTable;
 
 /** One mission: where its tokens are, what it waits for and why nothing fires, its variables; its end in two buttons. */
 final class MissionView extends JPanel {
-    private static final int LOW = 205;
+    private static final int LOW = 195;
     private static final int LEAST_TAB = 64;
 
     private final long mission;
