@@ -67,10 +67,13 @@ class BusyWindowTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1600, 1000, 100, 5", "1280, 800, 100, 5", "1600, 1000, 150, 3", "1280, 800, 150, 2"})
+    @CsvSource({"1600, 1000, 100, 4", "1280, 800, 100, 4", "1600, 1000, 150, 3", "1280, 800, 150, 2"})
     void decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(int width, int height, int percent, int least) {
         size(width, height, percent);
 
+        assertThat(WindowRobot.<Integer>ask(() -> find("decision-scroll", Component.class).getHeight()))
+                .as("room for what is asked")
+                .isGreaterThanOrEqualTo(WindowRobot.<Integer>ask(() -> Look.px(36)));
         assertThat(WindowRobot.<List<String>>ask(() -> columns("decisions-queue")))
                 .containsExactly("Waits for you", "Mission", "Since", "Left");
         assertThat(WindowRobot.<Integer>ask(() -> rowsInSight("decisions-queue")))
@@ -83,7 +86,7 @@ class BusyWindowTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1600, 1000, 100, 6", "1280, 800, 100, 5", "1600, 1000, 150, 4", "1280, 800, 150, 2"})
+    @CsvSource({"1600, 1000, 100, 6", "1280, 800, 100, 5", "1600, 1000, 150, 3", "1280, 800, 150, 2"})
     void eachBoatHasOneLineWithItsColumns(int width, int height, int percent, int least) {
         size(width, height, percent);
 

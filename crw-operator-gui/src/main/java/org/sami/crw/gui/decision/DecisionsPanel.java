@@ -38,6 +38,8 @@ public final class DecisionsPanel extends JPanel {
     private static final String NONE = "none";
     private static final String ONE = "one";
     private static final int LOW = 230;
+    private static final int LOW_WITH_QUEUE = 300;
+    private static final int LEAST_ASKED = 96; // of what is filled in, with gaps and insets
     private static final double MOST_WAITING = 0.5; // of the panel's height
 
     private final DecisionActions actions;
@@ -138,11 +140,12 @@ public final class DecisionsPanel extends JPanel {
     /** Where the panel is so low that what is asked would have no room, who asks is said in a tooltip, and why there is no answer yet in one line. */
     @Override
     public void doLayout() {
-        boolean low = getHeight() < Look.px(LOW);
+        boolean low = getHeight() < Look.px(waiting.isVisible() ? LOW_WITH_QUEUE : LOW);
         header.setLow(low);
         judgement.setLow(low);
         bar.fit(getWidth(), low);
-        waiting.fit((int) (MOST_WAITING * getHeight()), low);
+        int asked = header.getPreferredSize().height + bar.getPreferredSize().height + Look.px(LEAST_ASKED);
+        waiting.fit(Math.min((int) (MOST_WAITING * getHeight()), getHeight() - asked), low);
         super.doLayout();
     }
 

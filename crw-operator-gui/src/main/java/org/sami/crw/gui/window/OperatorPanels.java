@@ -42,8 +42,8 @@ public final class OperatorPanels implements AutoCloseable {
                     .below("boats", "map", 0.34)
                     .behind("boat", "boats")
                     .behind("communication", "boats")
-                    .below("decisions", "missions", 0.68)
-                    .below("interrupts", "decisions", 0.3)
+                    .below("decisions", "missions", 0.64)
+                    .below("interrupts", "decisions", 0.28)
                     .right("messages", "interrupts", 0.62)
                     .behind("alarms", "messages")
                     .behind("health", "messages")
@@ -56,7 +56,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("alarms", "boats")
                     .behind("health", "boats")
                     .behind("log", "boats")
-                    .below("decisions", "missions", 0.6) // by themselves, so that what waits stays in sight
+                    .below("decisions", "missions", 0.7) // by themselves, so that what waits stays in sight
                     .behind("boat", "missions") // the list of boats stays in sight
                     .behind("interrupts", "missions")
                     .behind("messages", "missions")
