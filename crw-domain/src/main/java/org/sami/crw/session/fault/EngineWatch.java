@@ -89,13 +89,13 @@ public final class EngineWatch implements HostListener {
 
     @Override
     public void onFailed(String reason) {
-        health.over(HealthKind.JOURNAL, "");
         health.report(
                 HealthFault.ofSession(
                         HealthKind.ENGINE,
                         Priority.CRITICAL,
                         STOPPED + reason + "; no mission goes on, " + still.words(),
                         "Bring boats home by hand, or stop them (F12); then end the session and open it again: it goes on where its journal ends"));
+        health.over(HealthKind.JOURNAL, ""); // what it waited for is in the reason
         begin();
         broken.accept(reason);
     }

@@ -49,9 +49,10 @@ public final class HealthNews implements AutoCloseable {
                 }
             }
         }
+        boolean stopped = !health.of(HealthKind.ENGINE).isEmpty();
         told.values().removeIf(entry -> {
             boolean over = !now.contains(entry.number());
-            if (over) {
+            if (over && !stopped) { // else nothing is well again
                 out.accept("over: " + entry.fault().text());
             }
             return over;
