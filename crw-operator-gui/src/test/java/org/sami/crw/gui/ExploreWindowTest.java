@@ -1,7 +1,10 @@
 package org.sami.crw.gui;
 
 import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_C;
+import static java.awt.event.KeyEvent.VK_CONTROL;
 import static java.awt.event.KeyEvent.VK_ENTER;
+import static java.awt.event.KeyEvent.VK_SHIFT;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
@@ -103,11 +106,12 @@ class ExploreWindowTest {
                 .isEqualTo(1 + (4 + 1) + (2 + 1));
 
         robot.until("both sail towards the area", THERE_WITHIN_S, () -> sailing(window) == 2);
-        robot.click("mission-complete");
+        robot.press(VK_C, VK_CONTROL, VK_SHIFT);
         robot.click("mission-end-confirm");
 
-        robot.untilSaid("mission-state", "completed");
-        assertThat(mission(window).outcome()).contains(Outcome.COMPLETED);
+        robot.until(
+                "the mission is completed",
+                () -> mission(window).outcome().equals(Optional.of(Outcome.COMPLETED)));
     }
 
     /** What it takes is said in the panel, in one line where the panel is low. */

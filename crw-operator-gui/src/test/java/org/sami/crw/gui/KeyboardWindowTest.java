@@ -67,11 +67,9 @@ class KeyboardWindowTest {
                 robot.press(VK_C, VK_CONTROL, VK_SHIFT);
                 robot.untilShown("mission-ending");
                 robot.press(VK_E, VK_CONTROL, VK_SHIFT);
-                robot.untilSaid("mission-state", "completed");
-                assertThat(missions(window))
-                        .first()
-                        .extracting(MissionSnapshot::outcome)
-                        .isEqualTo(Optional.of(Outcome.COMPLETED));
+                robot.until(
+                        "the mission is completed",
+                        () -> missions(window).get(0).outcome().equals(Optional.of(Outcome.COMPLETED)));
             } finally {
                 WindowRobot.ask(() -> {
                     window.end();
