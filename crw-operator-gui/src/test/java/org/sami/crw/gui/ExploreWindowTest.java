@@ -109,9 +109,7 @@ class ExploreWindowTest {
         robot.press(VK_C, VK_CONTROL, VK_SHIFT);
         robot.click("mission-end-confirm");
 
-        robot.until(
-                "the mission is completed",
-                () -> mission(window).outcome().equals(Optional.of(Outcome.COMPLETED)));
+        robot.until("the mission is completed", () -> mission(window).outcome().equals(Optional.of(Outcome.COMPLETED)));
     }
 
     /** What it takes is said in the panel, in one line where the panel is low. */
