@@ -3,10 +3,12 @@ package org.sami.crw.gui.start;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.ui.window.WindowSettings;
@@ -26,6 +28,22 @@ class DataDirectoryTest {
 
         first.close();
         DataDirectory.open(folder).close();
+    }
+
+    @Test
+    void directoryThatIsMadeAndItsSessionsAreReadByTheirUserOnly() throws IOException {
+        assumeThat(folder.getFileSystem().supportedFileAttributeViews()).contains("posix");
+        Path data = folder.resolve("sami/operator");
+        DataDirectory.open(data).close();
+        assertThat(permissions(data)).isEqualTo("rwx------");
+
+        Files.setPosixFilePermissions(data.resolve("sessions"), PosixFilePermissions.fromString("rwxr-xr-x"));
+        DataDirectory.open(data).close();
+        assertThat(permissions(data.resolve("sessions"))).isEqualTo("rwx------");
+    }
+
+    private static String permissions(Path path) throws IOException {
+        return PosixFilePermissions.toString(Files.getPosixFilePermissions(path));
     }
 
     @Test
