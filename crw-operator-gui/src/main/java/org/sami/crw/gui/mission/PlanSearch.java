@@ -9,6 +9,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import javax.swing.text.Document;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.Spacing;
 
 /** The field in which plans are searched: Down and Enter lead to what was found, Escape empties it. On the event thread. */
 final class PlanSearch extends JTextField {
@@ -56,7 +57,8 @@ final class PlanSearch extends JTextField {
     public Dimension getPreferredSize() {
         int room = getParent() == null ? 0 : getParent().getWidth() - Look.px(BUTTONS);
         int width = Math.max(Look.px(NARROW), Math.min(Look.px(WIDE), room));
-        return new Dimension(width, super.getPreferredSize().height);
+        return new Dimension(
+                width, Math.max(super.getPreferredSize().height, Look.px(Spacing.HIT_TARGET_FIELD)));
     }
 
     private void bind(String key, Runnable action) {
