@@ -71,7 +71,8 @@ class BusyWindowTest {
     void decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(int width, int height, int percent, int least) {
         size(width, height, percent);
 
-        assertThat(WindowRobot.<Integer>ask(() -> find("decision-scroll", Component.class).getHeight()))
+        assertThat(WindowRobot.<Integer>ask(
+                        () -> find("decision-scroll", Component.class).getHeight()))
                 .as("room for what is asked")
                 .isGreaterThanOrEqualTo(WindowRobot.<Integer>ask(() -> Look.px(36)));
         assertThat(WindowRobot.<List<String>>ask(() -> columns("decisions-queue")))

@@ -59,9 +59,7 @@ public final class BoatWords {
         if (boat.why().cause() == BoatExplanation.Cause.NEVER_ANSWERED && isAddress) {
             return state(boat).replaceFirst("△ ", "△ " + boat.boat() + " · ");
         }
-        return state(boat)
-                .replaceFirst(", \\d+ of \\d+ points visited", "")
-                .replaceAll("for mission \\d+, ", "for ");
+        return state(boat).replaceFirst(", \\d+ of \\d+ points visited", "").replaceAll("for mission \\d+, ", "for ");
     }
 
     /** Its charge in percent. */
