@@ -57,8 +57,7 @@ final class PlanSearch extends JTextField {
     public Dimension getPreferredSize() {
         int room = getParent() == null ? 0 : getParent().getWidth() - Look.px(BUTTONS);
         int width = Math.max(Look.px(NARROW), Math.min(Look.px(WIDE), room));
-        return new Dimension(
-                width, Math.max(super.getPreferredSize().height, Look.px(Spacing.HIT_TARGET_FIELD)));
+        return new Dimension(width, Math.max(super.getPreferredSize().height, Look.px(Spacing.HIT_TARGET_FIELD)));
     }
 
     private void bind(String key, Runnable action) {
