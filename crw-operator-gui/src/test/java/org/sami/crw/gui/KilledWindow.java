@@ -22,7 +22,7 @@ final class KilledWindow {
         WindowRobot robot = new WindowRobot();
         robot.untilSaid("boats-count", "5 of 5");
         robot.click("mission-start");
-        robot.untilSaid("mission-state", "runs since");
+        robot.untilSaid("missions-count", "1 mission");
         robot.untilSaid("decisions-count", "1 decision");
         System.out.println("runs");
     }

@@ -39,7 +39,7 @@ class KilledWindowTest {
         try {
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("boats-count", "5 of 5");
-            robot.untilSaid("mission-state", "runs since");
+            robot.untilSaid("missions-count", "1 mission");
             robot.untilSaid(
                     "decisions-count",
                     "2 decisions"); // the mission's, and which of the boats that started anew may move
