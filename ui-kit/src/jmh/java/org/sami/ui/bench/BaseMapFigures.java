@@ -45,7 +45,11 @@ final class BaseMapFigures {
     void run() throws IOException {
         Path folder = Files.createTempDirectory("base-maps");
         try {
-            measure("map.base.line.busy", "points", 2_000_000, HeavyFiles.line(folder.resolve("line.geojson"), 2_000_000));
+            measure(
+                    "map.base.line.busy",
+                    "points",
+                    2_000_000,
+                    HeavyFiles.line(folder.resolve("line.geojson"), 2_000_000));
             measure(
                     "map.base.outlines.busy",
                     "outlines",
@@ -73,7 +77,8 @@ final class BaseMapFigures {
         List<Double> busy = new ArrayList<>();
         int moves = 0;
         for (int step = 0; moves < MOVES; step++) {
-            boolean isMoved = step % FRAMES_A_MOVE == 0 && EventThread.get(() -> !map.baseMaps().isEmpty());
+            boolean isMoved = step % FRAMES_A_MOVE == 0
+                    && EventThread.get(() -> !map.baseMaps().isEmpty());
             MapKey key = KEYS.get(moves % KEYS.size());
             moves += isMoved ? 1 : 0;
             busy.add(EventThread.get(() -> {
