@@ -20,12 +20,12 @@ import java.util.stream.Stream;
  * package of the boats domain; ARCHITECTURE.md shows the same map in words.
  */
 enum SamiModule {
-    SPN_CORE("spn-core", 540, List.of("org.sami.spn.."), List.of()),
+    SPN_CORE("spn-core", 600, List.of("org.sami.spn.."), List.of()),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 50, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            440,
+            530,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",
@@ -41,7 +41,7 @@ enum SamiModule {
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Pictures of nets, for the command and the editor. */
-    NET_PICTURE("net-picture", 6, List.of("org.sami.picture.."), List.of(SPN_CORE)),
+    NET_PICTURE("net-picture", 7, List.of("org.sami.picture.."), List.of(SPN_CORE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
@@ -49,13 +49,13 @@ enum SamiModule {
             List.of("org.sami.crw.sim.."),
             List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, NET_PICTURE, SPN_CORE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */
-    UI_KIT("ui-kit", 245, List.of("org.sami.ui.."), List.of(SPN_CORE)),
+    UI_KIT("ui-kit", 265, List.of("org.sami.ui.."), List.of(SPN_CORE)),
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
     DREAMM_IDE("dreamm-ide", 225, List.of("org.sami.dreamm.."), List.of(UI_KIT, NET_PICTURE, SPN_CORE)),
     /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
-            110,
+            140,
             List.of("org.sami.crw.gui.."),
             List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
 

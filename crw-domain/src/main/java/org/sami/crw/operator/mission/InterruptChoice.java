@@ -12,7 +12,7 @@ import org.sami.spn.protocol.Priority;
  * @param asksForBoats whether pressing it needs boats: named by the press or chosen afterwards
  * @param priority how urgent it is (markup Priority); medium without one
  * @param description what the author says of it (markup Description); empty text for nothing
- * @param noWayBack why what it does cannot be undone in the mission ({@link WayBack}); empty text where the plan leads back
+ * @param noWayBack why what it does cannot be undone in the mission ({@link InterruptReturn}); empty text where the plan leads back
  * @param asking the decision that asks whom it is for, as it was pressed without boats; empty = none is open
  * @param whyNot why pressing it now would be refused, in words; empty where it would be taken
  */
