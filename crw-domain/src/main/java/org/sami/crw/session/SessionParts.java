@@ -93,7 +93,7 @@ final class SessionParts {
     final ThreadGuard guard = new ThreadGuard(this::report, this::stop);
 
     /** Empty where everything is one thread of the caller's, who sees what it throws. */
-    final Optional<SessionCare> care;
+    final Optional<SessionMonitor> sessionMonitor;
 
     final SessionFaults faults;
 
@@ -126,7 +126,7 @@ final class SessionParts {
                 .clock(clock)
                 .executor(executor)
                 .slowListenerMillis(slowMillis)
-                .journalPatienceMillis(setup.onFault().patienceMillis())
+                .journalRetryMillis(setup.onFault().patienceMillis())
                 .build();
         replies = new Replies(front);
         projects = new ProjectFiles(vocabulary);
@@ -183,10 +183,13 @@ final class SessionParts {
         host.addListener(operators);
         host.addListener(models);
         host.addListener(posted);
-        care = loop.map(
-                real -> new SessionCare(host, journal, connector, models.health(), messages, setup.onFault(), guard));
+        sessionMonitor = loop.map(real ->
+                new SessionMonitor(host, journal, connector, models.health(), messages, setup.onFault(), guard));
         faults = new SessionFaults(
-                host, guard, care.map(SessionCare::engine), setup.onFault().boats());
+                host,
+                guard,
+                sessionMonitor.map(SessionMonitor::engine),
+                setup.onFault().boats());
         events.subscribe(models.fleetListener(connector.boats(), showMillis));
     }
 
@@ -284,7 +287,7 @@ final class SessionParts {
                     poses.look(scheduler.nowMs());
                 }
             });
-            care.ifPresent(one -> one.look(scheduler.nowMs()));
+            sessionMonitor.ifPresent(one -> one.look(scheduler.nowMs()));
         } finally {
             scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
         }
@@ -353,7 +356,7 @@ final class SessionParts {
     void close() throws IOException {
         listenNoLonger();
         halted = true;
-        care.ifPresent(SessionCare::close);
+        sessionMonitor.ifPresent(SessionMonitor::close);
         services.ifPresent(ServiceThreads::close);
         onFleet(known -> known.boatIds()); // what the operator did last has been written down
         connector.close();

@@ -41,12 +41,12 @@ public final class EngineHost implements AutoCloseable {
     private final HostClock clock;
     private final Executor executor;
     private final int batchLimit;
-    private final JournalPatience patience;
+    private final JournalRetryPolicy retries;
 
     private final ReentrantLock lock = new ReentrantLock(true);
     private final InputQueue queue = new InputQueue();
     private final ListenerList<HostListener> listeners;
-    private final HostStanding standing;
+    private final HostLifecycle lifecycle;
     private final Handlers handlers;
     private final AwaitedTelemetry awaited;
     private final NextTimer timer;
@@ -65,9 +65,9 @@ public final class EngineHost implements AutoCloseable {
         this.clock = parts.clock;
         this.executor = parts.executor;
         this.batchLimit = parts.batchLimit;
-        this.patience = new JournalPatience(parts.journalPatienceMillis);
+        this.retries = new JournalRetryPolicy(parts.journalRetryMillis);
         this.listeners = new ListenerList<>("the engine", parts.slowListenerMillis);
-        this.standing = new HostStanding(listeners);
+        this.lifecycle = new HostLifecycle(listeners);
         this.handlers = new Handlers(parts.engine.vocabulary(), this);
         this.awaited = new AwaitedTelemetry(parts.engine.vocabulary());
         this.timer = new NextTimer(clock, () -> post(new Input.TimeReached()));
@@ -99,8 +99,8 @@ public final class EngineHost implements AutoCloseable {
         if (posting.isEmpty()) {
             return true;
         }
-        if (standing.isWaiting() && queue.queued() + posting.size() > patience.inputs()) {
-            fail(standing.status().reason() + "; more than " + patience.inputs() + " inputs wait for it", null);
+        if (lifecycle.isWaiting() && queue.queued() + posting.size() > retries.inputs()) {
+            fail(lifecycle.status().reason() + "; more than " + retries.inputs() + " inputs wait for it", null);
         }
         if (closing) {
             counts.refused(posting.size());
@@ -191,7 +191,7 @@ public final class EngineHost implements AutoCloseable {
     public void resume() {
         lock.lock();
         try {
-            if (!standing.isRunning()) {
+            if (!lifecycle.isRunning()) {
                 return;
             }
             engine.sync();
@@ -221,7 +221,7 @@ public final class EngineHost implements AutoCloseable {
     private void check() {
         checkDue = false;
         try {
-            if (standing.isRunning()) {
+            if (lifecycle.isRunning()) {
                 engine.check();
             }
         } catch (IOException fault) {
@@ -248,7 +248,7 @@ public final class EngineHost implements AutoCloseable {
 
     /** Whether it works, and why not. */
     public HostStatus status() {
-        return standing.status();
+        return lifecycle.status();
     }
 
     /** What it has to do and did. */
@@ -276,23 +276,23 @@ public final class EngineHost implements AutoCloseable {
     }
 
     private void finishClosing() {
-        if (standing.isWaiting()) {
+        if (lifecycle.isWaiting()) {
             retry();
         }
-        if (standing.isWaiting()) {
+        if (lifecycle.isWaiting()) {
             long lost = engine.undurable() + queue.queued();
-            fail(standing.status().reason() + "; the last " + lost + " inputs are not in it", null);
+            fail(lifecycle.status().reason() + "; the last " + lost + " inputs are not in it", null);
         }
-        while (standing.isRunning() && !queue.isEmpty()) {
+        while (lifecycle.isRunning() && !queue.isEmpty()) {
             processBatch();
         }
-        if (!standing.isRunning()) {
+        if (!lifecycle.isRunning()) {
             return;
         }
         timer.arm(OptionalLong.empty());
         try {
             engine.sync();
-            standing.closed();
+            lifecycle.closed();
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
         }
@@ -331,7 +331,7 @@ public final class EngineHost implements AutoCloseable {
                     finishClosing();
                 }
                 scheduled.set(false);
-                if (retryDue || checkDue || (standing.isRunning() && !queue.isEmpty())) {
+                if (retryDue || checkDue || (lifecycle.isRunning() && !queue.isEmpty())) {
                     schedule();
                 }
             } while (again);
@@ -356,13 +356,13 @@ public final class EngineHost implements AutoCloseable {
             retryDue = false;
             retry();
         }
-        if (!standing.status().isAlive()) {
+        if (!lifecycle.status().isAlive()) {
             counts.refused(queue.clear());
         }
         if (checkDue) {
             check();
         }
-        if (!standing.isRunning()) {
+        if (!lifecycle.isRunning()) {
             return;
         }
         List<Input> inputs = queue.take(batchLimit);
@@ -391,14 +391,14 @@ public final class EngineHost implements AutoCloseable {
 
     private void journalFailed(IOException fault) {
         long now = clock.nowMillis();
-        HostStatus next = patience.after(fault, engine.isRecoverable(), now);
+        HostStatus next = retries.after(fault, engine.isRecoverable(), now);
         if (next.kind() == HostStatus.Kind.FAILED) {
             fail(next.reason(), fault);
             return;
         }
         timer.arm(OptionalLong.empty());
-        standing.waits(next, fault);
-        clock.wakeAt(now + JournalPatience.RETRY_MILLIS, () -> {
+        lifecycle.waits(next, fault);
+        clock.wakeAt(now + JournalRetryPolicy.RETRY_MILLIS, () -> {
             retryDue = true;
             schedule();
         });
@@ -406,13 +406,13 @@ public final class EngineHost implements AutoCloseable {
 
     /** Looks whether the journal can be written again, and goes on if it can. */
     private void retry() {
-        if (!standing.isWaiting()) {
+        if (!lifecycle.isWaiting()) {
             return;
         }
         try {
             List<Step> steps = engine.recover();
-            if (standing.goesOn()) {
-                patience.recovered();
+            if (lifecycle.goesOn()) {
+                retries.recovered();
                 if (toBeResumed) {
                     deliverOpen();
                 }
@@ -438,7 +438,7 @@ public final class EngineHost implements AutoCloseable {
     private void fail(String reason, Throwable fault) {
         closing = true;
         counts.refused(queue.clear());
-        standing.failed(reason, fault);
+        lifecycle.failed(reason, fault);
     }
 
     /** Puts a host together: an engine with its state, an executor and a clock are required. */
@@ -449,7 +449,7 @@ public final class EngineHost implements AutoCloseable {
         private Executor executor;
         private int batchLimit = 1024;
         private long slowListenerMillis = 50;
-        private long journalPatienceMillis = Long.MAX_VALUE;
+        private long journalRetryMillis = Long.MAX_VALUE;
 
         private Builder(EngineFunction engine) {
             this.engine = Objects.requireNonNull(engine, "engine");
@@ -489,8 +489,8 @@ public final class EngineHost implements AutoCloseable {
         }
 
         /** How long it waits for a journal that cannot be written before it stops; for as long as it takes unless told. */
-        public Builder journalPatienceMillis(long value) {
-            journalPatienceMillis = value;
+        public Builder journalRetryMillis(long value) {
+            journalRetryMillis = value;
             return this;
         }
 

@@ -133,7 +133,7 @@ class EngineHostWaitTest {
 
     @Test
     void itsPatienceEnds() {
-        try (EngineHost hasty = builder().journalPatienceMillis(3000).build()) {
+        try (EngineHost hasty = builder().journalRetryMillis(3000).build()) {
             journal.refuseForNow();
             hasty.post(number(1));
             executor.runAll();

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.OptionalLong;
 
 /** How long, and with how much, a host waits for a journal that cannot be written. For who holds the host's lock, but for its limit of inputs. */
-final class JournalPatience {
+final class JournalRetryPolicy {
     /** A full disk is looked at again after so long. */
     static final long RETRY_MILLIS = 1000;
 
@@ -15,7 +15,7 @@ final class JournalPatience {
     private OptionalLong sinceMillis = OptionalLong.empty();
 
     /** @param millis how long it waits */
-    JournalPatience(long millis) {
+    JournalRetryPolicy(long millis) {
         this.millis = millis;
     }
 

@@ -3,13 +3,13 @@ package org.sami.spn.host;
 import java.lang.System.Logger.Level;
 
 /** Whether a host works: tells its listeners when that changes. What has ended stays so. Safe for use by several threads. */
-final class HostStanding {
+final class HostLifecycle {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
 
     private final ListenerList<HostListener> listeners;
     private volatile HostStatus status = HostStatus.running();
 
-    HostStanding(ListenerList<HostListener> listeners) {
+    HostLifecycle(ListenerList<HostListener> listeners) {
         this.listeners = listeners;
     }
 

@@ -7,15 +7,15 @@ import org.sami.crw.session.fault.SystemWatch;
 import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.spn.host.EngineHost;
 
-/** Looks after a session in real time: its engine, its journal's disk, its memory. Looks when it is told to, every second. */
-final class SessionCare implements AutoCloseable {
+/** Monitors a session in real time: its engine, the disk of its journal, its memory. The session calls it every second. */
+final class SessionMonitor implements AutoCloseable {
     private final EngineHost host;
     private final ThreadGuard guard;
     private final EngineWatch engine;
     private final SystemWatch system;
     private long faults; // of listeners; for the engine's thread
 
-    SessionCare(
+    SessionMonitor(
             EngineHost host,
             SessionJournal journal,
             FleetConnector fleet,
