@@ -11,11 +11,12 @@ import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.look.Theme;
 
 /**
- * Opens the {@link BusySituation} to be looked at, until the process is ended; with a folder as its argument it makes pictures of the window in every
- * theme, at 100 and 150 %, small and large, and ends.
+ * Opens the {@link BusySituation} to be looked at, until the process is ended; with a folder as its first argument it makes pictures of the window in every
+ * theme, at 100 and 150 %, small and large, and ends. With {@code --faults} five faults are there.
  */
 final class BusySituationMain {
     private static final List<Dimension> SIZES = List.of(new Dimension(1600, 1000), new Dimension(1280, 800));
+    private static final String FAULTS = "--faults"; // the last argument
     private static final int STANDARD_PERCENT = 100;
     private static final int LARGE_PERCENT = 150;
 
@@ -25,7 +26,10 @@ final class BusySituationMain {
     public static void main(String[] args) throws Exception {
         try (TemporaryFolder folder = new TemporaryFolder("crw-busy");
                 BusySituation situation = new BusySituation(folder.path(), Theme.LIGHT, STANDARD_PERCENT)) {
-            if (args.length == 0) {
+            if (List.of(args).contains(FAULTS)) {
+                situation.bringFaults();
+            }
+            if (args.length == 0 || args[0].equals(FAULTS)) {
                 new CountDownLatch(1).await();
             }
             pictures(new WindowInMemory(situation.window()), Path.of(args[0]));

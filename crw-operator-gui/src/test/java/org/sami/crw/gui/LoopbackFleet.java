@@ -3,7 +3,6 @@ package org.sami.crw.gui;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,27 +29,35 @@ final class LoopbackFleet implements AutoCloseable {
     /** Launches one boat a name. */
     LoopbackFleet(List<String> names) throws IOException {
         for (String name : names) {
-            int row = boats.size() / IN_A_ROW;
-            GeoPoint at =
-                    GeoPoint.of(QUAY.latDeg() - boats.size() % IN_A_ROW * APART_DEG, QUAY.lonDeg() + row * APART_DEG);
-            InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-            boats.put(
-                    name,
-                    new BoatOnTcp(
-                            BoatSettings.of(name, anyPort, at, boats.size()),
-                            new SteadyClock(ProcessClock::ms),
-                            TcpServerListener.NONE));
+            launch(name, name);
         }
+    }
+
+    private BoatAddress launch(String key, String name) throws IOException {
+        int row = boats.size() / IN_A_ROW;
+        GeoPoint at = GeoPoint.of(QUAY.latDeg() - boats.size() % IN_A_ROW * APART_DEG, QUAY.lonDeg() + row * APART_DEG);
+        InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        BoatOnTcp boat = new BoatOnTcp(
+                BoatSettings.of(name, anyPort, at, boats.size()),
+                new SteadyClock(ProcessClock::ms),
+                TcpServerListener.NONE);
+        boats.put(key, boat);
+        return address(boat);
+    }
+
+    private static BoatAddress address(BoatOnTcp boat) {
+        return new BoatAddress(
+                boat.address().getAddress().getHostAddress(), boat.address().getPort());
     }
 
     /** Where they are connected to. */
     List<BoatAddress> addresses() {
-        List<BoatAddress> addresses = new ArrayList<>();
-        boats.values()
-                .forEach(boat -> addresses.add(new BoatAddress(
-                        boat.address().getAddress().getHostAddress(),
-                        boat.address().getPort())));
-        return addresses;
+        return boats.values().stream().map(LoopbackFleet::address).toList();
+    }
+
+    /** Launches a second boat with the name of one that is there; gives its address. */
+    BoatAddress launchTwin(String name) throws IOException {
+        return launch(name + " again", name);
     }
 
     /** Ends a boat: nothing comes from it any longer. */
