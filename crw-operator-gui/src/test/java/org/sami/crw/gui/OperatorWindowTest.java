@@ -61,6 +61,7 @@ import org.sami.ui.map.SlowFiles;
 @Tag("window")
 @TestInstance(Lifecycle.PER_CLASS)
 class OperatorWindowTest {
+    private static final int ENDED_TAB = 2; // after the plans and the globals
     private static final int MANY = 6;
     private static final int REPORTS = 42; // at ten a second; a link is lost after 3.5 s
 
@@ -163,6 +164,10 @@ class OperatorWindowTest {
         robot.until("those that nobody looks at have left", () -> tabs.getTabCount() == before + 1);
         robot.press(VK_W, VK_CONTROL);
         robot.until("the last one is closed", () -> tabs.getTabCount() == before);
+        WindowRobot.ask(() -> {
+            tabs.setSelectedIndex(ENDED_TAB);
+            return null;
+        });
         JTable over = robot.find(JTable.class, "missions-over-table");
         assertThat(WindowRobot.<Integer>ask(over::getRowCount)).isGreaterThanOrEqualTo(MANY);
     }

@@ -309,12 +309,12 @@ class ProjectLoadingTest {
     }
 
     @Test
-    void bytesOfASessionThatLoadsNothingAreOfTheFormBefore() {
+    void onlyASessionThatLoadedAProjectIsOfTheFormThatNamesOne() {
         s.start("tour");
-        assertThat(version(StateCodec.encode(s.state()))).isEqualTo(3);
+        assertThat(version(StateCodec.encode(s.state()))).isEqualTo(5);
 
         s.step(load(MENDED));
-        assertThat(version(StateCodec.encode(s.state()))).isEqualTo(4);
+        assertThat(version(StateCodec.encode(s.state()))).isEqualTo(6);
     }
 
     /** What the state is like after an input that does nothing. */

@@ -98,7 +98,10 @@ public final class AllocationPanel extends JPanel {
         show(context.models().allocation().snapshot());
     }
 
-    /** A low panel has its button beside the table, and says below it what a task that is dragged there would change, and nothing else. */
+    /**
+     * A low panel has its button beside the table, and the strip says what a task that is dragged there would change: words that came below the table would move
+     * rows under the pointer.
+     */
     @Override
     public void doLayout() {
         showTools();
@@ -106,10 +109,14 @@ public final class AllocationPanel extends JPanel {
     }
 
     private void showTools() {
-        boolean low = getHeight() < Look.px(LOW);
+        boolean low = isLow();
         beside.setVisible(low);
         giveButton.setVisible(!low);
-        tools.setVisible(!low || !effect.getText().equals(HINT));
+        tools.setVisible(!low);
+    }
+
+    private boolean isLow() {
+        return getHeight() < Look.px(LOW);
     }
 
     private String words(Row row) {
@@ -176,7 +183,9 @@ public final class AllocationPanel extends JPanel {
     private void say(Optional<TaskMovePreview> preview) {
         effect.setText(preview.map(TaskMovePreview::words).orElse(HINT));
         effect.setColor(preview.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
-        showTools();
+        if (isLow()) {
+            preview.ifPresent(shown -> context.notices().told(shown.words()));
+        }
     }
 
     private void give(TaskMovePreview preview) {

@@ -98,7 +98,10 @@ class ConnectingRunTest {
                 {"id": "o", "type": "ConnectExistingProxy", "fields": {"name": {"value": "RED SQ"},
                  "server": {"value": " "}}}"""));
 
-        assertThat(report.result().outcome()).isEqualTo(RunOutcome.RUNNING);
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.FAILED);
+        assertThat(report.result().reason())
+                .contains("nothing can happen in the mission any longer")
+                .contains("there is no address to connect to");
         assertThat(report.notes())
                 .filteredOn(note -> note.kind().equals("handler_failed"))
                 .map(NoteResult::message)

@@ -13,7 +13,7 @@ import org.sami.spn.host.JournalEntry;
 
 /** A journal whose process dies as soon as so many entries are in it, or that leaves what its death at any entry would have left. */
 final class CrashingJournal implements RunJournal {
-    /** The death of the process: nothing catches it on its way out of the run. */
+    /** The death of the process: whoever catches it on its way out of the run meets it again at the next thing that the journal is to do. */
     static final class Crash extends Error {}
 
     private interface AfterAppend {
@@ -22,6 +22,7 @@ final class CrashingJournal implements RunJournal {
 
     private final RunJournal real;
     private final AfterAppend then;
+    private boolean isDead;
 
     CrashingJournal(RunJournal real, long after) {
         this(real, lastIndex -> {
@@ -71,17 +72,25 @@ final class CrashingJournal implements RunJournal {
 
             @Override
             public void append(List<JournalEntry> entries, Durability durability) throws IOException {
+                live();
                 inputs.append(entries, durability);
-                then.accept(inputs.lastIndex());
+                try {
+                    then.accept(inputs.lastIndex());
+                } catch (Crash crash) {
+                    isDead = true;
+                    throw crash;
+                }
             }
 
             @Override
             public void offerSnapshot(Supplier<byte[]> state) throws IOException {
+                live();
                 inputs.offerSnapshot(state);
             }
 
             @Override
             public void sync() throws IOException {
+                live();
                 inputs.sync();
             }
 
@@ -94,26 +103,37 @@ final class CrashingJournal implements RunJournal {
 
     @Override
     public void mark(long atMillis, Supplier<String> fingerprint) throws IOException {
+        live();
         real.mark(atMillis, fingerprint);
     }
 
     @Override
     public void stopped(long atMillis) throws IOException {
+        live();
         real.stopped(atMillis);
     }
 
     @Override
     public boolean isCatchingUp() {
+        live();
         return real.isCatchingUp();
     }
 
     @Override
     public OptionalLong resumedFrom() {
+        live();
         return real.resumedFrom();
     }
 
     @Override
     public void over() throws IOException {
+        live();
         real.over();
+    }
+
+    private void live() {
+        if (isDead) {
+            throw new Crash();
+        }
     }
 }
