@@ -65,6 +65,8 @@ final class TreeCell extends JPanel implements TreeCellRenderer {
         if (over > 0) {
             FontMetrics metrics = title.getFontMetrics(title.getFont());
             title.setText(ElidedText.middle(title.getText(), metrics, metrics.stringWidth(title.getText()) - over));
+            title.invalidate();
+            invalidate(); // else the layout, which has not been laid out since, keeps the width of the whole title
         }
     }
 

@@ -133,8 +133,13 @@ public final class InterruptsPanel extends JPanel {
 
     private JLabel heading(InterruptPlaces.Group group) {
         String words = group.isRoom() ? " " : context.titles().words(group.mission());
-        JLabel heading = new JLabel(words);
-        heading.setFont(Fonts.small());
+        JLabel heading = new JLabel(words) {
+            @Override
+            public void updateUI() {
+                super.updateUI();
+                setFont(Fonts.small()); // of the scale that is in force
+            }
+        };
         heading.setToolTipText(words);
         LookColors.foreground(heading, SemanticColor.MUTED);
         return heading;

@@ -25,6 +25,7 @@ public final class HealthRow extends JButton {
     private static final String CONTENTS = "wmin 0";
 
     private static final int LEAST_HEIGHT = 40;
+    private static final int GAP = 16;
 
     private final transient Command showHealth;
     private final JLabel what = new JLabel();
@@ -60,6 +61,14 @@ public final class HealthRow extends JButton {
         if (what != null) {
             style();
         }
+    }
+
+    /** The advice is shown whole or not at all; the tooltip and the list have it. */
+    @Override
+    public void doLayout() {
+        int taken = what.getPreferredSize().width + others.getPreferredSize().width + Look.px(4 * GAP);
+        advice.setVisible(advice.getPreferredSize().width + taken <= getWidth());
+        super.doLayout();
     }
 
     /** As high without a fault as with one. */

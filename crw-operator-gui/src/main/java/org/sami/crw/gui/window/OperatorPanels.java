@@ -74,7 +74,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("allocation", "decisions")
                     .behind("log", "decisions"),
             new Dimension(1280, 780),
-            new Dimension(720, 380));
+            new Dimension(720, 440));
 
     private final BoatsPanel boats;
     private final BoatPanel boat;

@@ -27,7 +27,7 @@ class FirstArrangementTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"100,compact", "150,compact", "175,tight", "200,tight"})
+    @CsvSource({"100,compact", "125,compact", "150,tight", "175,tight", "200,tight"})
     void aWindowOf1280By800HasTwoStacksFromTheScaleOnAtWhichTablesHadNoRow(int percent, String which) {
         assertThat(at(percent, BELOW_MENU_AND_STRIP))
                 .isSameAs(which.equals("tight") ? OperatorPanels.FIRST.tight() : OperatorPanels.FIRST.compact());
