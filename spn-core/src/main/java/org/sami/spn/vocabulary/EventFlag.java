@@ -11,5 +11,9 @@ public enum EventFlag {
     /** An output event that plans may send without waiting for its answers. */
     ANSWER_OPTIONAL,
     /** An input event that says that what was asked failed, or of a danger: a plan that asks is warned where it does not wait for it. */
-    FAILURE
+    FAILURE,
+    /** News that a robot has begun with a task: it comes by itself when the task is the first that its robot has left. */
+    TASK_STARTED,
+    /** An input event that says that tasks are complete: each of their robots goes on with its next. */
+    TASK_COMPLETED
 }
