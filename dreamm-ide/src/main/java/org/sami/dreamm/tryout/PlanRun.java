@@ -4,13 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Predicate;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
-import org.sami.spn.stepping.NextStep;
-import org.sami.spn.stepping.NextSteps;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
+import org.sami.spn.stepping.Turns;
 
 /** One run of a plan: its stepper, the steps that were taken, and what the last of them did. The plan is the one that it began with. */
 final class PlanRun {
@@ -75,17 +73,13 @@ final class PlanRun {
         return count;
     }
 
-    /** The first expected step of some kinds that changes something, or lets time pass; empty where there is none. */
-    Optional<NextStep> next(Predicate<NextStep.Kind> isPlayed) {
-        return NextSteps.of(stepper).stream()
-                .filter(step -> isPlayed.test(step.kind()))
-                .filter(step -> step.kind() == NextStep.Kind.TIME || changes(step))
-                .findFirst();
-    }
-
-    private boolean changes(NextStep step) {
-        Stepper tried = stepper.fork();
-        return tried.take(step.step()).refusal().isEmpty() && !tried.key().equals(stepper.key());
+    /**
+     * What is done next where the run goes on by itself.
+     *
+     * @param locations how many the operator gives where some are asked for
+     */
+    Turns.Turn next(int locations, boolean operator, boolean robots) {
+        return Turns.next(stepper, List.of(locations), operator, robots);
     }
 
     /** The first of some breakpoints that the last step entered or fired. */

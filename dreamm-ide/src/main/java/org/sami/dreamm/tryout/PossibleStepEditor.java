@@ -165,7 +165,7 @@ final class PossibleStepEditor {
     private void give(EventType type) {
         List<TaskId> known = tasks.isEmpty() ? List.of() : List.copyOf(tasks.keySet());
         SampleValues samples =
-                new SampleValues(stepper.view().vocabulary(), stepper.view().proxies(), known);
+                new SampleValues(stepper.view().vocabulary(), stepper.view().proxies(), known, tryOut.locations());
         type.fields()
                 .forEach(field -> add(ValueField.of(field), field.defaultValue().or(() -> samples.of(field.type()))));
     }

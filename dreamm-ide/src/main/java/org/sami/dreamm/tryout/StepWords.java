@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.stepping.StepText;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.value.ValueSummary;
@@ -19,38 +20,12 @@ final class StepWords {
     private StepWords() {}
 
     static String of(TestStep step) {
-        if (step instanceof TestStep.Answer s) {
-            return "operator: " + reply(s.reply()) + (s.event().isEmpty() ? " (start)" : " to " + s.event());
-        } else if (step instanceof TestStep.Occur s) {
-            List<String> named = new ArrayList<>(s.proxies());
-            named.addAll(s.tasks());
-            String whom = named.isEmpty() ? "" : " of " + String.join(", ", named);
-            return s.type() + whom + (s.answers().isEmpty() ? "" : ", answering " + s.answers());
-        } else if (step instanceof TestStep.Press s) {
-            return "press " + s.interrupt() + (s.proxies().isEmpty() ? "" : " for " + String.join(", ", s.proxies()));
-        } else if (step instanceof TestStep.Join s) {
-            return s.proxy() + " joins";
-        } else if (step instanceof TestStep.Drop s) {
-            return "drop " + s.proxy();
-        } else if (step instanceof TestStep.Advance s) {
-            return ValueSummary.of(new DurationValue(s.millis())) + " pass";
-        } else if (step instanceof TestStep.ExpectTokens s) {
-            return "expect tokens in " + s.place();
+        if (step instanceof TestStep.Answer s && s.reply() instanceof TestStep.Reply.Values given) {
+            return "operator: " + values(given.values()) + (s.event().isEmpty() ? " (start)" : " to " + s.event());
         }
-        return "expect the end";
-    }
-
-    private static String reply(TestStep.Reply reply) {
-        if (reply instanceof TestStep.Reply.YesNo r) {
-            return r.yes() ? "yes" : "no";
-        } else if (reply instanceof TestStep.Reply.Proxies r) {
-            return r.proxies().isEmpty() ? "nobody" : String.join(", ", r.proxies());
-        } else if (reply instanceof TestStep.Reply.Option r) {
-            return "option " + (r.index() + 1);
-        } else if (reply instanceof TestStep.Reply.Rejected) {
-            return "none of them";
-        }
-        return values(((TestStep.Reply.Values) reply).values());
+        return step instanceof TestStep.Advance s
+                ? ValueSummary.of(new DurationValue(s.millis())) + " pass"
+                : StepText.of(step);
     }
 
     static String values(Map<String, Value> values) {

@@ -18,9 +18,9 @@ import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Effect;
-import org.sami.spn.stepping.NextStep;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
+import org.sami.spn.stepping.Turns;
 
 /**
  * A run of one plan of the document, with robots that are not real. Its steps are taken by hand or, one at a time, by what robots, services
@@ -31,10 +31,14 @@ public final class TryOut {
     /** The greatest number of robots. */
     public static final int MOST_ROBOTS = 25;
 
+    /** The greatest number of locations that the operator gives by himself. */
+    public static final int MOST_LOCATIONS = 25;
+
     private final ProjectDocument document;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private final Set<Breakpoint> breakpoints = new LinkedHashSet<>();
     private int robots = 3;
+    private int locations = 3;
     private boolean mockOperator = true;
     private boolean mockRobots = true;
     private Optional<PlanRun> run = Optional.empty();
@@ -75,6 +79,17 @@ public final class TryOut {
     /** Begins the next run with so many robots. */
     public void setRobots(int count) {
         robots = Math.max(0, Math.min(MOST_ROBOTS, count));
+        tell();
+    }
+
+    /** How many locations the operator gives by himself where some are asked for, and samples have. */
+    public int locations() {
+        return locations;
+    }
+
+    /** Has the operator give so many locations where some are asked for. */
+    public void setLocations(int count) {
+        locations = Math.max(1, Math.min(MOST_LOCATIONS, count));
         tell();
     }
 
@@ -162,29 +177,29 @@ public final class TryOut {
     }
 
     /**
-     * Takes the next step that robots, services and operator are expected to take, of those that are played. One that changes nothing is not
-     * taken.
+     * Takes the next step of those whom the run plays. They take turns; where all that is expected leads back to what was there, the message
+     * says that it goes round and what leads out, and that is taken.
      *
      * @return whether one was taken; where none was, the message says what is waited for
      */
     public boolean stepOn() {
         PlanRun now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
-        Optional<NextStep> next = now.next(this::isPlayed);
-        if (next.isPresent()) {
-            return take(next.get().step()).refusal().isEmpty();
+        if (isOver()) {
+            message = "The mission is over";
+            tell();
+            return false;
         }
-        message = isOver() ? "The mission is over" : "Nothing goes on by itself: do one of what can happen by hand";
+        Turns.Turn turn = now.next(locations, mockOperator, mockRobots);
+        if (turn.step().isPresent()) {
+            TestStep step = turn.step().get().step();
+            String why = turn.remark().isEmpty() ? "" : " (" + turn.remark() + ")";
+            return done(StepWords.of(step) + why, stepper -> stepper.take(step))
+                    .refusal()
+                    .isEmpty();
+        }
+        message = turn.remark();
         tell();
         return false;
-    }
-
-    private boolean isPlayed(NextStep.Kind kind) {
-        return switch (kind) {
-            case DECISION -> mockOperator;
-            case ANSWER -> mockRobots;
-            case TIME -> true;
-            case FAILURE, INTERRUPT, NEWS -> false;
-        };
     }
 
     /** Takes so many steps back. */

@@ -3,28 +3,41 @@ package org.sami.spn.stepping;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.vocabulary.Vocabulary;
 
-/** A run at one moment: the engine's state and what effects have told that the state does not keep. */
+/**
+ * A run at one moment: the engine's state and what effects have told that the state does not keep. It is changed while a step is taken, and
+ * not again.
+ */
 final class Moment {
     final EngineState state;
     /** Activations whose visits have not ended, and those of end places. */
     final Map<Long, Activation> activations = new LinkedHashMap<>();
 
+    final TaskQueues tasks;
     long nowMillis;
     long mission = Ids.NONE;
     Optional<Outcome> outcome = Optional.empty();
+    private MomentKey key;
+    private String looks;
 
     Moment(EngineState state) {
+        this(state, new TaskQueues());
+    }
+
+    private Moment(EngineState state, TaskQueues tasks) {
         this.state = state;
+        this.tasks = tasks;
     }
 
     Moment copy() {
-        Moment copy = new Moment(state.copy());
+        Moment copy = new Moment(state.copy(), tasks.copy());
         copy.activations.putAll(activations);
         copy.nowMillis = nowMillis;
         copy.mission = mission;
@@ -32,7 +45,24 @@ final class Moment {
         return copy;
     }
 
-    void saw(Effect effect) {
+    /** Its key, computed when it is first asked for; not while a step is taken. */
+    MomentKey key() {
+        if (key == null) {
+            key = MomentKey.of(this);
+        }
+        return key;
+    }
+
+    /** How it looks ({@link Looks}), computed when it is first asked for; not while a step is taken. */
+    String looks(Engine engine) {
+        if (looks == null) {
+            looks = Looks.of(engine.view(state), tasks.words());
+        }
+        return looks;
+    }
+
+    void saw(Effect effect, Vocabulary vocabulary) {
+        tasks.saw(effect, vocabulary);
         if (effect instanceof Effect.Activated e) {
             activations.put(e.activation().id(), e.activation());
         } else if (effect instanceof Effect.ActivationEnded e) {

@@ -22,7 +22,9 @@ public record NextStep(Kind kind, TestStep step) {
         /** The operator presses an interrupt. */
         INTERRUPT,
         /** Something happens that nobody asked for. */
-        NEWS
+        NEWS,
+        /** The operator gives a list without any item where one is asked for. */
+        EMPTY
     }
 
     public NextStep {

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.InterruptButton;
@@ -14,32 +15,49 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /**
  * The steps that robots, services and an operator without a mind of their own could take at one moment, as a test case says them. The
- * operator says yes or no, chooses all robots or one of them, each option or none, and gives what is proposed, else a sample. Robots answer
- * a command one by one, services answer for all at once, with samples as values. Nothing is answered again that a transition keeps already.
+ * operator says yes or no, chooses all robots or one of them, each option or none, and gives what is proposed, else a sample; lists of
+ * locations of several lengths. Robots answer a command one by one and begin with their tasks one after the other; services answer for all
+ * at once; who connects is a robot that was not known. Nothing is answered again that a transition keeps already. What cannot be tried,
+ * as no value can be made up for it, is told.
  */
 public final class NextSteps {
+    /** How many locations the operator gives where nobody says how many. */
+    public static final List<Integer> LOCATIONS = List.of(3);
+
+    private static final int MOST_NEW_ROBOTS = 2;
+
     private final Stepper stepper;
     private final EngineView view;
-    private final SampleValues samples;
+    private final List<Integer> locations;
+    private final TasksNow tasksNow;
     private final Set<NextStep> steps = new LinkedHashSet<>();
+    private final Set<String> unlooked = new LinkedHashSet<>();
 
-    private NextSteps(Stepper stepper) {
+    private NextSteps(Stepper stepper, List<Integer> locations) {
         this.stepper = stepper;
+        this.locations = locations;
         view = stepper.view();
-        samples = new SampleValues(view.vocabulary(), view.proxies(), tasks());
+        tasksNow = new TasksNow(stepper);
     }
 
-    /** The steps that can be tried now, the expected ones first; some may turn out to change nothing. */
-    public static List<NextStep> of(Stepper stepper) {
-        NextSteps next = new NextSteps(stepper);
+    /**
+     * What can be tried now.
+     *
+     * @param locations how many locations the operator gives where some are asked for; each is a step, the first is expected
+     */
+    public static NextSteps of(Stepper stepper, List<Integer> locations) {
+        NextSteps next = new NextSteps(stepper, locations);
         Possible possible = stepper.possible();
         possible.decisions().forEach(next::decide);
         possible.activations().forEach(next::answer);
@@ -48,23 +66,34 @@ public final class NextSteps {
                         next.add(NextStep.Kind.TIME, new TestStep.Advance(Math.max(0, due - stepper.nowMillis()))));
         possible.interrupts().forEach(next::press);
         possible.news().forEach(next::news);
-        List<NextStep> sorted = new ArrayList<>(next.steps);
+        return next;
+    }
+
+    /** The steps, the expected ones first; some may turn out to change nothing. */
+    public List<NextStep> steps() {
+        List<NextStep> sorted = new ArrayList<>(steps);
         sorted.sort(Comparator.comparing(NextStep::kind));
         return List.copyOf(sorted);
     }
 
-    private List<TaskId> tasks() {
-        return view.mission(stepper.mission())
-                .flatMap(mission -> view.planOf(mission.id()))
-                .map(plan -> plan.tasks().stream()
-                        .map(task -> new TaskId(stepper.mission(), task.name()))
-                        .toList())
-                .orElse(List.of());
+    /** What could happen here as well and is not among the steps, in sentences: no value could be made up for it. */
+    public Set<String> unlooked() {
+        return unlooked;
+    }
+
+    private SampleValues samples(List<String> robots, List<TaskId> tasks, int size) {
+        return new SampleValues(
+                view.vocabulary(),
+                robots.isEmpty() ? view.proxies() : robots,
+                tasks.isEmpty() ? tasksNow.standing() : tasks,
+                size);
     }
 
     private void add(NextStep.Kind kind, TestStep step) {
         steps.add(new NextStep(kind, step));
     }
+
+    // ---- The operator
 
     private void decide(Decision decision) {
         String event = stepper.eventAsking(decision);
@@ -84,11 +113,7 @@ public final class NextSteps {
             }
             reply(event, new TestStep.Reply.Rejected());
         } else if (question instanceof Question.FillIn fillIn) {
-            Map<String, Value> values = new LinkedHashMap<>();
-            fillIn.items().stream()
-                    .filter(item -> item.defaultValue().isEmpty())
-                    .forEach(item -> samples.of(item.type()).ifPresent(value -> values.put(item.key(), value)));
-            reply(event, new TestStep.Reply.Values(values));
+            fillIn(event, fillIn);
         }
     }
 
@@ -96,66 +121,28 @@ public final class NextSteps {
         add(NextStep.Kind.DECISION, new TestStep.Answer(event, reply));
     }
 
-    private void answer(Possible.OpenActivation open) {
-        Activation asked = open.activation();
-        boolean oneByOne = view.vocabulary()
-                .event(asked.type())
-                .filter(type -> type.flags().contains(EventFlag.COMMAND))
-                .isPresent();
-        for (EventType type : open.answers()) {
-            if (view.awaits(type.name())) {
-                named(type, asked, oneByOne).stream()
-                        .filter(step -> !isKept(asked, step))
-                        .forEach(step -> add(
-                                type.flags().contains(EventFlag.FAILURE) ? NextStep.Kind.FAILURE : NextStep.Kind.ANSWER,
-                                step));
-            }
-        }
-    }
-
-    private List<TestStep.Occur> named(EventType type, Activation asked, boolean oneByOne) {
-        boolean namesTasks = type.tokens() == TokenNeed.TASK || type.tokens() == TokenNeed.PROXY_OR_TASK;
-        boolean namesRobots = type.tokens() == TokenNeed.PROXY || type.tokens() == TokenNeed.PROXY_OR_TASK;
-        List<TaskId> tasks = asked.tasks().stream()
-                .filter(task -> namesTasks && task.mission() == stepper.mission())
+    private void fillIn(String event, Question.FillIn fillIn) {
+        List<Question.Item> items = fillIn.items().stream()
+                .filter(item -> item.defaultValue().isEmpty())
                 .toList();
-        List<String> robots = namesRobots ? asked.proxies() : List.of();
-        List<TestStep.Occur> steps = new ArrayList<>();
-        if (oneByOne && !tasks.isEmpty()) {
-            for (TaskId task : tasks) {
-                List<String> robot = namesRobots && asked.allocation().containsKey(task)
-                        ? List.of(asked.allocation().get(task))
-                        : List.of();
-                steps.add(occur(type, asked.event(), robot, List.of(task.name())));
+        boolean asksLocations = items.stream().anyMatch(item -> isLocations(item.type()));
+        for (int size : asksLocations ? locations : List.of(1)) {
+            Map<String, Value> values = new LinkedHashMap<>();
+            SampleValues samples = samples(List.of(), List.of(), size);
+            items.forEach(item -> samples.of(item.type())
+                    .ifPresentOrElse(
+                            value -> values.put(item.key(), value),
+                            () -> unlooked.add("The operator is asked for " + item.key() + ", and "
+                                    + samples.whyNone(item.type()))));
+            if (values.size() == items.size()) {
+                NextStep.Kind kind = size == 0 ? NextStep.Kind.EMPTY : NextStep.Kind.DECISION;
+                add(kind, new TestStep.Answer(event, new TestStep.Reply.Values(values)));
             }
-        } else if (oneByOne && !robots.isEmpty()) {
-            robots.forEach(robot -> steps.add(occur(type, asked.event(), List.of(robot), List.of())));
-        } else {
-            steps.add(occur(
-                    type,
-                    asked.event(),
-                    robots,
-                    tasks.stream().map(TaskId::name).toList()));
         }
-        return steps;
     }
 
-    private TestStep.Occur occur(EventType type, String answers, List<String> robots, List<String> tasks) {
-        Map<String, Value> values = new LinkedHashMap<>();
-        type.fields()
-                .forEach(field -> field.defaultValue()
-                        .or(() -> samples.of(field.type()))
-                        .ifPresent(value -> values.put(field.name(), value)));
-        return new TestStep.Occur(type.name(), answers, robots, tasks, values);
-    }
-
-    private boolean isKept(Activation asked, TestStep.Occur step) {
-        return view.pendingAnswers(asked.mission()).stream()
-                .map(pending -> pending.occurrence())
-                .anyMatch(kept -> kept.activation() == asked.id()
-                        && kept.type().equals(step.type())
-                        && kept.proxies().equals(step.proxies())
-                        && kept.tasks().stream().map(TaskId::name).toList().equals(step.tasks()));
+    private static boolean isLocations(ValueType type) {
+        return type instanceof ValueType.ListOf list && list.element() == ValueType.Simple.POINT;
     }
 
     private void press(InterruptButton button) {
@@ -167,27 +154,127 @@ public final class NextSteps {
         }
     }
 
-    private void news(EventType type) {
-        boolean namesRobots = type.tokens() == TokenNeed.PROXY || type.tokens() == TokenNeed.PROXY_OR_TASK;
-        if (namesRobots) {
-            view.proxies().forEach(robot -> addNews(occur(type, "", List.of(robot), List.of())));
-        } else if (type.tokens() == TokenNeed.TASK) {
-            tasks().forEach(task -> addNews(occur(type, "", List.of(), List.of(task.name()))));
+    // ---- Robots and services
+
+    private void answer(Possible.OpenActivation open) {
+        Activation asked = open.activation();
+        EventType asking = view.vocabulary().event(asked.type()).orElseThrow();
+        for (EventType type : open.answers()) {
+            if (view.awaits(type.name())) {
+                NextStep.Kind kind =
+                        type.flags().contains(EventFlag.FAILURE) ? NextStep.Kind.FAILURE : NextStep.Kind.ANSWER;
+                if (asking.tokens() == TokenNeed.NONE && type.tokens() == TokenNeed.PROXY) {
+                    connect(type, asked, kind);
+                } else {
+                    named(type, asked, asking.flags().contains(EventFlag.COMMAND)).stream()
+                            .filter(step -> !isKept(asked, step))
+                            .forEach(step -> add(kind, step));
+                }
+            }
+        }
+    }
+
+    /** Who asks for no robot and is answered with one gets one that takes no part yet; where there is none, another joins. */
+    private void connect(EventType type, Activation asked, NextStep.Kind kind) {
+        List<String> known = view.proxies();
+        List<String> free = known.stream().filter(robot -> !takesPart(robot)).toList();
+        if (free.isEmpty() && known.size() < stepper.robotsAtStart() + MOST_NEW_ROBOTS) {
+            add(kind, new TestStep.Join(newName(known)));
         } else {
-            addNews(occur(type, "", List.of(), List.of()));
+            List<String> named = free.isEmpty() ? known.subList(known.size() - 1, known.size()) : free.subList(0, 1);
+            TestStep.Occur step = occur(type, asked.event(), named, List.of());
+            if (!isKept(asked, step)) {
+                add(kind, step);
+            }
+        }
+    }
+
+    private static String newName(List<String> known) {
+        int number = known.size() + 1;
+        while (known.contains("robot-" + number)) {
+            number++;
+        }
+        return "robot-" + number;
+    }
+
+    private boolean takesPart(String robot) {
+        return view.missions().stream()
+                .flatMap(mission -> mission.marking().values().stream())
+                .anyMatch(tokens -> tokens.contains(new Token.Proxy(robot)));
+    }
+
+    private List<TestStep.Occur> named(EventType type, Activation asked, boolean oneByOne) {
+        boolean namesTasks = type.tokens() == TokenNeed.TASK || type.tokens() == TokenNeed.PROXY_OR_TASK;
+        boolean namesRobots = type.tokens() == TokenNeed.PROXY || type.tokens() == TokenNeed.PROXY_OR_TASK;
+        List<TaskId> tasks = namesTasks ? asked.tasks() : List.of();
+        List<String> robots = namesRobots ? asked.proxies() : List.of();
+        List<TestStep.Occur> named = new ArrayList<>();
+        if (oneByOne && !tasks.isEmpty()) {
+            for (TaskId task : tasks) {
+                List<String> robot = namesRobots && asked.allocation().containsKey(task)
+                        ? List.of(asked.allocation().get(task))
+                        : List.of();
+                named.add(occur(type, asked.event(), robot, List.of(task)));
+            }
+        } else if (oneByOne && !robots.isEmpty()) {
+            robots.forEach(robot -> named.add(occur(type, asked.event(), List.of(robot), List.of())));
+        } else {
+            named.add(occur(type, asked.event(), robots, tasks));
+        }
+        return named;
+    }
+
+    private TestStep.Occur occur(EventType type, String answers, List<String> robots, List<TaskId> tasks) {
+        Map<String, Value> values = new LinkedHashMap<>();
+        SampleValues samples = samples(robots, tasks, locations.get(0));
+        for (FieldType field : type.fields()) {
+            Optional<Value> value = field.defaultValue().or(() -> samples.of(field.type()));
+            value.ifPresent(sample -> values.put(field.name(), sample));
+            if (value.isEmpty() && field.required()) {
+                unlooked.add(
+                        type.name() + " is tried without its " + field.name() + ": " + samples.whyNone(field.type()));
+            }
+        }
+        return new TestStep.Occur(
+                type.name(), answers, robots, tasks.stream().map(TaskId::name).toList(), values);
+    }
+
+    private boolean isKept(Activation asked, TestStep.Occur step) {
+        return view.pendingAnswers(asked.mission()).stream()
+                .map(pending -> pending.occurrence())
+                .anyMatch(kept -> kept.activation() == asked.id()
+                        && kept.type().equals(step.type())
+                        && kept.proxies().equals(step.proxies())
+                        && kept.tasks().stream().map(TaskId::name).toList().equals(step.tasks()));
+    }
+
+    // ---- News
+
+    private void news(EventType type) {
+        if (type.tokens() == TokenNeed.TASK) {
+            boolean starts = type.flags().contains(EventFlag.TASK_STARTED);
+            tasksNow.concernedBy(type)
+                    .forEach(task -> addNews(
+                            starts ? NextStep.Kind.ANSWER : NextStep.Kind.NEWS,
+                            occur(type, "", List.of(), List.of(task))));
+        } else if (type.tokens() == TokenNeed.PROXY || type.tokens() == TokenNeed.PROXY_OR_TASK) {
+            view.proxies().forEach(robot -> addNews(NextStep.Kind.NEWS, occur(type, "", List.of(robot), List.of())));
+        } else {
+            addNews(NextStep.Kind.NEWS, occur(type, "", List.of(), List.of()));
         }
     }
 
     /** News of one kind that is kept already is not told again: a newer one would only replace it. */
-    private void addNews(TestStep.Occur step) {
+    private void addNews(NextStep.Kind kind, TestStep.Occur step) {
         boolean kept = view.missions().stream()
                 .flatMap(mission -> view.pendingAnswers(mission.id()).stream())
                 .map(pending -> pending.occurrence())
                 .anyMatch(o -> o.activation() == Ids.NONE
                         && o.type().equals(step.type())
-                        && o.proxies().equals(step.proxies()));
+                        && o.proxies().equals(step.proxies())
+                        && o.tasks().stream().map(TaskId::name).toList().equals(step.tasks()));
         if (!kept) {
-            add(NextStep.Kind.NEWS, step);
+            add(kind, step);
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.EnumValue;
@@ -25,8 +26,9 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Makes up a small value of any type, for whoever tries a plan and means no value in particular: one item a list, one entry a map or one
- * for each robot, points a hundred metres apart. The same type gives the same value.
+ * Makes up a small value of any type, for whoever tries a plan and means no value in particular: so many locations a list, one item any other
+ * list, one entry a map or one for each robot or task, points a hundred metres apart. Maps of tasks to robots give each robot a task in turn.
+ * The same type gives the same value.
  */
 public final class SampleValues {
     private static final double APART_DEG = 0.001;
@@ -34,17 +36,27 @@ public final class SampleValues {
     private final Vocabulary vocabulary;
     private final List<String> robots;
     private final List<TaskId> tasks;
+    private final int locations;
 
-    /** Samples that speak of these robots and tasks. */
-    public SampleValues(Vocabulary vocabulary, List<String> robots, List<TaskId> tasks) {
+    /**
+     * Samples that speak of these robots and tasks.
+     *
+     * @param locations how many points a list of points has
+     */
+    public SampleValues(Vocabulary vocabulary, List<String> robots, List<TaskId> tasks, int locations) {
         this.vocabulary = vocabulary;
         this.robots = List.copyOf(robots);
         this.tasks = List.copyOf(tasks);
+        this.locations = locations;
     }
 
     /** A value of a type; empty where it would name a robot, a task, a plan or a variable and there is none to name. */
     public Optional<Value> of(ValueType type) {
-        if (type instanceof ValueType.ListOf list) {
+        if (type instanceof ValueType.ListOf list && list.element() == ValueType.Simple.POINT) {
+            return Optional.of(new ListValue(IntStream.range(0, locations)
+                    .mapToObj(i -> (Value) point(0, i))
+                    .toList()));
+        } else if (type instanceof ValueType.ListOf list) {
             return of(list.element()).map(item -> new ListValue(List.of(item)));
         } else if (type instanceof ValueType.MapOf map) {
             return map(map);
@@ -84,11 +96,26 @@ public final class SampleValues {
         } else {
             of(type.key()).ifPresent(keys::add);
         }
+        if (type.value() == ValueType.Simple.PROXY && !robots.isEmpty()) {
+            Map<Value, Value> inTurn = new LinkedHashMap<>();
+            keys.forEach(key -> inTurn.put(key, new ProxyValue(robots.get(inTurn.size() % robots.size()))));
+            return Optional.of(new MapValue(inTurn));
+        }
         return of(type.value()).map(value -> {
             Map<Value, Value> entries = new LinkedHashMap<>();
             keys.forEach(key -> entries.put(key, value));
             return new MapValue(entries);
         });
+    }
+
+    /** Why there is no sample of a type, in a few words. */
+    String whyNone(ValueType type) {
+        if (type == ValueType.Simple.PROXY) {
+            return "there is no robot to name";
+        }
+        return type == ValueType.Simple.TASK
+                ? "there is no task to name"
+                : "values of type " + type + " are not made up";
     }
 
     private Optional<Value> named(NamedType type) {
@@ -107,8 +134,11 @@ public final class SampleValues {
         return Optional.of(new RecordValue(record.name(), fields));
     }
 
-    /** An empty list is a value too, where there is nothing to put into it. */
+    /** An empty list or map is a value too, where there is nothing to put into it. */
     private static Optional<Value> empty(ValueType type) {
+        if (type instanceof ValueType.MapOf) {
+            return Optional.of(new MapValue(Map.of()));
+        }
         return type instanceof ValueType.ListOf ? Optional.of(new ListValue(List.of())) : Optional.empty();
     }
 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.TestStep;
@@ -18,6 +19,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.TokenNeed;
 
 /** Which input of the engine a step of a test case means at one moment, and which step says what an input says. */
 final class StepMeaning {
@@ -83,25 +85,38 @@ final class StepMeaning {
         return new TestStep.Reply.Values(((Answer.Fields) answer).values());
     }
 
-    /** The activation that a step answers: whoever is named answers what he was asked last, who names nobody the oldest question. */
+    /**
+     * The activation that a step answers: whoever is named answers what he was asked last, who names nobody the oldest question. What asks of
+     * nobody, or means none of those who entered, may be answered with somebody new, as by robots that connect.
+     */
     Optional<Activation> activation(TestStep.Occur step) {
-        return asked(view.openActivations(), step).or(() -> asked(moment.activations.values(), step));
+        return asked(view.openActivations(), step, a -> asksOfNobody(a) || asks(a, step))
+                .or(() -> asked(moment.activations.values(), step, a -> asksOfNobody(a) || asks(a, step)))
+                .or(() -> asked(view.openActivations(), step, this::meansNobody));
     }
 
-    private static Optional<Activation> asked(Collection<Activation> activations, TestStep.Occur s) {
-        Stream<Activation> fitting = activations.stream()
-                .filter(a -> a.event().equals(s.answers()))
-                .filter(a -> asksOfNobody(a)
-                        || (a.proxies().containsAll(s.proxies())
-                                && names(a.tasks()).containsAll(s.tasks())));
+    private static Optional<Activation> asked(
+            Collection<Activation> activations, TestStep.Occur s, Predicate<Activation> isAsked) {
+        Stream<Activation> fitting =
+                activations.stream().filter(a -> a.event().equals(s.answers())).filter(isAsked);
         return s.proxies().isEmpty() && s.tasks().isEmpty()
                 ? fitting.findFirst()
                 : fitting.reduce((older, newer) -> newer);
     }
 
-    /** Whether no robot or task entered: its answer may name some that are new, as of robots that connect. */
+    private static boolean asks(Activation asked, TestStep.Occur s) {
+        return asked.proxies().containsAll(s.proxies()) && names(asked.tasks()).containsAll(s.tasks());
+    }
+
     private static boolean asksOfNobody(Activation activation) {
         return activation.proxies().isEmpty() && activation.tasks().isEmpty();
+    }
+
+    private boolean meansNobody(Activation activation) {
+        return view.vocabulary()
+                .event(activation.type())
+                .filter(type -> type.tokens() == TokenNeed.NONE)
+                .isPresent();
     }
 
     private static List<String> names(List<TaskId> tasks) {
@@ -116,10 +131,21 @@ final class StepMeaning {
     }
 
     Input answer(TestStep.Occur s, Activation activation) {
-        return new Input.Received(Occurrence.answer(s.type(), activation, s.proxies(), tasks(s.tasks()), s.values()));
+        return new Input.Received(
+                Occurrence.answer(s.type(), activation, s.proxies(), tasks(s.tasks(), activation), s.values()));
     }
 
     private List<TaskId> tasks(List<String> names) {
         return names.stream().map(name -> new TaskId(moment.mission, name)).toList();
+    }
+
+    /** Tasks as whoever was asked knows them: in a sub-mission a task of the parent has a name of its own. */
+    private List<TaskId> tasks(List<String> names, Activation asked) {
+        return names.stream()
+                .map(name -> asked.tasks().stream()
+                        .filter(task -> task.name().equals(name))
+                        .findFirst()
+                        .orElse(new TaskId(moment.mission, name)))
+                .toList();
     }
 }

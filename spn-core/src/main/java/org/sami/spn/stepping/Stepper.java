@@ -1,16 +1,17 @@
 package org.sami.spn.stepping;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.StateCodec;
-import org.sami.spn.engine.StateKey;
 import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
@@ -29,8 +30,8 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
- * Tries one plan step by step on the engine itself, forwards and back. Each step keeps a copy of the state before it, so a
- * stepper is for runs of people's length. Steps that cannot be taken change nothing and say why. Used by one thread at a
+ * Tries one plan step by step on the engine itself, forwards and back. Each step keeps the state before it, so a
+ * stepper is for runs of people's length; a {@link #branch} begins anew from where it is. Steps that cannot be taken change nothing and say why. Used by one thread at a
  * time.
  */
 public final class Stepper {
@@ -55,7 +56,7 @@ public final class Stepper {
 
     private static Stepper knowing(List<String> proxies, Engine engine, String plan, Optional<TestStart> from) {
         Stepper stepper = new Stepper(engine, plan, proxies, from, new Moment(engine.newState()));
-        proxies.forEach(p -> stepper.run(new Input.ProxyJoined(p), stepper.startEffects));
+        proxies.forEach(p -> stepper.run(stepper.now, new Input.ProxyJoined(p), stepper.startEffects));
         return stepper;
     }
 
@@ -69,7 +70,7 @@ public final class Stepper {
      */
     public static Stepper start(Engine engine, String plan, String name, List<String> proxies) {
         Stepper stepper = knowing(proxies, engine, plan, Optional.empty());
-        stepper.run(new Input.StartMission(plan, name, Map.of()), stepper.startEffects);
+        stepper.run(stepper.now, new Input.StartMission(plan, name, Map.of()), stepper.startEffects);
         rejection(stepper.startEffects).ifPresent(reason -> {
             throw new IllegalArgumentException(reason);
         });
@@ -93,7 +94,7 @@ public final class Stepper {
         Stepper stepper = knowing(proxies, engine, plan, Optional.of(new TestStart(marking, parameters)));
         engine.startAt(stepper.now.state, 0, new Input.StartMission(plan, name, parameters), marking, effect -> {
                     stepper.startEffects.add(effect);
-                    stepper.now.saw(effect);
+                    stepper.now.saw(effect, engine.vocabulary());
                 })
                 .ifPresent(reason -> {
                     throw new IllegalArgumentException(reason);
@@ -120,10 +121,15 @@ public final class Stepper {
 
     /** A stepper of its own that has taken the same steps: what one of them does from now on, the other does not see. */
     public Stepper fork() {
-        Stepper fork = new Stepper(engine, plan, proxies, from, now.copy());
+        Stepper fork = branch();
         fork.startEffects.addAll(startEffects);
         fork.past.addAll(past);
         return fork;
+    }
+
+    /** A stepper of its own that stands at the same moment and has nothing to take back; it holds that moment only. */
+    public Stepper branch() {
+        return new Stepper(engine, plan, proxies, from, now);
     }
 
     // ---- Steps
@@ -164,9 +170,7 @@ public final class Stepper {
     }
 
     private TakenStep expect(TestStep step, Optional<String> difference) {
-        return difference.isPresent()
-                ? refused(difference.get())
-                : taken(now.copy(), List.of(), step, Optional.empty());
+        return difference.isPresent() ? refused(difference.get()) : taken(now, List.of(), step, Optional.empty());
     }
 
     /** The operator answers an open decision. */
@@ -199,7 +203,9 @@ public final class Stepper {
         TestStep.Occur said = new TestStep.Occur(type, open.get().event(), robots, names(tasks), values);
         Optional<String> other =
                 meaning().activation(said).filter(a -> a.id() == activation).isPresent()
-                        ? ofAnotherMission(tasks)
+                        ? ofAnotherMission(tasks.stream()
+                                .filter(task -> !open.get().tasks().contains(task))
+                                .toList())
                         : Optional.of("of the open activations of \""
                                 + open.get().event() + "\" it answers another than a test case would");
         return step(new Input.Received(Occurrence.answer(type, open.get(), robots, tasks, values)), said, other);
@@ -227,18 +233,18 @@ public final class Stepper {
     /** Lets time pass: what is due runs down, each at its own time. */
     public TakenStep advance(long millis) {
         TestStep.Advance said = new TestStep.Advance(millis);
-        Moment before = now.copy();
+        Moment after = now.copy();
         List<Effect> effects = new ArrayList<>();
         long until = now.nowMillis + millis;
-        OptionalLong due = view().nextDueMillis();
+        OptionalLong due = engine.view(after.state).nextDueMillis();
         while (due.isPresent() && due.getAsLong() < until) {
-            now.nowMillis = Math.max(now.nowMillis, due.getAsLong());
-            run(new Input.TimeReached(), effects);
-            due = view().nextDueMillis();
+            after.nowMillis = Math.max(after.nowMillis, due.getAsLong());
+            run(after, new Input.TimeReached(), effects);
+            due = engine.view(after.state).nextDueMillis();
         }
-        now.nowMillis = until;
-        run(new Input.TimeReached(), effects);
-        return taken(before, effects, said, Optional.empty());
+        after.nowMillis = until;
+        run(after, new Input.TimeReached(), effects);
+        return taken(after, effects, said, Optional.empty());
     }
 
     /** Lets time pass until the next timer or deadline runs down; refused where none runs. */
@@ -254,15 +260,17 @@ public final class Stepper {
     }
 
     private TakenStep step(Input input, TestStep said, Optional<String> notRecorded) {
-        Moment before = now.copy();
+        Moment after = now.copy();
         List<Effect> effects = new ArrayList<>();
-        run(input, effects);
-        Optional<String> rejection = rejection(effects);
-        if (rejection.isPresent()) {
-            now = before;
-            return refused(rejection.get());
+        if (input instanceof Input.Received received) {
+            engine.vocabulary()
+                    .event(received.occurrence().type())
+                    .ifPresent(type ->
+                            after.tasks.received(type, received.occurrence().tasks()));
         }
-        return taken(before, effects, said, notRecorded);
+        run(after, input, effects);
+        Optional<String> rejection = rejection(effects);
+        return rejection.isPresent() ? refused(rejection.get()) : taken(after, effects, said, notRecorded);
     }
 
     /** Why the engine changed nothing. Where it says so of a part only, the step was taken. */
@@ -274,16 +282,17 @@ public final class Stepper {
                 .findFirst();
     }
 
-    private void run(Input input, List<Effect> effects) {
-        engine.step(now.state, now.nowMillis, input, effect -> {
+    private void run(Moment on, Input input, List<Effect> effects) {
+        engine.step(on.state, on.nowMillis, input, effect -> {
             effects.add(effect);
-            now.saw(effect);
+            on.saw(effect, engine.vocabulary());
         });
     }
 
-    private TakenStep taken(Moment before, List<Effect> effects, TestStep said, Optional<String> notRecorded) {
+    private TakenStep taken(Moment after, List<Effect> effects, TestStep said, Optional<String> notRecorded) {
         TakenStep taken = new TakenStep(past.size() + 1, effects, Optional.empty());
-        past.add(new Past(before, taken, said, notRecorded));
+        past.add(new Past(now, taken, said, notRecorded));
+        now = after;
         return taken;
     }
 
@@ -357,9 +366,41 @@ public final class Stepper {
         return StateCodec.encode(now.state);
     }
 
-    /** Names the present state by what it means: equal keys go on alike, whatever ids were given and at whatever time. */
-    public StateKey key() {
-        return StateKey.of(now.state);
+    /** Names the present moment by what it means: equal keys go on alike, whatever ids were given and at whatever time. */
+    public MomentKey key() {
+        return now.key();
+    }
+
+    /** The keys of all moments before the present one, from the start on. */
+    Set<MomentKey> keysBefore() {
+        Set<MomentKey> keys = new LinkedHashSet<>();
+        past.forEach(step -> keys.add(step.before().key()));
+        return keys;
+    }
+
+    /** How all moments before the present one looked, from the start on. */
+    List<String> looksBefore() {
+        return past.stream().map(step -> step.before().looks(engine)).toList();
+    }
+
+    /** How the present moment looks: equal for moments that differ only in the order of what stands or waits somewhere. */
+    String looks() {
+        return now.looks(engine);
+    }
+
+    /** The steps taken, as a test case says them. */
+    List<TestStep> said() {
+        return past.stream().map(Past::recorded).toList();
+    }
+
+    /** How many robots were known at the start. */
+    int robotsAtStart() {
+        return proxies.size();
+    }
+
+    /** The tasks with which a robot begins next, by robot. */
+    Map<String, TaskId> startableTasks() {
+        return now.tasks.startable();
     }
 
     // ---- Recording

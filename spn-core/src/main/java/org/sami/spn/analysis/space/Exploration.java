@@ -9,12 +9,12 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.MissionView;
-import org.sami.spn.engine.StateKey;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.stepping.MomentKey;
 import org.sami.spn.stepping.NextStep;
 import org.sami.spn.stepping.NextSteps;
 import org.sami.spn.stepping.Stepper;
@@ -22,7 +22,7 @@ import org.sami.spn.stepping.TakenStep;
 
 /**
  * The states that a plan reaches by the steps of {@link NextSteps}, nearest first, until there is none left, the bound is met or somebody
- * stops it. States that go on alike ({@link StateKey}) are one. The same request gives the same exploration.
+ * stops it. States that go on alike ({@link MomentKey}) are one. The same request gives the same exploration.
  */
 final class Exploration {
     private static final int TELL_EVERY = 64;
@@ -46,7 +46,7 @@ final class Exploration {
             this.stepper = Optional.of(stepper);
             this.parent = parent;
             this.step = step;
-            this.steps = stepper.steps().size();
+            this.steps = parent.map(before -> before.steps + 1).orElse(0);
             this.outcome = stepper.outcome();
             this.marking = stepper.view()
                     .mission(stepper.mission())
@@ -100,7 +100,7 @@ final class Exploration {
     }
 
     private void run(Stepper start, int mostStates, SearchWatch watch) {
-        Map<StateKey, Node> known = new LinkedHashMap<>();
+        Map<MomentKey, Node> known = new LinkedHashMap<>();
         Node first = new Node(start, Optional.empty(), Optional.empty());
         known.put(start.key(), first);
         nodes.add(first);
@@ -118,15 +118,15 @@ final class Exploration {
         watch.looked(looked, nodes.size() - looked);
     }
 
-    private void expand(Node node, Stepper at, Map<StateKey, Node> known) {
-        for (NextStep next : NextSteps.of(at)) {
-            Stepper stepper = at.fork();
+    private void expand(Node node, Stepper at, Map<MomentKey, Node> known) {
+        for (NextStep next : NextSteps.of(at, NextSteps.LOCATIONS).steps()) {
+            Stepper stepper = at.branch();
             TakenStep taken = stepper.take(next.step());
             if (taken.refusal().isPresent()) {
                 continue;
             }
             saw(stepper, taken.effects());
-            StateKey key = stepper.key();
+            MomentKey key = stepper.key();
             Node reached = known.get(key);
             if (reached == null) {
                 reached = new Node(stepper, Optional.of(node), Optional.of(next.step()));
