@@ -48,6 +48,7 @@ class StationKeepWindowTest {
             draw(author);
             author.robot.untilSaid("count-errors", "0");
             author.robot.untilSaid("count-warnings", "0");
+            assertThat(author.plan().variables()).extracting(v -> v.name()).containsExactly("@points");
             undoAndRedo(author);
             tryIt(author);
             saveAndOpenAgain(author, file);
@@ -78,19 +79,14 @@ class StationKeepWindowTest {
         author.add("assemble location", "Assemble Location Request");
         author.click(author.behind("AssembleLocationResponse"));
         author.add("goto point", "Proxy Goto Point");
-        author.click(author.transition("AssembleLocationResponse"));
-        author.robot.choose("field-points-write", "new variable…");
         author.click(author.place("AssembleLocationRequest"));
         author.write("inspector-name", "Gather");
         author.robot.choose("field-location-source", "asked, can be changed");
         author.robot.choose("field-spacing-source", "asked, can be changed");
         author.write("value-spacing-text", "10");
-        author.click(author.place("ProxyGotoPoint"));
-        author.robot.choose("field-points-source", "variable");
 
         author.click(author.behind("ProxyPathCompleted"));
         author.add("station keep", "Proxy Station Keep");
-        author.robot.choose("field-points-source", "variable");
         String stay = author.place("ProxyStationKeep");
         author.click(stay);
         author.add("start system timer", "Start System Timer");

@@ -12,6 +12,7 @@ import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.spn.wiring.Wires;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueContext;
@@ -53,7 +54,16 @@ public final class DreammContext implements AutoCloseable {
         values = new ValueEditors(
                 new ComponentChoice(domain.components(), domain.vocabulary().types()),
                 new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), MapMaker.PLAIN));
-        additions = new Additions(document, editor, domain.authoring(), this::apply);
+        additions = new Additions(document, editor, domain.authoring(), wires(profile), this::apply);
+    }
+
+    /** Additions declare and read variables only where the author is given them. */
+    private static Wires wires(Profile profile) {
+        return profile.allows("event-field-sources")
+                        && profile.allows("event-source-variable")
+                        && profile.allows("event-source-task")
+                ? Wires.PROPOSED
+                : Wires.NONE;
     }
 
     /** The project that is written. */

@@ -23,8 +23,11 @@ import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.wiring.DataSource;
+import org.sami.spn.wiring.SourceWords;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.look.StrongLabel;
@@ -36,7 +39,8 @@ import org.sami.ui.value.WrappedText;
  * written (thesis, Figure 5.3).
  */
 final class FieldRow extends Form implements Explained {
-    private static final String NEW_VARIABLE = "new variable…";
+    private static final int PROPOSED = 3;
+    private static final String NEW_VARIABLE = ReadingChoice.NEW_VARIABLE;
     private static final String NOWHERE = "no variable";
 
     private final transient DreammContext context;
@@ -45,6 +49,7 @@ final class FieldRow extends Form implements Explained {
     private final transient EventType type;
     private final transient FieldType field;
     private final String name;
+    private final transient List<DataSource> sources;
     private final JPanel below =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 4, fillx, wrap 1", "[grow, fill]"));
 
@@ -54,7 +59,7 @@ final class FieldRow extends Form implements Explained {
         VALUE("value"),
         ASKED("asked, can be changed"),
         LOCKED("asked, locked"),
-        VARIABLE("variable"),
+        VARIABLE("answer or variable"),
         TASK("@task");
 
         private final String words;
@@ -86,6 +91,7 @@ final class FieldRow extends Form implements Explained {
         this.field = field;
         this.name =
                 "field-" + field.name().replaceAll("([a-z0-9])([A-Z])", "$1-$2").toLowerCase(java.util.Locale.ROOT);
+        this.sources = type.direction() == Direction.OUTPUT ? scope.sources(event, field) : List.of();
         setName(name);
         below.setOpaque(false);
         ProfileGuard.mark(this, "event-field");
@@ -130,17 +136,21 @@ final class FieldRow extends Form implements Explained {
                         "From",
                         name + "-source",
                         "Where the value comes from when the place is entered",
-                        sources(),
+                        possible(now),
                         Optional.of(now),
                         s -> s == Source.NOTHING ? nothing() : s.words,
                         chosen -> choose(chosen, source)),
                 "event-field-source");
         wide(below);
         switch (now) {
-            case NOTHING ->
+            case NOTHING -> {
                 say(
                         field.required() ? "▲ Needed: say where it comes from." : nothing() + ".",
                         field.required() ? SemanticColor.CRITICAL : SemanticColor.MUTED);
+                if (field.required()) {
+                    propose();
+                }
+            }
             case VALUE -> value(source.map(s -> ((FieldSource.Fixed) s).value()), FieldSource.Fixed::new);
             case ASKED ->
                 value(
@@ -150,23 +160,7 @@ final class FieldRow extends Form implements Explained {
                 value(
                         source.flatMap(s -> ((FieldSource.Asked) s).defaultValue()),
                         v -> new FieldSource.Asked(Optional.of(v), false));
-            case VARIABLE ->
-                ProfileGuard.mark(
-                        choice(
-                                "Variable",
-                                name + "-variable",
-                                "Variables of type " + TypeNames.of(field.type()),
-                                variables(),
-                                source.map(s -> ((FieldSource.FromVariable) s).variable()),
-                                v -> v,
-                                v -> variable(
-                                        v,
-                                        chosen -> new FieldEdit.SetField(
-                                                scope.plan().id(),
-                                                event,
-                                                field.name(),
-                                                new FieldSource.FromVariable(chosen)))),
-                        "event-field-variable");
+            case VARIABLE -> readFrom(source.map(s -> ((FieldSource.FromVariable) s).variable()));
             case TASK -> say("The field \"" + field.name() + "\" of each task that enters.", SemanticColor.MUTED);
         }
     }
@@ -177,13 +171,74 @@ final class FieldRow extends Form implements Explained {
                 .orElse(field.required() ? "not given" : "not given, not needed");
     }
 
-    private List<Source> sources() {
+    /** Where it can come from here; {@code @task} only where a task comes that has such a field (thesis 9.3.4). */
+    private List<Source> possible(Source now) {
         boolean all = context.profile().allows("event-field-sources");
         return Stream.of(Source.values())
+                .filter(s -> s != Source.TASK || now == Source.TASK || taskFits())
                 .filter(s -> s == Source.NOTHING
                         || (context.profile().allows("event-source-" + s.name().toLowerCase(Locale.ROOT))
                                 && (all || s == Source.VALUE)))
                 .toList();
+    }
+
+    private boolean taskFits() {
+        return sources.stream().anyMatch(DataSource.EnteringTask.class::isInstance);
+    }
+
+    /** Lines that say what reaches the field, each with a button that reads it from there. */
+    private void propose() {
+        List<Source> possible = possible(Source.NOTHING);
+        List<DataSource> offered = sources.stream()
+                .filter(DataSource::reaches)
+                .filter(s -> possible.contains(s instanceof DataSource.EnteringTask ? Source.TASK : Source.VARIABLE))
+                .limit(PROPOSED)
+                .toList();
+        for (int i = 0; i < offered.size(); i++) {
+            DataSource from = offered.get(i);
+            below.add(
+                    new ProposalLine(
+                            SourceWords.of(from, context.vocabulary()),
+                            name + "-propose-" + i,
+                            () -> apply(scope.reading(event, field, from))),
+                    "wmin 0");
+        }
+    }
+
+    private void readFrom(Optional<String> now) {
+        List<ReadingChoice> choices = ReadingChoice.of(sources, now, context.vocabulary());
+        ProfileGuard.mark(
+                row(
+                        "Source",
+                        name + "-variable",
+                        "Answers and variables of type " + TypeNames.of(field.type())
+                                + " that come before, nearest first",
+                        combo(
+                                choices,
+                                choices.stream()
+                                        .filter(c ->
+                                                now.isPresent() && c.variable().equals(now))
+                                        .findFirst(),
+                                ReadingChoice::words,
+                                ReadingChoice::brief,
+                                this::read)),
+                "event-field-variable");
+    }
+
+    private void read(ReadingChoice chosen) {
+        chosen.source()
+                .ifPresentOrElse(
+                        s -> apply(scope.reading(event, field, s)),
+                        () -> chosen.variable()
+                                .ifPresentOrElse(v -> set(new FieldSource.FromVariable(v)), this::readFresh));
+    }
+
+    private void readFresh() {
+        String fresh = scope.freshName(field.name());
+        apply(scope.declaring(
+                fresh,
+                field.type(),
+                new FieldEdit.SetField(scope.plan().id(), event, field.name(), new FieldSource.FromVariable(fresh))));
     }
 
     /** What there is already stays, as far as the other source can hold it. */
@@ -202,10 +257,8 @@ final class FieldRow extends Form implements Explained {
                         v -> set(new FieldSource.Asked(Optional.of(v), false)),
                         () -> draft(v -> new FieldSource.Asked(Optional.of(v), false)));
             case VARIABLE ->
-                variable(
-                        variables().get(0),
-                        v -> new FieldEdit.SetField(
-                                scope.plan().id(), event, field.name(), new FieldSource.FromVariable(v)));
+                read(ReadingChoice.of(sources, Optional.empty(), context.vocabulary())
+                        .get(0));
             case TASK -> set(new FieldSource.FromTask());
         }
     }

@@ -106,6 +106,12 @@ class Form extends JPanel {
     }
 
     static <T> JComboBox<T> combo(List<T> options, Optional<T> now, Function<T, String> words, Consumer<T> given) {
+        return combo(options, now, words, words, given);
+    }
+
+    /** A choice whose open list says more than what is shown of the chosen one. */
+    static <T> JComboBox<T> combo(
+            List<T> options, Optional<T> now, Function<T, String> words, Function<T, String> brief, Consumer<T> given) {
         JComboBox<T> box = new JComboBox<>();
         List<T> all = new ArrayList<>(options);
         now.filter(n -> !all.contains(n)).ifPresent(all::add);
@@ -116,7 +122,7 @@ class Form extends JPanel {
             @SuppressWarnings("unchecked")
             public java.awt.Component getListCellRendererComponent(
                     JList<?> list, Object value, int index, boolean selected, boolean focus) {
-                String text = value == null ? "(various)" : words.apply((T) value);
+                String text = value == null ? "(various)" : (index < 0 ? brief : words).apply((T) value);
                 return super.getListCellRendererComponent(list, text, index, selected, focus);
             }
         });

@@ -20,7 +20,6 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.Direction;
-import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
@@ -191,7 +190,7 @@ public final class InspectorPanel extends JPanel {
         for (int i = 0; i < place.subMissions().size(); i++) {
             column.add(new SubMissionCard(context, plan, place.subMissions().get(i), i));
         }
-        events(plan, place.id(), Direction.OUTPUT);
+        events(place.id(), Direction.OUTPUT);
     }
 
     private void transition(Plan plan, Transition transition) {
@@ -199,11 +198,11 @@ public final class InspectorPanel extends JPanel {
         for (int i = 0; i < transition.inputs().size(); i++) {
             column.add(new EventCard(context, scope, transition.inputs().get(i), i));
         }
-        events(plan, transition.id(), Direction.INPUT);
+        events(transition.id(), Direction.INPUT);
     }
 
     /** The events that can be added here (thesis, Figure 5.3). */
-    private void events(Plan plan, String vertex, Direction direction) {
+    private void events(String vertex, Direction direction) {
         Form form = new Form();
         form.setName("inspector-add-event");
         form.heading("Add an event");
@@ -212,12 +211,8 @@ public final class InspectorPanel extends JPanel {
                 "inspector-events",
                 item -> item instanceof PaletteItem.Event event && event.type().direction() == direction,
                 item -> context.additions()
-                        .add(AddEvent.usual(
-                                plan.id(),
-                                ((PaletteItem.Event) item).type().name(),
-                                new EventTarget.OnVertex(vertex),
-                                context.additions().mode(),
-                                context.additions().library()))));
+                        .add(context.additions()
+                                .event(((PaletteItem.Event) item).type().name(), new EventTarget.OnVertex(vertex)))));
         column.add(form, "hmin 160");
     }
 }

@@ -18,6 +18,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
+import org.sami.spn.wizard.ChangeWaiting;
 
 /** Name, start, end, waiting and mode of the selected vertices; of several what they have in common. */
 final class VertexSection extends Form {
@@ -46,7 +47,12 @@ final class VertexSection extends Form {
                     w -> w == WaitFor.EACH ? "for each answer" : "once, when all answered",
                     w -> each(
                             "Change waiting",
-                            selected.transitions().stream().map(t -> new VertexEdit.SetWaitFor(this.plan, t.id(), w))));
+                            selected.transitions().stream()
+                                    .map(t -> new ChangeWaiting(
+                                            this.plan,
+                                            t.id(),
+                                            w,
+                                            context.additions().library()))));
         }
         Stream<Mode> modes = Stream.concat(
                 Stream.concat(

@@ -11,7 +11,6 @@ import org.sami.spn.edit.TaskEdit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.vocabulary.Direction;
-import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.AddVertex;
 import org.sami.spn.wizard.EventTarget;
 
@@ -58,12 +57,7 @@ final class PaletteEdits {
     Edit edit(PaletteItem item, EventTarget target) {
         Plan plan = context.editor().plan().orElseThrow();
         if (item instanceof PaletteItem.Event event) {
-            return AddEvent.usual(
-                    plan.id(),
-                    event.type().name(),
-                    target,
-                    context.additions().mode(),
-                    context.additions().library());
+            return context.additions().event(event.type().name(), target);
         }
         if (item instanceof PaletteItem.Role role) {
             String taskClass = role.taskClass().name();

@@ -8,14 +8,21 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.spn.wiring.FieldProposal;
+import org.sami.spn.wiring.Wires;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.AuthoringLibrary;
 import org.sami.spn.wizard.EventTarget;
@@ -36,25 +43,37 @@ public final class Additions {
     private final Function<Edit, EditResult> apply;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private final List<Consumer<Set<String>>> addedListeners = new CopyOnWriteArrayList<>();
+    private final Wires wires;
     private Optional<AddEvent> last = Optional.empty();
+    private Project beforeLast;
+    private Project beforeNoted;
     private Optional<AddEvent> noted = Optional.empty();
     private Project after;
 
     /**
      * Additions to the plan that is open in an editor.
      *
+     * @param wires from where the fields of added events are read where the author says nothing
      * @param apply makes an edit, and tells the author what came of it
      */
     public Additions(
-            ProjectDocument document, EditorState editor, AuthoringLibrary library, Function<Edit, EditResult> apply) {
+            ProjectDocument document,
+            EditorState editor,
+            AuthoringLibrary library,
+            Wires wires,
+            Function<Edit, EditResult> apply) {
         this.document = Objects.requireNonNull(document, "document");
         this.editor = Objects.requireNonNull(editor, "editor");
         this.library = Objects.requireNonNull(library, "library");
+        this.wires = Objects.requireNonNull(wires, "wires");
         this.apply = Objects.requireNonNull(apply, "apply");
         this.after = document.project();
+        this.beforeLast = document.project();
+        this.beforeNoted = document.project();
         document.addListener(change -> {
             if (noted.map(AddEvent::label).equals(document.undoLabel()) && !change.isOpened()) {
                 last = noted;
+                beforeLast = beforeNoted;
                 after = document.project();
             }
             noted = Optional.empty();
@@ -65,6 +84,11 @@ public final class Additions {
     /** The groups and sequences of the domain. */
     public AuthoringLibrary library() {
         return library;
+    }
+
+    /** The words of the domain. */
+    Vocabulary vocabulary() {
+        return document.vocabulary();
     }
 
     /** In which mode new parts are drawn: what is made in recovery mode is a recovery part (thesis 5.1). */
@@ -132,9 +156,11 @@ public final class Additions {
     /** Makes an edit of the open plan and selects the vertex that it adds first, or that it adds something to. */
     public EditResult add(Edit edit) {
         Optional<Plan> before = editor.plan();
+        Project project = document.project();
         EditResult result = apply.apply(edit);
         if (result instanceof EditResult.Done && before.isPresent()) {
             last = edit instanceof AddEvent event ? Optional.of(event) : Optional.empty();
+            beforeLast = project;
             after = document.project();
             editor.plan().ifPresent(now -> {
                 select(before.get(), now, edit);
@@ -183,6 +209,7 @@ public final class Additions {
     /** Notes an edit that somebody else is about to make: an event that it adds can be exchanged as well. */
     public Edit noted(Edit edit) {
         noted = edit instanceof AddEvent event ? Optional.of(event) : Optional.empty();
+        beforeNoted = document.project();
         return edit;
     }
 
@@ -192,12 +219,51 @@ public final class Additions {
         return document.project() == after ? last : Optional.empty();
     }
 
-    /** Takes the last addition back and makes it with another sequence instead. */
-    public void exchange(String sequence) {
-        last().filter(event -> !event.sequence().equals(sequence)).ifPresent(event -> {
-            document.undo();
-            add(event.withSequence(sequence));
+    /** Takes the last addition back and makes it otherwise instead: with another sequence, or fields that are read from elsewhere. */
+    public void exchange(UnaryOperator<AddEvent> change) {
+        last().ifPresent(event -> {
+            AddEvent other = change.apply(event);
+            if (!other.equals(event)) {
+                document.undo();
+                add(other);
+            }
         });
+    }
+
+    /** The edit that adds an event to the open plan as its domain offers it first, its fields read as they are proposed. */
+    public AddEvent event(String type, EventTarget target) {
+        return AddEvent.usual(editor.plan().orElseThrow().id(), type, target, mode(), library)
+                .withWires(wires);
+    }
+
+    /** What the fields of the event could be read from that an edit adds, or that the last addition has added. */
+    public List<FieldProposal> proposals(AddEvent edit) {
+        Project base = last().filter(edit::equals).isPresent() ? beforeLast : document.project();
+        return wires.proposed()
+                ? edit.withWires(Wires.NONE)
+                        .apply(base, document.vocabulary())
+                        .project()
+                        .map(added -> proposals(edit, base, added))
+                        .orElse(List.of())
+                : List.of();
+    }
+
+    private List<FieldProposal> proposals(AddEvent edit, Project base, Project added) {
+        Set<String> old = outputs(base, edit).collect(Collectors.toSet());
+        return outputs(added, edit)
+                .filter(id -> !old.contains(id))
+                .findFirst()
+                .map(id -> FieldProposal.of(added, edit.plan(), id, document.vocabulary(), library.wired(edit.event())))
+                .orElse(List.of());
+    }
+
+    /** The ids of the events of a type that an edit adds. */
+    private static Stream<String> outputs(Project project, AddEvent edit) {
+        return project.plan(edit.plan()).stream()
+                .flatMap(p -> p.places().stream())
+                .flatMap(p -> p.outputs().stream())
+                .filter(o -> o.type().equals(edit.event()))
+                .map(OutputEventSpec::id);
     }
 
     /** Adds somebody who is told the ids of the vertices that {@link #add} added, and of those that it selected. */

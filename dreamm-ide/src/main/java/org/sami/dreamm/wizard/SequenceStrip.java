@@ -1,5 +1,8 @@
 package org.sami.dreamm.wizard;
 
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.ButtonGroup;
 import javax.swing.JLabel;
@@ -9,6 +12,8 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FreshIds;
+import org.sami.spn.wiring.DataSource;
+import org.sami.spn.wiring.Wires;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.PlanChange;
@@ -27,15 +32,19 @@ public final class SequenceStrip extends JPanel {
     private final WrappedText help = new WrappedText("");
     private final JPanel choices =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 0, wrap 1", "[grow, fill]"));
+    private final WireChoices reading;
     private final WrappedText preview = new WrappedText("");
     private Optional<Edit> offered = Optional.empty();
     private String sequence = "";
     private String event = "";
+    private EventTarget target = new EventTarget.Free(Optional.empty());
+    private Map<String, Optional<DataSource>> read = Map.of();
 
     /** A strip over the additions of a window. */
     public SequenceStrip(Additions additions) {
         super(new MigLayout("novisualpadding, insets 0, gap 0 4, wrap 1, fillx, hidemode 3", "[grow, fill]"));
         this.additions = additions;
+        this.reading = new WireChoices(additions.vocabulary());
         setName("wizard-strip");
         setOpaque(false);
         choices.setOpaque(false);
@@ -45,6 +54,7 @@ public final class SequenceStrip extends JPanel {
         add(title, "wmin 0");
         add(help, "wmin 0");
         add(choices, "wmin 0");
+        add(reading, "wmin 0");
         add(preview, "wmin 0");
     }
 
@@ -79,6 +89,7 @@ public final class SequenceStrip extends JPanel {
         Optional<AddEvent> of =
                 added ? last : edit.filter(AddEvent.class::isInstance).map(AddEvent.class::cast);
         of.ifPresent(e -> offer(e, added));
+        of.ifPresentOrElse(e -> offerReading(e, added), () -> reading.show(List.of(), Map.of(), (field, source) -> {}));
         if (added) {
             preview.setText("Added. Choose another sequence to exchange it, or undo.");
         } else {
@@ -89,7 +100,27 @@ public final class SequenceStrip extends JPanel {
         repaint();
     }
 
+    /** From where the fields of the event are read, nearest first; another choice after the addition exchanges it. */
+    private void offerReading(AddEvent edit, boolean added) {
+        reading.show(
+                additions.proposals(added ? edit : edit.withSequence(sequence)),
+                added ? edit.wires().chosen() : read,
+                (field, source) -> {
+                    if (added) {
+                        additions.exchange(e -> e.withWires(e.wires().with(field, source)));
+                    } else {
+                        Map<String, Optional<DataSource>> more = new LinkedHashMap<>(read);
+                        more.put(field, source);
+                        read = more;
+                    }
+                });
+    }
+
     private void offer(AddEvent edit, boolean added) {
+        if (!edit.event().equals(event) || !edit.target().equals(target)) {
+            read = Map.of();
+        }
+        target = edit.target();
         if (!edit.event().equals(event)) {
             event = edit.event();
             sequence = edit.sequence();
@@ -129,7 +160,7 @@ public final class SequenceStrip extends JPanel {
         button.addActionListener(e -> {
             sequence = id;
             if (added) {
-                additions.exchange(id);
+                additions.exchange(last -> last.withSequence(id));
             } else {
                 preview.setText(offered.map(o -> words(chosen(o))).orElse(""));
             }
@@ -140,9 +171,14 @@ public final class SequenceStrip extends JPanel {
 
     /** The edit with the sequence that is chosen here. */
     public Edit chosen(Edit edit) {
-        return edit instanceof AddEvent add && add.event().equals(event) && !sequence.isEmpty()
-                ? add.withSequence(sequence)
-                : edit;
+        if (!(edit instanceof AddEvent add) || !add.event().equals(event) || sequence.isEmpty()) {
+            return edit;
+        }
+        Wires wires = add.wires();
+        for (Map.Entry<String, Optional<DataSource>> field : read.entrySet()) {
+            wires = wires.with(field.getKey(), field.getValue());
+        }
+        return add.withSequence(sequence).withWires(wires);
     }
 
     private String words(Edit edit) {

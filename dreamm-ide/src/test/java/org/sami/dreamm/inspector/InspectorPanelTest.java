@@ -121,20 +121,51 @@ class InspectorPanelTest {
     }
 
     @Test
-    void fieldComesFromAVariableANewOneTheOperatorOrTheTask() {
+    void fieldComesFromAVariableANewOneOrTheOperator() {
         open("crw", "clv", "execute");
 
         choose("field-paths-source", FieldRow.Source.ASKED);
         assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.Asked(Optional.empty(), true));
         choose("field-paths-source", FieldRow.Source.VARIABLE);
         assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromVariable("@paths"));
-        choose("field-paths-variable", "new variable…");
+        JComboBox<?> read = find("field-paths-variable", JComboBox.class);
+        read.setSelectedIndex(read.getItemCount() - 1);
         assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromVariable("@paths2"));
         assertThat(plan().variables()).extracting(v -> v.name()).contains("@paths2");
-        choose("field-paths-source", FieldRow.Source.TASK);
-        assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromTask());
         choose("field-paths-write", "@paths");
         assertThat(event("execute").writes()).containsEntry("paths", "@paths");
+    }
+
+    @Test
+    void taskIsOfferedWhereATaskComesAndNowhereElse() {
+        open("crw", "panorama", "go");
+        assertThat(offered("field-location-source")).contains(FieldRow.Source.TASK);
+
+        context.editor().open("clv");
+        context.editor().select(List.of("execute"));
+        assertThat(offered("field-paths-source")).doesNotContain(FieldRow.Source.TASK);
+    }
+
+    private List<Object> offered(String box) {
+        JComboBox<?> found = find(box, JComboBox.class);
+        List<Object> items = new ArrayList<>();
+        for (int i = 0; i < found.getItemCount(); i++) {
+            items.add(found.getItemAt(i));
+        }
+        return items;
+    }
+
+    @Test
+    void neededFieldIsOfferedTheAnswersAndVariablesThatReachItNearestFirst() {
+        open("crw", "clv", "execute");
+        context.apply(new FieldEdit.ClearField("clv", event("execute").id(), "paths"));
+
+        find("field-paths-propose-0", AbstractButton.class).doClick();
+
+        assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromVariable("@paths"));
+        JComboBox<?> read = find("field-paths-variable", JComboBox.class);
+        assertThat(((ReadingChoice) read.getItemAt(0)).words())
+                .isEqualTo("Operator Accepted Allocation: paths (@paths), 1 step before");
     }
 
     @Test

@@ -13,6 +13,7 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.TokenNeed;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.spn.wizard.AuthoringLibrary;
@@ -109,7 +110,8 @@ public final class AuthoringReader {
                         e.name(),
                         help,
                         m.word("tokens", TokenNeed.class, TokenNeed.NONE),
-                        events(m, "inputs", Optional.of(Direction.INPUT))))
+                        events(m, "inputs", Optional.of(Direction.INPUT)),
+                        fields(m, e)))
                 : Optional.of(ofInput(m, e.name(), help)));
     }
 
@@ -169,6 +171,23 @@ public final class AuthoringReader {
             }
         }
         return events;
+    }
+
+    /** Names of fields of an event. */
+    private static List<String> fields(JsonObjectReader m, EventType event) {
+        List<String> known = event.fields().stream().map(FieldType::name).toList();
+        List<String> fields = new ArrayList<>();
+        for (String name : m.texts("wires")) {
+            if (known.contains(name)) {
+                fields.add(name);
+            } else {
+                m.problem(
+                        Codes.UNKNOWN_FIELD,
+                        "wires",
+                        "\"" + name + "\" is no field of " + event.name() + NearMatches.meant(known, name));
+            }
+        }
+        return fields;
     }
 
     private static void unknown(JsonObjectReader m, String member, String name, Collection<String> known) {

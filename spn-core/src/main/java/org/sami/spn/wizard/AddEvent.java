@@ -1,14 +1,23 @@
 package org.sami.spn.wizard;
 
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.edit.EditContext;
 import org.sami.spn.edit.EditRefusedException;
 import org.sami.spn.edit.PlanEdit;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.wiring.ComingTokens;
+import org.sami.spn.wiring.Wires;
 
 /**
  * Adds an event, draws what its sequence says, and adjusts the requirements of edges (thesis 5.1.1, Event Wizard); one step to undo.
@@ -16,9 +25,16 @@ import org.sami.spn.vocabulary.EventType;
  * @param event name of the event type
  * @param mode in which new vertices and edges are drawn
  * @param sequence id of the sequence; {@link Sequence#ALONE} for the event and nothing else
+ * @param wires from where the fields are read of the output events that are drawn
  */
 public record AddEvent(
-        String plan, String event, EventTarget target, Mode mode, String sequence, AuthoringLibrary library)
+        String plan,
+        String event,
+        EventTarget target,
+        Mode mode,
+        String sequence,
+        AuthoringLibrary library,
+        Wires wires)
         implements PlanEdit {
     public AddEvent {
         Objects.requireNonNull(plan, "plan");
@@ -27,17 +43,32 @@ public record AddEvent(
         Objects.requireNonNull(mode, "mode");
         Objects.requireNonNull(sequence, "sequence");
         Objects.requireNonNull(library, "library");
+        Objects.requireNonNull(wires, "wires");
     }
 
-    /** Adds an event with the sequence that its domain offers first, or alone where it has none. */
+    /** Adds an event with the sequence that its domain offers first, or alone where it has none; its fields are read from what is proposed. */
     public static AddEvent usual(String plan, String event, EventTarget target, Mode mode, AuthoringLibrary library) {
         String first = library.of(event).stream().map(Sequence::id).findFirst().orElse(Sequence.ALONE);
-        return new AddEvent(plan, event, target, mode, first, library);
+        return new AddEvent(plan, event, target, mode, first, library, Wires.PROPOSED);
     }
 
     /** The same with another sequence. */
     public AddEvent withSequence(String id) {
-        return new AddEvent(plan, event, target, mode, id, library);
+        return new AddEvent(plan, event, target, mode, id, library, wires);
+    }
+
+    /** The same with fields that are read from elsewhere. */
+    public AddEvent withWires(Wires others) {
+        return new AddEvent(plan, event, target, mode, sequence, library, others);
+    }
+
+    @Override
+    public Project change(Project project, EditContext context) throws EditRefusedException {
+        Project drawn = PlanEdit.super.change(project, context);
+        Project added = gathering(library.sequence(event, sequence)) == Gathering.EACH_THEN_TOGETHER
+                ? met(project, drawn, context)
+                : drawn;
+        return wires.wired(project, added, plan, event, library::wired, context);
     }
 
     @Override
@@ -66,9 +97,56 @@ public record AddEvent(
             String vertex = vertex(growth, type);
             grown = new ManualDrawing(manual, mode, context).drawn(growth.plan(), vertex);
         } else {
+            growth.gather(gathering(chosen));
             grown = grown(growth, type, chosen.isPresent());
         }
         return new RequirementComputation(context.vocabulary(), library).adjusted(before, grown);
+    }
+
+    private static Gathering gathering(Optional<Sequence> sequence) {
+        return sequence.isPresent() && sequence.get() instanceof Sequence.Gathered gathered
+                ? gathered.gathering()
+                : Gathering.WAIT_FOR_ALL;
+    }
+
+    /** Draws the transition that fires when all have come who were in the places of a transition that takes answers one by one. */
+    private Project met(Project project, Project added, EditContext context) {
+        Plan before = project.plan(plan).orElseThrow();
+        Plan after = added.plan(plan).orElseThrow();
+        ComingTokens coming = new ComingTokens(added, after, context.vocabulary());
+        Plan met = after;
+        for (Transition t : answering(before, after)) {
+            Set<String> from = new LinkedHashSet<>();
+            after.inEdgesOf(t.id()).forEach(e -> from.add(e.place()));
+            boolean tasks = from.stream().anyMatch(p -> coming.comes(ComingTokens.Kind.TASK, p));
+            met = new Meeting(
+                            after.outEdgesOf(t.id()).get(0).place(),
+                            from,
+                            tasks ? TokenKind.ANY_TASK : TokenKind.ANY_PROXY,
+                            "All here",
+                            "All together",
+                            false,
+                            mode)
+                    .drawn(met);
+        }
+        Plan drawn = met;
+        return added.withPlans(
+                added.plans().stream().map(p -> p.id().equals(plan) ? drawn : p).toList());
+    }
+
+    private List<Transition> answering(Plan before, Plan after) {
+        return after.transitions().stream()
+                .filter(t -> !t.inputs()
+                        .equals(before.transition(t.id())
+                                .map(Transition::inputs)
+                                .orElse(List.of())))
+                .filter(t -> t.inputs().stream()
+                        .anyMatch(i -> library.ofInput(i.type())
+                                .filter(s -> s.waitFor() == WaitFor.ALL)
+                                .isPresent()))
+                .filter(t -> !after.inEdgesOf(t.id()).isEmpty()
+                        && !after.outEdgesOf(t.id()).isEmpty())
+                .toList();
     }
 
     private Plan grown(Growth growth, EventType type, boolean follow) {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
+import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.TokenNeed;
@@ -34,9 +36,32 @@ public record AuthoringLibrary(
         this(categories, sequences, Map.of());
     }
 
-    /** The sequences of an event type, the one to offer first first. */
+    /**
+     * The sequences of an event type, the one to offer first first. One whose answers come robot by robot is there once for each way to go
+     * on, so that nobody waits for all without having been told; a way that a manual sequence draws is that sequence's.
+     */
     public List<Sequence> of(String event) {
-        return sequences.stream().filter(s -> s.event().equals(event)).toList();
+        List<Sequence> written =
+                sequences.stream().filter(s -> s.event().equals(event)).toList();
+        List<Sequence> offered = new ArrayList<>();
+        for (Sequence sequence : written) {
+            if (waits(sequence)) {
+                Stream.of(Gathering.values())
+                        .filter(g -> written.stream().noneMatch(s -> s.name().equals(g.label())))
+                        .forEach(g -> offered.add(new Sequence.Gathered(sequence, g)));
+            } else {
+                offered.add(sequence);
+            }
+        }
+        return offered;
+    }
+
+    /** Whether a transition that comes with a sequence can wait for all. */
+    private boolean waits(Sequence sequence) {
+        if (sequence instanceof Sequence.OfOutput output) {
+            return output.inputs().stream().flatMap(i -> ofInput(i).stream()).anyMatch(i -> i.waitFor() == WaitFor.ALL);
+        }
+        return sequence instanceof Sequence.OfInput input && input.waitFor() == WaitFor.ALL;
     }
 
     /** A sequence of an event type by its id; empty for {@link Sequence#ALONE}. */
@@ -54,8 +79,17 @@ public record AuthoringLibrary(
         return flexible(event, Sequence.OfInput.class);
     }
 
+    /** Fields of an output event that are proposed to be read from something although its type does not require them. */
+    public Set<String> wired(String event) {
+        return ofOutput(event).map(s -> Set.copyOf(s.wires())).orElse(Set.of());
+    }
+
     private <S extends Sequence> Optional<S> flexible(String event, Class<S> kind) {
-        return of(event).stream().filter(kind::isInstance).map(kind::cast).findFirst();
+        return sequences.stream()
+                .filter(s -> s.event().equals(event))
+                .filter(kind::isInstance)
+                .map(kind::cast)
+                .findFirst();
     }
 
     /** What an output event needs: what its sequence says, and nothing where it has none (thesis 5.1.1). */

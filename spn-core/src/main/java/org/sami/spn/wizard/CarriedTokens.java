@@ -16,6 +16,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /**
@@ -79,8 +80,13 @@ final class CarriedTokens {
         return arrives
                 && transition.inputs().stream()
                         .allMatch(i -> library.ofInput(i.type())
-                                .map(Sequence.OfInput::movesGeneric)
+                                .map(s -> s.movesGeneric() && !firesForEach(transition, s))
                                 .orElse(true));
+    }
+
+    /** Whether what usually waits for all fires for each answer here: the first would take the generic token from the others. */
+    private static boolean firesForEach(Transition transition, Sequence.OfInput sequence) {
+        return sequence.waitFor() == WaitFor.ALL && transition.waitFor() == WaitFor.EACH;
     }
 
     private boolean needsBefore(OutEdge edge) {

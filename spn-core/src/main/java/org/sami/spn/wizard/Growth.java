@@ -29,6 +29,7 @@ final class Growth {
     private final Mode mode;
     private final FreshIds ids;
     private final Set<String> grown = new HashSet<>();
+    private Gathering gathering = Gathering.WAIT_FOR_ALL;
     private Plan plan;
 
     Growth(Plan plan, Vocabulary vocabulary, AuthoringLibrary library, Mode mode) {
@@ -41,6 +42,11 @@ final class Growth {
 
     Plan plan() {
         return plan;
+    }
+
+    /** Says how what is drawn goes on where robots answer one by one. */
+    void gather(Gathering how) {
+        gathering = how;
     }
 
     /** A new place, called by what happens there. */
@@ -134,7 +140,8 @@ final class Growth {
             return;
         }
         if (plan.transition(transition).orElseThrow().inputs().size() == 1) {
-            waitFor(transition, sequence.get().waitFor());
+            boolean each = gathering != Gathering.WAIT_FOR_ALL;
+            waitFor(transition, each ? WaitFor.EACH : sequence.get().waitFor());
         }
         for (String output : sequence.get().outputs()) {
             vocabulary.event(output).ifPresent(type -> {

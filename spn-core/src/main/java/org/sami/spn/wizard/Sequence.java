@@ -38,13 +38,16 @@ public sealed interface Sequence {
      *
      * @param tokens what must enter the place for the event to be of use
      * @param inputs input events that lead out of the place, a transition each
+     * @param wires fields that are read from what reaches the place although the event's type does not require them
      */
-    record OfOutput(String event, String help, TokenNeed tokens, List<String> inputs) implements Sequence {
+    record OfOutput(String event, String help, TokenNeed tokens, List<String> inputs, List<String> wires)
+            implements Sequence {
         public OfOutput {
             Objects.requireNonNull(event, "event");
             Objects.requireNonNull(help, "help");
             Objects.requireNonNull(tokens, "tokens");
             inputs = List.copyOf(inputs);
+            wires = List.copyOf(wires);
         }
 
         @Override
@@ -93,6 +96,38 @@ public sealed interface Sequence {
         @Override
         public String name() {
             return "With what usually follows";
+        }
+    }
+
+    /**
+     * A flexible sequence whose answers come robot by robot, with what the author wants of that.
+     *
+     * @param of the sequence as its domain says it
+     */
+    record Gathered(Sequence of, Gathering gathering) implements Sequence {
+        public Gathered {
+            Objects.requireNonNull(of, "of");
+            Objects.requireNonNull(gathering, "gathering");
+        }
+
+        @Override
+        public String event() {
+            return of.event();
+        }
+
+        @Override
+        public String id() {
+            return gathering.id();
+        }
+
+        @Override
+        public String name() {
+            return gathering.label();
+        }
+
+        @Override
+        public String help() {
+            return gathering.help();
         }
     }
 
