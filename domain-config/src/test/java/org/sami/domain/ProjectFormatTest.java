@@ -283,6 +283,12 @@ class ProjectFormatTest {
                     /plans/0/tasks/1/name                             | "T1"                  | E-DUPLICATE      | /plans/0/tasks/1/name                 | no
                     /plans/0/places/1/id                              | "t1"                  | E-DUPLICATE      | /plans/0/transitions/0/id             | no
                     /plans/0/places/0/start                           | "yes"                 | E-WRONG-TYPE     | /plans/0/places/0/start               | yes
+                    /plans/0/places/0/disabled                        | "yes"                 | E-WRONG-TYPE     | /plans/0/places/0/disabled            | yes
+                    /plans/0/transitions/0/disabled                   | 1                     | E-WRONG-TYPE     | /plans/0/transitions/0/disabled       | yes
+                    /plans/0/frames/0/color                           | "red"                 | E-UNKNOWN-WORD   | /plans/0/frames/0/color               | yes
+                    /plans/0/frames/0/at                              | [1]                   | E-WRONG-TYPE     | /plans/0/frames/0/at                  | yes
+                    /plans/0/frames/0/size                            | [0, 3]                | E-BAD-VALUE      | /plans/0/frames/0/size                | yes
+                    /plans/0/frames/0                                 | {"at": [0, 0]}        | E-MISSING-MEMBER | /plans/0/frames/0/size                | yes
                     /plans/0/places/1/mode                            | "Recovery"            | E-UNKNOWN-WORD   | /plans/0/places/1/mode                | yes
                     /plans/0/places/0/transitionOrder/0               | "t9"                  | E-DANGLING       | /plans/0/places                       | no
                     /plans/0/places/0/outputs/0/type                  | "OperatorSelectBoats" | E-UNKNOWN-EVENT  | /plans/0/places/0/outputs/0/type      | no

@@ -53,7 +53,8 @@ public final class PlanChecks {
             new PhaseBranches(),
             new FarLocations(),
             new AvoidedAreas(),
-            new WaysBeyondRange());
+            new WaysBeyondRange(),
+            new DisabledForTrying());
 
     /** Checks whose findings do not follow from other faults of the document. */
     private static final List<PlanCheck> INDEPENDENT = List.of(new StartPlace());

@@ -32,6 +32,7 @@ public record Fragment(Plan part) {
                         Parts.without(plan.outEdges(), e -> !ids.contains(e.place()) || !ids.contains(e.transition())))
                 .withLayout(layout)
                 .withNotes(List.of())
+                .withFrames(List.of())
                 .withTestCases(List.of())
                 .withReads(List.of())
                 .withVariables(List.of())

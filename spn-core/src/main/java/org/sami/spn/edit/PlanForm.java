@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.model.Frame;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
@@ -64,6 +65,7 @@ final class PlanForm {
                             problem("the place " + place.id() + " orders a transition " + t + " that is not there"));
         }
         plan.layout().forEach(this::layout);
+        plan.frames().forEach(this::frame);
         variables(plan.variables(), "the plan \"" + plan.id() + "\"", vocabulary, problems);
         plan.reads().forEach(this::variable);
         tasks();
@@ -149,6 +151,16 @@ final class PlanForm {
         }
         if (!Double.isFinite(at.x()) || !Double.isFinite(at.y())) {
             problem("the vertex " + vertex + " lies nowhere: " + at.x() + ", " + at.y());
+        }
+    }
+
+    private void frame(Frame frame) {
+        if (!Double.isFinite(frame.at().x())
+                || !Double.isFinite(frame.at().y())
+                || !Double.isFinite(frame.width())
+                || !Double.isFinite(frame.height())) {
+            problem("the frame \"" + frame.title() + "\" lies nowhere: " + frame.at().x() + ", "
+                    + frame.at().y() + ", " + frame.width() + " by " + frame.height());
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.model.Frame;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
@@ -65,6 +66,10 @@ final class PlanReader {
                 .map(noteReader::read)
                 .flatMap(Optional::stream)
                 .toList();
+        List<Frame> frames = m.objects("frames").stream()
+                .map(FrameReader::read)
+                .flatMap(Optional::stream)
+                .toList();
         TestCaseReader testCases = new TestCaseReader(parts, readPlaces, globals, variables, events.refused());
         List<TestCase> cases =
                 m.objects("testCases").stream().map(testCases::read).toList();
@@ -82,6 +87,7 @@ final class PlanReader {
                 tasks,
                 layout,
                 notes,
+                frames,
                 cases);
     }
 
@@ -99,7 +105,8 @@ final class PlanReader {
                         .flatMap(Optional::stream)
                         .toList(),
                 p.objects("subMissions").stream().map(this::subMission).toList(),
-                p.texts("transitionOrder"));
+                p.texts("transitionOrder"),
+                p.flag("disabled"));
         p.done();
         return place;
     }
@@ -114,7 +121,8 @@ final class PlanReader {
                 t.objects("inputs").stream()
                         .map(events::input)
                         .flatMap(Optional::stream)
-                        .toList());
+                        .toList(),
+                t.flag("disabled"));
         t.done();
         return transition;
     }

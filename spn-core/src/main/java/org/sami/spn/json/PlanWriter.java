@@ -6,6 +6,8 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.sami.spn.model.Frame;
+import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
@@ -61,6 +63,7 @@ final class PlanWriter {
             ArrayNode notes = node.putArray("notes");
             plan.notes().forEach(note -> note(notes, note));
         }
+        put(node, "frames", plan.frames(), PlanWriter::frame);
         TestCaseWriter cases = new TestCaseWriter(vocabulary, plan, project);
         put(node, "testCases", plan.testCases(), cases::write);
         return node;
@@ -78,6 +81,21 @@ final class PlanWriter {
                     .add(ValueWriter.number(at.x()))
                     .add(ValueWriter.number(at.y()));
         }
+    }
+
+    private static ObjectNode frame(Frame frame) {
+        ObjectNode node = NODES.objectNode();
+        putText(node, "title", frame.title());
+        if (frame.color() != FrameColor.BLUE) {
+            node.put("color", Words.of(frame.color()));
+        }
+        node.putArray("at")
+                .add(ValueWriter.number(frame.at().x()))
+                .add(ValueWriter.number(frame.at().y()));
+        node.putArray("size")
+                .add(ValueWriter.number(frame.width()))
+                .add(ValueWriter.number(frame.height()));
+        return node;
     }
 
     private ObjectNode task(TaskSpec task) {
@@ -98,6 +116,7 @@ final class PlanWriter {
         put(node, "outputs", place.outputs(), events::output);
         put(node, "subMissions", place.subMissions(), PlanWriter::subMission);
         putTexts(node, "transitionOrder", place.transitionOrder());
+        putFlag(node, "disabled", place.disabled());
         return node;
     }
 
@@ -109,6 +128,7 @@ final class PlanWriter {
             node.put("waitFor", Words.of(transition.waitFor()));
         }
         put(node, "inputs", transition.inputs(), events::input);
+        putFlag(node, "disabled", transition.disabled());
         return node;
     }
 

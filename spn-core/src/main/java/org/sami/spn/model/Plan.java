@@ -15,6 +15,7 @@ import java.util.Optional;
  * @param variables variables declared by this plan (it writes or owns them)
  * @param reads names of variables that it expects of its parents or the project
  * @param layout of vertices, by id
+ * @param frames of groups on the drawing
  */
 public record Plan(
         String id,
@@ -29,6 +30,7 @@ public record Plan(
         List<TaskSpec> tasks,
         Map<String, LayoutPoint> layout,
         List<Note> notes,
+        List<Frame> frames,
         List<TestCase> testCases) {
     public Plan {
         Objects.requireNonNull(id, "id");
@@ -43,7 +45,40 @@ public record Plan(
         tasks = List.copyOf(tasks);
         layout = Collections.unmodifiableMap(new LinkedHashMap<>(layout));
         notes = List.copyOf(notes);
+        frames = List.copyOf(frames);
         testCases = List.copyOf(testCases);
+    }
+
+    /** A plan without frames. */
+    public Plan(
+            String id,
+            String name,
+            String description,
+            List<Place> places,
+            List<Transition> transitions,
+            List<InEdge> inEdges,
+            List<OutEdge> outEdges,
+            List<VariableSpec> variables,
+            List<String> reads,
+            List<TaskSpec> tasks,
+            Map<String, LayoutPoint> layout,
+            List<Note> notes,
+            List<TestCase> testCases) {
+        this(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                List.of(),
+                testCases);
     }
 
     /** What people call it: its name, or its id where the author gave it none. */
@@ -93,6 +128,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -111,6 +147,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -129,6 +166,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -147,6 +185,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -165,6 +204,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -183,6 +223,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -201,6 +242,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -219,6 +261,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -237,6 +280,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -255,6 +299,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -273,6 +318,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 
@@ -291,6 +337,26 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
+                testCases);
+    }
+
+    /** The same plan with other frames. */
+    public Plan withFrames(List<Frame> frames) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                frames,
                 testCases);
     }
 
@@ -309,6 +375,7 @@ public record Plan(
                 tasks,
                 layout,
                 notes,
+                frames,
                 testCases);
     }
 }

@@ -132,7 +132,13 @@ final class PlanCheckCases {
         addVariableCases(cases);
         addSubMissionCases(cases);
         cases.addAll(GeographyChecksTest.pairs());
+        cases.add(new PlanCheckCase("W-DISABLED", project(disabled(drive().build())), project(drive().build())));
         return cases;
+    }
+
+    private static Plan disabled(Plan plan) {
+        return plan.withTransitions(
+                plan.transitions().stream().map(t -> t.withDisabled(true)).toList());
     }
 
     private static void addNetCases(List<PlanCheckCase> cases) {

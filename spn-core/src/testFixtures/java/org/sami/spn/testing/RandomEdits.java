@@ -16,6 +16,7 @@ import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.EventEdit;
 import org.sami.spn.edit.ExtractSubMission;
 import org.sami.spn.edit.Fragment;
+import org.sami.spn.edit.FrameEdit;
 import org.sami.spn.edit.NoteEdit;
 import org.sami.spn.edit.Paste;
 import org.sami.spn.edit.ProjectEdit;
@@ -23,12 +24,15 @@ import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.edit.RenameElement;
 import org.sami.spn.edit.RenameInterrupt;
 import org.sami.spn.edit.RenameVariable;
+import org.sami.spn.edit.SetDisabled;
 import org.sami.spn.edit.SetMode;
 import org.sami.spn.edit.SetReads;
 import org.sami.spn.edit.TaskEdit;
 import org.sami.spn.edit.VariableEdit;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.Frame;
+import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MissionTreeNode;
@@ -107,6 +111,11 @@ public final class RandomEdits {
         kinds.add(() -> new VertexEdit.OrderTransitions(plan.id(), place(), List.of(transition())));
         kinds.add(() -> new SetMode(plan.id(), Set.of(element()), mode()));
         kinds.add(() -> new RemoveElements(plan.id(), Set.of(element())));
+        kinds.add(() -> new SetDisabled(plan.id(), Set.of(vertex()), random.nextBoolean()));
+        kinds.add(() -> new FrameEdit.AddFrame(plan.id(), frame()));
+        kinds.add(() -> new FrameEdit.SetFrame(plan.id(), random.nextInt(3), frame()));
+        kinds.add(() -> new FrameEdit.MoveFrames(plan.id(), Map.of(random.nextInt(3), point())));
+        kinds.add(() -> new FrameEdit.RemoveFrames(plan.id(), Set.of(random.nextInt(3))));
         kinds.add(() -> new EdgeEdit.Connect(plan.id(), vertex(), vertex(), mode()));
         kinds.add(() -> new EdgeEdit.ConnectIn(
                 plan.id(), place(), transition(), mode(), List.of(Requirements.in(IN[random.nextInt(IN.length)]))));
@@ -229,6 +238,15 @@ public final class RandomEdits {
 
     private String fresh(String stem) {
         return stem + ++names;
+    }
+
+    private Frame frame() {
+        return new Frame(
+                fresh("Frame "),
+                of(List.of(FrameColor.values())),
+                point(),
+                1 + random.nextInt(300),
+                1 + random.nextInt(300));
     }
 
     private LayoutPoint point() {

@@ -108,6 +108,7 @@ public final class NewCommand implements Callable<Integer> {
                 plan.tasks(),
                 plan.layout(),
                 plan.notes(),
+                plan.frames(),
                 plan.testCases());
         MissionTreeNode tree = new MissionTreeNode("", Optional.of(id), List.of());
         return new Project(

@@ -1,0 +1,54 @@
+package org.sami.spn.model;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/** What authors have disabled for trying: transitions that never fire, places whose events are not sent and whose sub-missions do not start. */
+public final class DisabledParts {
+    private DisabledParts() {}
+
+    /** The ids of the disabled vertices of a plan, in its order. */
+    public static List<String> of(Plan plan) {
+        return Stream.concat(
+                        plan.places().stream().filter(Place::disabled).map(Place::id),
+                        plan.transitions().stream()
+                                .filter(Transition::disabled)
+                                .map(Transition::id))
+                .toList();
+    }
+
+    /** The project as it is tried, with nothing of what is disabled. Elements that are left have their ids. */
+    public static Project leftOut(Project project) {
+        return project.withPlans(
+                project.plans().stream().map(DisabledParts::leftOut).toList());
+    }
+
+    private static Plan leftOut(Plan plan) {
+        if (of(plan).isEmpty()) {
+            return plan;
+        }
+        Set<String> gone = new HashSet<>();
+        plan.transitions().stream().filter(Transition::disabled).forEach(t -> gone.add(t.id()));
+        return plan.withPlaces(plan.places().stream()
+                        .map(place -> leftOut(place, gone))
+                        .toList())
+                .withTransitions(plan.transitions().stream()
+                        .filter(t -> !t.disabled())
+                        .toList())
+                .withInEdges(plan.inEdges().stream()
+                        .filter(edge -> !gone.contains(edge.transition()))
+                        .toList())
+                .withOutEdges(plan.outEdges().stream()
+                        .filter(edge -> !gone.contains(edge.transition()))
+                        .toList());
+    }
+
+    private static Place leftOut(Place place, Set<String> gone) {
+        Place ordered = place.withTransitionOrder(place.transitionOrder().stream()
+                .filter(transition -> !gone.contains(transition))
+                .toList());
+        return place.disabled() ? ordered.withOutputs(List.of()).withSubMissions(List.of()) : ordered;
+    }
+}

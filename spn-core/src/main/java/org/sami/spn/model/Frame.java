@@ -1,0 +1,41 @@
+package org.sami.spn.model;
+
+import java.util.Objects;
+
+/**
+ * A frame on the drawing, with a title, around vertices that belong together. It means nothing at run time.
+ *
+ * @param at its left upper corner, in units of the layout
+ * @param width in units of the layout, more than 0
+ * @param height in units of the layout, more than 0
+ */
+public record Frame(String title, FrameColor color, LayoutPoint at, double width, double height) {
+    public Frame {
+        Objects.requireNonNull(title, "title");
+        Objects.requireNonNull(color, "color");
+        Objects.requireNonNull(at, "at");
+        if (!(width > 0) || !(height > 0)) {
+            throw new IllegalArgumentException("a frame of " + width + " by " + height);
+        }
+    }
+
+    /** The same frame with another title. */
+    public Frame withTitle(String title) {
+        return new Frame(title, color, at, width, height);
+    }
+
+    /** The same frame in another colour. */
+    public Frame withColor(FrameColor color) {
+        return new Frame(title, color, at, width, height);
+    }
+
+    /** The same frame elsewhere. */
+    public Frame withAt(LayoutPoint at) {
+        return new Frame(title, color, at, width, height);
+    }
+
+    /** The same frame in another size. */
+    public Frame withSize(double width, double height) {
+        return new Frame(title, color, at, width, height);
+    }
+}
