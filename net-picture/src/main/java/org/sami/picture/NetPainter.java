@@ -38,6 +38,7 @@ final class NetPainter {
 
     private final NetDrawing drawing;
     private final DrawingBox bounds;
+    private final FramePainter frames;
     private final TextBlock title;
     private final TextBlock key = TextBlock.of(List.of(KEY), TextStyle.NOTE, NetFonts::width);
 
@@ -45,6 +46,7 @@ final class NetPainter {
         this.drawing = drawing;
         title = TextBlock.of(List.of(drawing.title()), TextStyle.TITLE, NetFonts::width);
         bounds = drawing.bounds();
+        frames = new FramePainter(drawing.frames(), PAPER);
     }
 
     /** The picture's width, in pixels at scale 1. */
@@ -71,6 +73,7 @@ final class NetPainter {
         canvas.box(new Rectangle2D.Double(0, 0, width(), height()), PAPER);
         write(canvas, title, MARGIN, MARGIN - 8);
         write(canvas, key, MARGIN, MARGIN - 8 + title.height() + 2);
+        frames.paint(canvas, dx(), dy());
         drawing.notes().forEach(note -> note(canvas, note));
         drawing.edges().forEach(edge -> edge(canvas, edge));
         drawing.labels()
@@ -116,6 +119,10 @@ final class NetPainter {
         Point2D centre = moved(vertex.centre());
         if (vertex.kind() == Kind.TRANSITION) {
             canvas.box(rectangle(vertex.box()), vertex.recovery() ? RECOVERY : INK);
+            if (vertex.disabled()) { // a bar without its inside
+                canvas.box(rectangle(vertex.box().grown(-2)), frames.below(vertex.box()));
+                strike(canvas, centre, NetDrawing.PLACE_RADIUS / 2);
+            }
             return;
         }
         Color rim = vertex.start() ? START_RIM : vertex.end() ? END_RIM : vertex.recovery() ? RECOVERY : INK;
@@ -124,6 +131,20 @@ final class NetPainter {
         if (vertex.subMission()) {
             canvas.circle(centre, NetDrawing.PLACE_RADIUS - 1 - RING, fill, rim, 2);
         }
+        if (vertex.disabled()) {
+            strike(canvas, centre, NetDrawing.PLACE_RADIUS * 0.7);
+        }
+    }
+
+    /** Through what is left out while the plan is tried. */
+    private static void strike(Canvas canvas, Point2D centre, double reach) {
+        canvas.line(
+                List.of(
+                        new Point2D.Double(centre.getX() - reach, centre.getY() + reach),
+                        new Point2D.Double(centre.getX() + reach, centre.getY() - reach)),
+                INK,
+                2.4,
+                false);
     }
 
     private Rectangle2D rectangle(DrawingBox box) {
@@ -132,7 +153,9 @@ final class NetPainter {
 
     private void clear(Canvas canvas, Label label) {
         DrawingBox box = label.box();
-        canvas.box(new Rectangle2D.Double(box.x() + dx() - 2, box.y() + dy(), box.width() + 4, box.height()), PAPER);
+        canvas.box(
+                new Rectangle2D.Double(box.x() + dx() - 2, box.y() + dy(), box.width() + 4, box.height()),
+                frames.below(box));
     }
 
     private void label(Canvas canvas, Label label) {

@@ -65,8 +65,12 @@ final class CanvasCommands {
         return actions.whyNotEdit("net-rename")
                 .or(() -> actions.selectedVertex().isPresent()
                                 || !actions.edits().notes(actions.selection()).isEmpty()
+                                || !actions.edits()
+                                        .frames()
+                                        .frames(actions.selection())
+                                        .isEmpty()
                         ? Optional.empty()
-                        : Optional.of("select one vertex or a note"));
+                        : Optional.of("select one vertex, a note or a frame"));
     }
 
     private void leave() {
@@ -121,6 +125,13 @@ final class CanvasCommands {
                 "INSERT");
         commands.add("net-add-note", "Add a note", () -> actions.addNote(here()), commands.open("net-add-note"), "N")
                 .withIcon("note");
+        commands.add(
+                        "net-add-frame",
+                        "Put a frame around the selection",
+                        () -> actions.addFrame(here()),
+                        commands.open("net-add-frame"),
+                        "ctrl G")
+                .withIcon("frame");
         commands.add(
                 "net-lay-notes",
                 "Put the plan's notes on the net",

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.drawing.MovedDrawing;
 import org.sami.spn.drawing.NetDrawing;
+import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.ui.look.SemanticColor;
@@ -25,6 +26,7 @@ import org.sami.ui.net.NetView;
  */
 final class EditTool implements NetTool {
     private static final double STILL = 4;
+    private static final double GRIP = 11; // pixels from a frame's corner at which it is taken
     private static final BasicStroke BOX = new BasicStroke(1.5f);
     private static final BasicStroke GUIDE =
             new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
@@ -42,13 +44,15 @@ final class EditTool implements NetTool {
     private final Rectangle2D box = new Rectangle2D.Double();
     private Optional<NetPointer> last = Optional.empty();
     private Optional<String> hovered = Optional.empty();
+    private Optional<FrameBox> resized = Optional.empty();
 
     private enum Gesture {
         NONE,
         MOVE,
         BOX,
         CONNECT,
-        APPEND
+        APPEND,
+        RESIZE
     }
 
     EditTool(NetView view, ShownNet net, NetActions actions, Connecting connecting) {
@@ -101,6 +105,9 @@ final class EditTool implements NetTool {
             if (!append) {
                 connecting.begin(handled.get().vertex().id());
             }
+        } else if (grip(pointer).isPresent() && actions.whyNotEdit("net-move").isEmpty()) {
+            resized = grip(pointer);
+            gesture = Gesture.RESIZE;
         } else if (element(pointer).isPresent()) {
             gesture = Gesture.MOVE;
             if (!pointer.additive()
@@ -125,7 +132,14 @@ final class EditTool implements NetTool {
     }
 
     private static Optional<String> element(NetPointer pointer) {
-        return pointer.element().or(() -> pointer.note().map(note -> NetScene.idOf(note.index())));
+        return pointer.element()
+                .or(() -> pointer.note().map(note -> NetScene.idOf(note.index())))
+                .or(() -> pointer.frame().map(frame -> NetScene.idOfFrame(frame.index())));
+    }
+
+    /** The selected frame whose corner the pointer is at. */
+    private Optional<FrameBox> grip(NetPointer pointer) {
+        return actions.edits().frames().gripAt(view.selected(), pointer.x(), pointer.y(), GRIP / view.zoom());
     }
 
     @Override
@@ -138,6 +152,9 @@ final class EditTool implements NetTool {
             case MOVE -> dragSelection(dx, dy);
             case BOX -> box.setFrameFromDiagonal(fromX, fromY, pointer.x(), pointer.y());
             case CONNECT -> connecting.pointAt(pointer);
+            case RESIZE ->
+                resized.ifPresent(
+                        frame -> view.preview(actions.edits().frames().resized(frame, pointer.x(), pointer.y())));
             default -> {}
         }
         view.repaint();
@@ -147,9 +164,15 @@ final class EditTool implements NetTool {
         if (!moved || actions.whyNotEdit("net-move").isPresent()) {
             return;
         }
-        Set<String> selected = view.selected();
+        Set<String> selected = actions.edits().frames().withContents(view.selected());
         guide = snapping ? snapped(selected, dx, dy) : SnapGuide.free(dx, dy);
-        view.preview(MovedDrawing.of(net.drawing(), selected, actions.edits().notes(selected), guide.dx(), guide.dy()));
+        view.preview(MovedDrawing.of(
+                net.drawing(),
+                selected,
+                actions.edits().notes(selected),
+                actions.edits().frames().frames(selected),
+                guide.dx(),
+                guide.dy()));
     }
 
     private SnapGuide snapped(Set<String> selected, double dx, double dy) {
@@ -191,6 +214,13 @@ final class EditTool implements NetTool {
                 }
             }
             case CONNECT -> connecting.finish(pointer, moved || handled(pointer).isEmpty());
+            case RESIZE -> {
+                view.preview(net.drawing());
+                resized.filter(frame -> moved)
+                        .ifPresent(frame ->
+                                actions.apply(actions.edits().frames().resize(frame, pointer.x(), pointer.y())));
+                resized = Optional.empty();
+            }
             case APPEND -> hovered.ifPresent(vertex -> actions.openAppendMenu(vertex, pointer.px(), pointer.py()));
             default -> {}
         }
@@ -261,7 +291,9 @@ final class EditTool implements NetTool {
                 .setCursor(Cursor.getPredefinedCursor(
                         handle
                                 ? Cursor.CROSSHAIR_CURSOR
-                                : element(pointer).isPresent() ? Cursor.HAND_CURSOR : Cursor.DEFAULT_CURSOR));
+                                : grip(pointer).isPresent()
+                                        ? Cursor.SE_RESIZE_CURSOR
+                                        : element(pointer).isPresent() ? Cursor.HAND_CURSOR : Cursor.DEFAULT_CURSOR));
         if (!before.equals(hovered)) {
             view.repaint();
         }

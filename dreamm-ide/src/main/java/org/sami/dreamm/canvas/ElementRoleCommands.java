@@ -8,8 +8,10 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.ExtractSubMission;
+import org.sami.spn.edit.SetDisabled;
 import org.sami.spn.edit.SetMode;
 import org.sami.spn.edit.VertexEdit;
+import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
 import org.sami.ui.net.NetMode;
@@ -57,6 +59,12 @@ final class ElementRoleCommands {
                 commands.selected("net-mark-nominal"),
                 "shift Y");
         commands.add(
+                "net-disable",
+                "Disable for trying, or enable again",
+                this::disable,
+                commands.vertices("net-disable", 1),
+                "ctrl E");
+        commands.add(
                 "net-extract",
                 "Extract to a sub-mission",
                 this::extract,
@@ -95,6 +103,17 @@ final class ElementRoleCommands {
         plan.outEdges().forEach(e -> elements.add(e.id()));
         elements.retainAll(actions.selection());
         actions.apply(new SetMode(plan.id(), elements, mode));
+    }
+
+    /** Disables the selected vertices; enables them where all of them are disabled. */
+    private void disable() {
+        Plan plan = net.plan();
+        Set<String> vertices = new LinkedHashSet<>();
+        plan.places().forEach(p -> vertices.add(p.id()));
+        plan.transitions().forEach(t -> vertices.add(t.id()));
+        vertices.retainAll(actions.selection());
+        boolean all = DisabledParts.of(plan).containsAll(vertices);
+        actions.apply(new SetDisabled(plan.id(), vertices, !all));
     }
 
     private void extract() {

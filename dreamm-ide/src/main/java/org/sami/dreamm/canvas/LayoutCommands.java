@@ -1,5 +1,6 @@
 package org.sami.dreamm.canvas;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +12,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetLayout;
+import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
@@ -115,7 +117,9 @@ final class LayoutCommands {
             double dy = left(centres(drawing), false) - left(centres, false);
             Map<String, LayoutPoint> moved = new LinkedHashMap<>();
             centres.forEach((id, at) -> moved.put(id, new LayoutPoint(at.x() + dx, at.y() + dy)));
-            if (actions.apply(new EditSequence(title, List.of(actions.edits().moveTo(moved))))) {
+            List<Edit> edits = new ArrayList<>(List.of(actions.edits().moveTo(moved)));
+            edits.addAll(actions.edits().frames().following(moved));
+            if (actions.apply(new EditSequence(title, edits))) {
                 view.fit();
             }
         }

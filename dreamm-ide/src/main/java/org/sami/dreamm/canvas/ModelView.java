@@ -40,6 +40,7 @@ public final class ModelView extends JPanel implements NetDropTarget {
         "net-set-end",
         "net-mark-recovery",
         "net-mark-nominal",
+        "net-disable",
         "net-extract",
         "",
         "net-cut",
@@ -50,7 +51,8 @@ public final class ModelView extends JPanel implements NetDropTarget {
         "",
         "net-add-place",
         "net-add-transition",
-        "net-add-note"
+        "net-add-note",
+        "net-add-frame"
     };
 
     private final transient DreammContext context;

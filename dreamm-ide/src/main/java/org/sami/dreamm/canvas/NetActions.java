@@ -17,8 +17,10 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.Fragment;
+import org.sami.spn.edit.FrameEdit;
 import org.sami.spn.edit.NoteEdit;
 import org.sami.spn.edit.VertexEdit;
+import org.sami.spn.model.Frame;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
@@ -109,7 +111,8 @@ final class NetActions {
         if ((dx != 0 || dy != 0) && whyNotEdit("net-move").isEmpty()) {
             Set<String> vertices = new LinkedHashSet<>(ids);
             boolean some = net.drawing().vertices().stream().anyMatch(v -> vertices.contains(v.id()))
-                    || !edits.notes(vertices).isEmpty();
+                    || !edits.notes(vertices).isEmpty()
+                    || !edits.frames().frames(vertices).isEmpty();
             if (some) {
                 apply(edits.move(vertices, dx, dy));
             }
@@ -193,6 +196,26 @@ final class NetActions {
         }
         selectedVertex().ifPresent(this::rename);
         edits.notes(selection()).stream().findFirst().ifPresent(this::writeNote);
+        edits.frames().frames(selection()).stream().findFirst().ifPresent(this::writeTitle);
+    }
+
+    private void writeTitle(int index) {
+        Plan plan = net.plan();
+        Frame frame = plan.frames().get(index);
+        net.drawing().frames().stream()
+                .filter(box -> box.index() == index)
+                .findFirst()
+                .ifPresent(box -> writing.line(box.head(), frame.title(), text -> {
+                    if (!text.equals(frame.title())) {
+                        apply(new FrameEdit.SetFrame(plan.id(), index, frame.withTitle(text)));
+                    }
+                }));
+    }
+
+    /** Puts a frame around what is selected, and lets the author write its title. */
+    void addFrame(LayoutPoint at) {
+        make(edits.frames().add(selection(), at));
+        rename();
     }
 
     private void rename(Vertex vertex) {
@@ -340,6 +363,7 @@ final class NetActions {
         scene.silhouettes().forEach(vertex -> all.add(vertex.id()));
         scene.edges().forEach(edge -> all.add(edge.id()));
         scene.notes().forEach(note -> all.add(NetScene.idOf(note.index())));
+        scene.frames().forEach(frame -> all.add(NetScene.idOfFrame(frame.index())));
         context.editor().select(all);
     }
 }

@@ -16,6 +16,7 @@ import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.Fragment;
+import org.sami.spn.edit.FrameEdit;
 import org.sami.spn.edit.NoteEdit;
 import org.sami.spn.edit.Paste;
 import org.sami.spn.edit.VertexEdit;
@@ -30,6 +31,7 @@ import org.sami.ui.net.NetScene;
 /** What gestures and keys on the net mean as edits. Coordinates are those of the drawing. Knows no window. */
 final class NetEdits {
     private final ShownNet net;
+    private final FrameEdits frames;
     private final AuthoringLibrary library;
 
     /**
@@ -41,6 +43,7 @@ final class NetEdits {
 
     NetEdits(ShownNet net, AuthoringLibrary library) {
         this.net = net;
+        this.frames = new FrameEdits(net);
         this.library = library;
     }
 
@@ -59,8 +62,14 @@ final class NetEdits {
                 : new EditSequence(edit.label(), List.of(new VertexEdit.MoveVertices(plan().id(), missing), edit));
     }
 
-    /** Moves vertices and notes. */
-    Edit move(Set<String> selection, double dx, double dy) {
+    /** What is done with frames. */
+    FrameEdits frames() {
+        return frames;
+    }
+
+    /** Moves vertices, notes, and frames with what lies in them. */
+    Edit move(Set<String> selected, double dx, double dy) {
+        Set<String> selection = frames.withContents(selected);
         Map<String, LayoutPoint> centres = new LinkedHashMap<>();
         for (Vertex vertex : net.drawing().vertices()) {
             if (selection.contains(vertex.id())) {
@@ -83,7 +92,9 @@ final class NetEdits {
         if (!notes.isEmpty()) {
             edits.add(new NoteEdit.MoveNotes(plan().id(), notes));
         }
-        return one("Move " + (centres.size() + notes.size()) + " elements", edits);
+        frames.move(selection, dx, dy).ifPresent(edits::add);
+        int count = centres.size() + notes.size() + frames.frames(selection).size();
+        return one("Move " + count + " elements", edits);
     }
 
     /** Moves vertices to other centres. */
@@ -160,9 +171,13 @@ final class NetEdits {
         if (!notes.isEmpty()) {
             edits.add(new NoteEdit.RemoveNotes(plan().id(), notes));
         }
+        Set<Integer> around = frames.frames(selection);
+        if (!around.isEmpty()) {
+            edits.add(new FrameEdit.RemoveFrames(plan().id(), around));
+        }
         return edits.isEmpty()
                 ? Optional.empty()
-                : Optional.of(one("Delete " + (elements.size() + notes.size()) + " elements", edits));
+                : Optional.of(one("Delete " + (elements.size() + notes.size() + around.size()) + " elements", edits));
     }
 
     /** The indices of the notes that are selected. */

@@ -50,6 +50,17 @@ final class WriteInPlace {
                 then);
     }
 
+    /** Writes one line at the head of a frame. */
+    void line(DrawingBox head, String text, Consumer<String> then) {
+        JTextField field = new JTextField(text);
+        field.setName("net-frame-title");
+        field.getAccessibleContext().setAccessibleName("Title of the frame");
+        Point2D at = view.pixel(head.x(), head.y());
+        int width = Math.max(
+                Look.px(LEAST_WIDTH), (int) (view.pixel(head.maxX(), head.y()).getX() - at.getX()) / 2);
+        begin(field, new Rectangle((int) at.getX(), (int) at.getY(), width, Look.px(HEIGHT)), "ENTER", then);
+    }
+
     /** Writes paragraphs in a box of the drawing. */
     void paragraphs(DrawingBox box, String text, Consumer<String> then) {
         JTextArea area = new JTextArea(text);

@@ -77,6 +77,7 @@ final class ElementWords {
             changes.add(is.end() ? "the mission ends here" : "the mission ends here no longer");
         }
         mode(was.mode(), is.mode(), changes);
+        disabled(was.disabled(), is.disabled(), changes);
         parts("output event ", was.outputs(), is.outputs(), OutputEventSpec::id, o -> label(o.type()), changes);
         parts("sub-mission ", was.subMissions(), is.subMissions(), SubMissionSpec::id, SubMissionSpec::plan, changes);
         if (!was.transitionOrder().equals(is.transitionOrder())) {
@@ -89,11 +90,18 @@ final class ElementWords {
         List<String> changes = new ArrayList<>();
         named(was.name(), is.name(), changes);
         mode(was.mode(), is.mode(), changes);
+        disabled(was.disabled(), is.disabled(), changes);
         if (was.waitFor() != is.waitFor()) {
             changes.add(is.waitFor() == WaitFor.ALL ? "it waits for all" : "it fires for each");
         }
         parts("input event ", was.inputs(), is.inputs(), InputEventSpec::id, i -> label(i.type()), changes);
         return changes;
+    }
+
+    private static void disabled(boolean was, boolean is, List<String> changes) {
+        if (was != is) {
+            changes.add(is ? "it is disabled for trying" : "it is disabled for trying no longer");
+        }
     }
 
     List<String> changes(InEdge was, InEdge is) {

@@ -29,6 +29,9 @@ final class PlanWords {
         if (!was.notes().equals(is.notes())) {
             texts.add("The plan's notes are others");
         }
+        if (!was.frames().equals(is.frames())) {
+            texts.add("The plan's frames are others");
+        }
         return texts;
     }
 

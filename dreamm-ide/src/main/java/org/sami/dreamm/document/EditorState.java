@@ -53,7 +53,7 @@ public final class EditorState {
         return mode;
     }
 
-    /** Ids of the vertices, edges, events, sub-missions and notes ({@link NetScene#idOf}) that are selected, in the order of their selection. */
+    /** Ids of the vertices, edges, events, sub-missions, notes ({@link NetScene#idOf}) and frames ({@link NetScene#idOfFrame}) that are selected, in the order of their selection. */
     public Set<String> selection() {
         return selection;
     }
@@ -149,6 +149,9 @@ public final class EditorState {
         plan.outEdges().forEach(edge -> ids.add(edge.id()));
         for (int i = 0; i < plan.notes().size(); i++) {
             ids.add(NetScene.idOf(i));
+        }
+        for (int i = 0; i < plan.frames().size(); i++) {
+            ids.add(NetScene.idOfFrame(i));
         }
         return ids;
     }

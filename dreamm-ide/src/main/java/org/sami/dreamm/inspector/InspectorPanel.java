@@ -129,6 +129,9 @@ public final class InspectorPanel extends JPanel {
         title.setToolTipText(selected.title(plan));
         column.add(found);
         showFindings();
+        if (selected.vertices() + selected.edges() == 0) {
+            column.add(new FrameSection(context, plan, selected.frames()));
+        }
         if (selected.vertices() > 0) {
             column.add(new VertexSection(context, plan, selected));
         }

@@ -9,6 +9,7 @@ import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
+import org.sami.ui.net.NetScene;
 
 /**
  * What is selected in a plan. A selected event or sub-mission stands for its vertex.
@@ -20,12 +21,14 @@ record Selected(
         List<Transition> transitions,
         List<InEdge> inEdges,
         List<OutEdge> outEdges,
+        Set<Integer> frames,
         Set<String> events) {
     Selected {
         places = List.copyOf(places);
         transitions = List.copyOf(transitions);
         inEdges = List.copyOf(inEdges);
         outEdges = List.copyOf(outEdges);
+        frames = Set.copyOf(frames);
         events = Set.copyOf(events);
     }
 
@@ -42,7 +45,18 @@ record Selected(
                         .toList(),
                 plan.inEdges().stream().filter(e -> ids.contains(e.id())).toList(),
                 plan.outEdges().stream().filter(e -> ids.contains(e.id())).toList(),
+                frames(plan, ids),
                 events);
+    }
+
+    private static Set<Integer> frames(Plan plan, Set<String> ids) {
+        Set<Integer> frames = new LinkedHashSet<>();
+        for (int i = 0; i < plan.frames().size(); i++) {
+            if (ids.contains(NetScene.idOfFrame(i))) {
+                frames.add(i);
+            }
+        }
+        return frames;
     }
 
     int vertices() {
@@ -54,7 +68,7 @@ record Selected(
     }
 
     boolean isEmpty() {
-        return vertices() + edges() == 0;
+        return vertices() + edges() + frames.size() == 0;
     }
 
     /** Ids of the vertices and edges. */
@@ -88,6 +102,13 @@ record Selected(
 
     /** A title in words. */
     String title(Plan plan) {
+        if (vertices() + edges() == 0 && frames.size() == 1) {
+            String title = plan.frames().get(frames.iterator().next()).title();
+            return title.isBlank() ? "Frame" : "Frame " + title;
+        }
+        if (vertices() + edges() == 0) {
+            return count(frames.size(), "frame", "frames");
+        }
         if (vertices() == 1 && edges() == 0) {
             return places.isEmpty()
                     ? "Transition "

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
+import org.sami.spn.edit.SetDisabled;
 import org.sami.spn.edit.SetMode;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.model.Mode;
@@ -54,6 +55,13 @@ final class VertexSection extends Form {
                                             w,
                                             context.additions().library()))));
         }
+        flag(
+                "Disabled for trying",
+                "inspector-disabled",
+                "Try it leaves it out: a place sends nothing and starts no sub-mission, a transition never fires. A mission takes no notice",
+                selected.places().stream().allMatch(Place::disabled)
+                        && selected.transitions().stream().allMatch(Transition::disabled),
+                off -> context.apply(new SetDisabled(this.plan, vertices(), off)));
         Stream<Mode> modes = Stream.concat(
                 Stream.concat(
                         selected.places().stream().map(Place::mode),
@@ -69,6 +77,13 @@ final class VertexSection extends Form {
                 common(modes.toList(), m -> m),
                 m -> m == Mode.NOMINAL ? "in the nominal plan" : "as recovery",
                 m -> context.apply(new SetMode(this.plan, selected.elements(), m)));
+    }
+
+    private Set<String> vertices() {
+        Set<String> ids = new LinkedHashSet<>();
+        selected.places().forEach(p -> ids.add(p.id()));
+        selected.transitions().forEach(t -> ids.add(t.id()));
+        return ids;
     }
 
     private void single() {

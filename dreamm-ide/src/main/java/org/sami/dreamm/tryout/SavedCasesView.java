@@ -120,7 +120,10 @@ final class SavedCasesView extends JPanel {
                 ? Optional.of("nothing is tried: Start (F5) begins")
                 : tryOut.isOutdated()
                         ? Optional.of("the plan has changed since the run began: Restart (Ctrl+F5) first")
-                        : tryOut.stepper().get().whyNotATestCase();
+                        : tryOut.disabled() > 0
+                                ? Optional.of(
+                                        "the run left out what is disabled for trying; a test case runs the whole plan")
+                                : tryOut.stepper().get().whyNotATestCase();
     }
 
     private void refresh() {

@@ -14,9 +14,11 @@ import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
+import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
@@ -43,6 +45,7 @@ public final class TryOut {
     private boolean mockRobots = true;
     private Optional<PlanRun> run = Optional.empty();
     private String message = "";
+    private int disabled;
 
     /** A step that was taken: its number, what was done, and what came of it. */
     public record Line(int number, String done, String came) {}
@@ -122,9 +125,12 @@ public final class TryOut {
             return false;
         }
         try {
-            Engine engine = new Engine(document.vocabulary(), document.project());
+            Engine engine = new Engine(document.vocabulary(), DisabledParts.leftOut(document.project()));
             run = Optional.of(new PlanRun(plan, Stepper.startAs(engine, plan, as)));
-            message = "Started with " + as.proxies().size() + " robots";
+            disabled =
+                    document.plan(plan).map(DisabledParts::of).orElse(List.of()).size();
+            message = "Started with " + as.proxies().size() + " robots"
+                    + (disabled == 0 ? "" : "; " + disabled + " disabled left out");
         } catch (IllegalArgumentException refused) {
             message = refused.getMessage();
             tell();
@@ -286,6 +292,11 @@ public final class TryOut {
         return run.flatMap(now -> now.stepper().outcome()).isPresent();
     }
 
+    /** How many disabled places and transitions of its plan the run leaves out. */
+    public int disabled() {
+        return run.isPresent() ? disabled : 0;
+    }
+
     /** Whether the plan has changed since the run began. */
     public boolean isOutdated() {
         return run.filter(PlanRun::isOutdated).isPresent();
@@ -303,6 +314,16 @@ public final class TryOut {
 
     /** Why a transition of a plan in the run cannot fire, in one line; empty where that plan does not run or the transition can. */
     public Optional<String> whyNot(String planId, String transition) {
+        boolean off = document.plan(planId)
+                .flatMap(plan -> plan.transition(transition))
+                .filter(Transition::disabled)
+                .isPresent();
+        return mission(planId).isPresent() && off
+                ? Optional.of("It is disabled for trying")
+                : whyNotFiring(planId, transition);
+    }
+
+    private Optional<String> whyNotFiring(String planId, String transition) {
         return mission(planId)
                 .filter(mission -> document.plan(planId)
                         .filter(plan -> plan.transition(transition).isPresent())

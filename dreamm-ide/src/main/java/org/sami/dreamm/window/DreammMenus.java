@@ -75,6 +75,8 @@ final class DreammMenus {
                 "net-connect",
                 "net-append",
                 "net-add-note",
+                "net-add-frame",
+                "net-disable",
                 "net-extract",
                 "",
                 "net-layout-layers",

@@ -6,11 +6,13 @@ import static org.assertj.core.api.Assertions.entry;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.edit.ProjectEdit;
+import org.sami.spn.edit.SetDisabled;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.FieldSource;
@@ -69,6 +71,23 @@ class TryOutTest {
         assertThat(tryOut.isOver()).as(tryOut.message()).isTrue();
         assertThat(tryOut.lines()).extracting(TryOut.Line::number).startsWith(1, 2, 3);
         assertThat(tryOut.lines().get(0).done()).startsWith("operator: robot-1, robot-2, robot-3 to ");
+    }
+
+    @Test
+    void whatIsDisabledIsLeftOutAndSaysWhyItDoesNotFire() {
+        String transition = plan().transitions().get(0).id();
+        document.apply(new SetDisabled(PLAN, Set.of(transition), true));
+
+        assertThat(tryOut.start(PLAN)).as(tryOut.message()).isTrue();
+        assertThat(tryOut.message()).endsWith("1 disabled left out");
+        runOn();
+
+        assertThat(tryOut.isOver()).isFalse();
+        assertThat(tryOut.whyNot(PLAN, transition)).contains("It is disabled for trying");
+        document.undo();
+        tryOut.start(PLAN);
+        runOn();
+        assertThat(tryOut.isOver()).as(tryOut.message()).isTrue();
     }
 
     @Test

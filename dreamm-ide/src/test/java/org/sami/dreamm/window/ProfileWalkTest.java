@@ -46,7 +46,10 @@ import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.Frame;
+import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.OutRequirement;
@@ -63,6 +66,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
+import org.sami.ui.net.NetScene;
 import org.sami.ui.window.ViewCommands;
 import org.sami.ui.window.WindowSettings;
 
@@ -173,7 +177,8 @@ class ProfileWalkTest {
                 .end("over")
                 .variable(new VariableSpec("@point", ValueType.Simple.POINT, Optional.empty()))
                 .task(new TaskSpec("look", "Camera", Map.of()))
-                .build();
+                .build()
+                .withFrames(List.of(new Frame("Walk", FrameColor.BLUE, new LayoutPoint(0, 0), 100, 80)));
         VariableSpec global = new VariableSpec("@home", ValueType.Simple.POINT, Optional.empty());
         return new Project("walk", "", "crw", List.of(global), List.of(), List.of(plan, child));
     }
@@ -191,6 +196,7 @@ class ProfileWalkTest {
                 Set.of("chosen"),
                 Set.of("nested"),
                 Set.of("over"),
+                Set.of(NetScene.idOfFrame(0)),
                 Set.of("i0"),
                 Set.of("o0"))) {
             parts.context().editor().open("walk");

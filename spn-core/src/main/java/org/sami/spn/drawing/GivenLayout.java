@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.sami.spn.model.Frame;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
@@ -92,9 +93,12 @@ final class GivenLayout {
         LabelPlacement labels = new LabelPlacement(vertices.values(), edges);
         List<NetDrawing.NoteBox> notes = notes();
         notes.forEach(note -> labels.take(note.box()));
+        List<NetDrawing.FrameBox> frames = frames();
+        frames.forEach(frame -> labels.take(frame.titleBox()));
         vertices.values().forEach(vertex -> labels.placeAtVertex(vertex, texts.of(vertex.id())));
         edges.forEach(edge -> labels.placeAtEdge(edge, texts.of(edge.id())));
-        return new NetDrawing(plan.title(), factor, List.copyOf(vertices.values()), edges, labels.placed(), notes);
+        return new NetDrawing(
+                plan.title(), factor, List.copyOf(vertices.values()), edges, labels.placed(), notes, frames);
     }
 
     private LayoutPoint at(String id) {
@@ -113,6 +117,18 @@ final class GivenLayout {
             note.at()
                     .map(this::scaled)
                     .ifPresent(at -> boxes.add(new NetDrawing.NoteBox(index, texts.of(note), at.x(), at.y())));
+        }
+        return boxes;
+    }
+
+    private List<NetDrawing.FrameBox> frames() {
+        List<NetDrawing.FrameBox> boxes = new ArrayList<>();
+        for (int i = 0; i < plan.frames().size(); i++) {
+            Frame frame = plan.frames().get(i);
+            LayoutPoint at = scaled(frame.at());
+            double width = frame.width() * factor;
+            boxes.add(new NetDrawing.FrameBox(
+                    i, texts.of(frame, width), frame.color(), at.x(), at.y(), width, frame.height() * factor));
         }
         return boxes;
     }

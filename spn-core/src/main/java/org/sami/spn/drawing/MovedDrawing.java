@@ -16,12 +16,14 @@ public final class MovedDrawing {
     private MovedDrawing() {}
 
     /**
-     * Moves vertices and notes of a drawing.
+     * Moves vertices, notes and frames of a drawing.
      *
      * @param vertices ids of those that are moved
      * @param notes indices of those that are moved
+     * @param frames indices of those that are moved
      */
-    public static NetDrawing of(NetDrawing drawing, Set<String> vertices, Set<Integer> notes, double dx, double dy) {
+    public static NetDrawing of(
+            NetDrawing drawing, Set<String> vertices, Set<Integer> notes, Set<Integer> frames, double dx, double dy) {
         Map<String, NetDrawing.Vertex> now = new HashMap<>();
         List<NetDrawing.Vertex> moved = new ArrayList<>();
         for (NetDrawing.Vertex vertex : drawing.vertices()) {
@@ -64,6 +66,18 @@ public final class MovedDrawing {
                         ? new NetDrawing.NoteBox(note.index(), note.text(), note.x() + dx, note.y() + dy)
                         : note)
                 .toList();
-        return new NetDrawing(drawing.title(), drawing.scale(), moved, edges, labels, sheets);
+        List<NetDrawing.FrameBox> around = drawing.frames().stream()
+                .map(frame -> frames.contains(frame.index())
+                        ? new NetDrawing.FrameBox(
+                                frame.index(),
+                                frame.title(),
+                                frame.color(),
+                                frame.x() + dx,
+                                frame.y() + dy,
+                                frame.width(),
+                                frame.height())
+                        : frame)
+                .toList();
+        return new NetDrawing(drawing.title(), drawing.scale(), moved, edges, labels, sheets, around);
     }
 }

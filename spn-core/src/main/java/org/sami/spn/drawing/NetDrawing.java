@@ -1,6 +1,7 @@
 package org.sami.spn.drawing;
 
 import java.util.List;
+import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
 
 /**
@@ -11,9 +12,16 @@ import org.sami.spn.model.LayoutPoint;
  * @param scale how many drawing units one unit of the plan's layout is; 1 where the layout is not the author's
  * @param labels of vertices and edges, in no order
  * @param notes those that lie on the drawing
+ * @param frames around vertices that belong together, behind all else
  */
 public record NetDrawing(
-        String title, double scale, List<Vertex> vertices, List<Edge> edges, List<Label> labels, List<NoteBox> notes) {
+        String title,
+        double scale,
+        List<Vertex> vertices,
+        List<Edge> edges,
+        List<Label> labels,
+        List<NoteBox> notes,
+        List<FrameBox> frames) {
     /** The radius of a place. */
     public static final double PLACE_RADIUS = 24;
 
@@ -38,6 +46,7 @@ public record NetDrawing(
      * @param end whether the mission ends here
      * @param subMission whether it runs sub-missions
      * @param recovery whether its author drew it in recovery mode (thesis, Figure 5.2)
+     * @param disabled whether it is left out while the plan is tried
      */
     public record Vertex(
             String id,
@@ -46,7 +55,8 @@ public record NetDrawing(
             boolean start,
             boolean end,
             boolean subMission,
-            boolean recovery) {
+            boolean recovery,
+            boolean disabled) {
         /** The box around it. */
         public DrawingBox box() {
             return boxOf(kind, centre);
@@ -55,7 +65,7 @@ public record NetDrawing(
         /** The same vertex elsewhere. */
         Vertex shifted(double dx, double dy) {
             LayoutPoint there = new LayoutPoint(centre.x() + dx, centre.y() + dy);
-            return new Vertex(id, kind, there, start, end, subMission, recovery);
+            return new Vertex(id, kind, there, start, end, subMission, recovery, disabled);
         }
     }
 
@@ -107,13 +117,48 @@ public record NetDrawing(
         }
     }
 
-    /** A drawing without notes. */
+    /**
+     * A frame around vertices that belong together.
+     *
+     * @param index in the plan's list of frames
+     * @param title in its left upper corner
+     */
+    public record FrameBox(
+            int index, TextBlock title, FrameColor color, double x, double y, double width, double height) {
+        private static final double INSET = 8;
+        private static final double HEAD = 24;
+
+        /** All of it. */
+        public DrawingBox box() {
+            return new DrawingBox(x, y, width, height);
+        }
+
+        /** The strip along its upper edge, by which it is held. */
+        public DrawingBox head() {
+            return new DrawingBox(x, y, width, Math.min(height, Math.max(HEAD, title.height() + INSET)));
+        }
+
+        /** Where the title is written. */
+        public DrawingBox titleBox() {
+            return new DrawingBox(x + INSET, y + INSET / 2, title.width(), title.height());
+        }
+
+        /** Whether a point is on its rim or in its head: within it, other things are meant. */
+        public boolean isHeldAt(double px, double py, double reach) {
+            return head().contains(px, py)
+                    || (box().grown(reach).contains(px, py)
+                            && !box().grown(-reach).contains(px, py));
+        }
+    }
+
+    /** A drawing without notes and frames. */
     public NetDrawing(String title, double scale, List<Vertex> vertices, List<Edge> edges, List<Label> labels) {
-        this(title, scale, vertices, edges, labels, List.of());
+        this(title, scale, vertices, edges, labels, List.of(), List.of());
     }
 
     public NetDrawing {
         notes = List.copyOf(notes);
+        frames = List.copyOf(frames);
         vertices = List.copyOf(vertices);
         edges = List.copyOf(edges);
         labels = List.copyOf(labels);
@@ -137,6 +182,9 @@ public record NetDrawing(
         }
         for (NoteBox note : notes) {
             bounds = union(bounds, note.box());
+        }
+        for (FrameBox frame : frames) {
+            bounds = union(bounds, frame.box());
         }
         for (Edge edge : edges) {
             for (LayoutPoint point : edge.points()) {

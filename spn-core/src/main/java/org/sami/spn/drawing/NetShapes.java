@@ -26,12 +26,14 @@ final class NetShapes {
                 place.start(),
                 place.end(),
                 !place.subMissions().isEmpty(),
-                place.mode() == Mode.RECOVERY);
+                place.mode() == Mode.RECOVERY,
+                place.disabled());
     }
 
     static Vertex vertex(Transition transition, LayoutPoint centre) {
         boolean recovery = transition.mode() == Mode.RECOVERY;
-        return new Vertex(transition.id(), Kind.TRANSITION, centre, false, false, false, recovery);
+        return new Vertex(
+                transition.id(), Kind.TRANSITION, centre, false, false, false, recovery, transition.disabled());
     }
 
     static boolean isUnconditional(InEdge edge) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.model.Frame;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -65,6 +66,12 @@ final class NetTexts {
     /** What is written at a vertex or an edge; an empty block where nothing is. */
     TextBlock of(String id) {
         return blocks.getOrDefault(id, new TextBlock(List.of(), 0));
+    }
+
+    /** The title of a frame, in as many lines as it needs in the frame's width. */
+    TextBlock of(Frame frame, double width) {
+        return TextBlock.of(
+                frame.title(), TextStyle.NAME, List.of(), TextStyle.NAME, Math.max(40, width - ROUND_SIGN), measure);
     }
 
     /** What is written on a note, a paragraph for each line of its text. */

@@ -16,10 +16,12 @@ import org.sami.spn.vocabulary.Vocabulary;
 /**
  * What is written at a vertex.
  *
- * @param name what people call it; empty text where it has no name
+ * @param name what people call it; empty text where it has no name, but where events are folded what it does
  * @param events a line for each output event, sub-mission or input event
  */
 public record VertexWords(String name, List<String> events) {
+    private static final String DISABLED = "disabled for trying";
+
     public VertexWords {
         Objects.requireNonNull(name, "name");
         events = List.copyOf(events);
@@ -32,6 +34,9 @@ public record VertexWords(String name, List<String> events) {
 
     static VertexWords of(Place place, Vocabulary vocabulary, NetDetail detail) {
         List<String> lines = new ArrayList<>();
+        if (place.disabled()) {
+            lines.add(DISABLED);
+        }
         if (detail.events()) {
             place.outputs().forEach(output -> {
                 lines.add("→ " + label(output.type(), vocabulary));
@@ -40,7 +45,11 @@ public record VertexWords(String name, List<String> events) {
             place.subMissions()
                     .forEach(sub -> lines.add((sub.shared() ? "shared sub-mission " : "sub-mission ") + sub.plan()));
         }
-        return new VertexWords(place.name(), lines);
+        return new VertexWords(
+                detail.events()
+                        ? place.name()
+                        : ElementNames.called(place, vocabulary).orElse(""),
+                lines);
     }
 
     /** A transition with its input events. */
@@ -50,6 +59,9 @@ public record VertexWords(String name, List<String> events) {
 
     static VertexWords of(Transition transition, Vocabulary vocabulary, NetDetail detail) {
         List<String> lines = new ArrayList<>();
+        if (transition.disabled()) {
+            lines.add(DISABLED);
+        }
         if (detail.events()) {
             transition.inputs().forEach(input -> {
                 lines.add("← " + label(input, vocabulary));
@@ -59,7 +71,11 @@ public record VertexWords(String name, List<String> events) {
                 lines.add("waits for all");
             }
         }
-        return new VertexWords(transition.name(), lines);
+        return new VertexWords(
+                detail.events()
+                        ? transition.name()
+                        : ElementNames.called(transition, vocabulary).orElse(""),
+                lines);
     }
 
     private static void addMarkups(List<MarkupSpec> markups, NetDetail detail, List<String> lines) {
@@ -68,7 +84,7 @@ public record VertexWords(String name, List<String> events) {
         }
     }
 
-    private static String label(InputEventSpec input, Vocabulary vocabulary) {
+    static String label(InputEventSpec input, Vocabulary vocabulary) {
         StringBuilder text = new StringBuilder(label(input.type(), vocabulary));
         input.fields().values().stream()
                 .filter(TextValue.class::isInstance)
@@ -77,7 +93,7 @@ public record VertexWords(String name, List<String> events) {
         return text.toString();
     }
 
-    private static String label(String type, Vocabulary vocabulary) {
+    static String label(String type, Vocabulary vocabulary) {
         return vocabulary
                 .event(type)
                 .map(EventType::label)

@@ -159,8 +159,8 @@ final class PlanForm {
                 || !Double.isFinite(frame.at().y())
                 || !Double.isFinite(frame.width())
                 || !Double.isFinite(frame.height())) {
-            problem("the frame \"" + frame.title() + "\" lies nowhere: " + frame.at().x() + ", "
-                    + frame.at().y() + ", " + frame.width() + " by " + frame.height());
+            problem("the frame \"" + frame.title() + "\" lies nowhere: "
+                    + frame.at().x() + ", " + frame.at().y() + ", " + frame.width() + " by " + frame.height());
         }
     }
 

@@ -21,8 +21,7 @@ final class FrameReader {
             frame.problem(Codes.BAD_VALUE, "size", "A frame is wider and higher than 0");
             return Optional.empty();
         }
-        return at.flatMap(corner ->
-                size.map(extent -> new Frame(title, color, corner, extent.x(), extent.y())));
+        return at.flatMap(corner -> size.map(extent -> new Frame(title, color, corner, extent.x(), extent.y())));
     }
 
     private static Optional<LayoutPoint> pair(JsonObjectReader frame, String member, String shape) {

@@ -92,9 +92,7 @@ final class PlanWriter {
         node.putArray("at")
                 .add(ValueWriter.number(frame.at().x()))
                 .add(ValueWriter.number(frame.at().y()));
-        node.putArray("size")
-                .add(ValueWriter.number(frame.width()))
-                .add(ValueWriter.number(frame.height()));
+        node.putArray("size").add(ValueWriter.number(frame.width())).add(ValueWriter.number(frame.height()));
         return node;
     }
 

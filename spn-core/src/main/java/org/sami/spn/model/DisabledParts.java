@@ -13,9 +13,7 @@ public final class DisabledParts {
     public static List<String> of(Plan plan) {
         return Stream.concat(
                         plan.places().stream().filter(Place::disabled).map(Place::id),
-                        plan.transitions().stream()
-                                .filter(Transition::disabled)
-                                .map(Transition::id))
+                        plan.transitions().stream().filter(Transition::disabled).map(Transition::id))
                 .toList();
     }
 
@@ -34,9 +32,8 @@ public final class DisabledParts {
         return plan.withPlaces(plan.places().stream()
                         .map(place -> leftOut(place, gone))
                         .toList())
-                .withTransitions(plan.transitions().stream()
-                        .filter(t -> !t.disabled())
-                        .toList())
+                .withTransitions(
+                        plan.transitions().stream().filter(t -> !t.disabled()).toList())
                 .withInEdges(plan.inEdges().stream()
                         .filter(edge -> !gone.contains(edge.transition()))
                         .toList())

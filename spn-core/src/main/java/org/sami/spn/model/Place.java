@@ -49,47 +49,56 @@ public record Place(
 
     /** The same place with another id. */
     public Place withId(String id) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another name. */
     public Place withName(String name) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another value of {@code start}. */
     public Place withStart(boolean start) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another value of {@code end}. */
     public Place withEnd(boolean end) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another value of {@code endsSharedInstance}. */
     public Place withEndsSharedInstance(boolean endsSharedInstance) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another mode. */
     public Place withMode(Mode mode) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with other outputs. */
     public Place withOutputs(List<OutputEventSpec> outputs) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with other sub missions. */
     public Place withSubMissions(List<SubMissionSpec> subMissions) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another order of its out-transitions. */
     public Place withTransitionOrder(List<String> transitionOrder) {
-        return new Place(id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
+        return new Place(
+                id, name, start, end, endsSharedInstance, mode, outputs, subMissions, transitionOrder, disabled);
     }
 
     /** The same place with another value of {@code disabled}. */

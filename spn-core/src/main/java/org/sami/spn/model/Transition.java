@@ -8,7 +8,8 @@ import java.util.Objects;
  *
  * @param disabled whether it never fires while the plan is tried
  */
-public record Transition(String id, String name, Mode mode, WaitFor waitFor, List<InputEventSpec> inputs, boolean disabled) {
+public record Transition(
+        String id, String name, Mode mode, WaitFor waitFor, List<InputEventSpec> inputs, boolean disabled) {
     public Transition {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(name, "name");

@@ -15,7 +15,7 @@ class LineRoutingTest {
     private final Vertex other = vertex("other", Kind.TRANSITION, 0, 0);
 
     private static Vertex vertex(String id, Kind kind, double x, double y) {
-        return new Vertex(id, kind, new LayoutPoint(x, y), false, false, false, false);
+        return new Vertex(id, kind, new LayoutPoint(x, y), false, false, false, false, false);
     }
 
     private static void assertClear(List<LayoutPoint> line, Vertex... vertices) {

@@ -64,7 +64,7 @@ final class NetEditingFigures {
         SortedMap<String, Integer> vertices = new TreeMap<>(Map.of("vertices", 500));
         int[] step = {0};
         measure("net.drag", vertices, times, () -> {
-            net.preview(MovedDrawing.of(drawing, dragged, Set.of(), step[0]++ % 200, 10));
+            net.preview(MovedDrawing.of(drawing, dragged, Set.of(), Set.of(), step[0]++ % 200, 10));
             Graphics2D g = image.createGraphics();
             net.paint(g);
             g.dispose();

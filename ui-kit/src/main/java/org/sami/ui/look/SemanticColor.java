@@ -68,6 +68,19 @@ public enum SemanticColor {
     /** A place that holds tokens. */
     NET_ACTIVE(0x0B5CAD, 0x62B0F5, 0x003A94),
 
+    /** Frames around parts of a net. */
+    NET_FRAME_BLUE(0x4F86BC, 0x6FA8DC, 0x003A94),
+    /** Frames, blue-green. */
+    NET_FRAME_TEAL(0x34918A, 0x58BDB4, 0x005B55),
+    /** Frames, violet. */
+    NET_FRAME_VIOLET(0x7F6CBD, 0xA996E0, 0x4A2F95),
+    /** Frames, pink. */
+    NET_FRAME_PINK(0xB56A99, 0xDB92C0, 0x8A1F66),
+    /** Frames, yellow-brown. */
+    NET_FRAME_SAND(0x94803F, 0xC9B370, 0x5C4700),
+    /** Frames, grey. */
+    NET_FRAME_GREY(0x76818C, 0x97A3AF, 0x333333),
+
     /** What a map without a base map is drawn on. */
     MAP_WATER(0xE3EDF4, 0x16222C, 0xFFFFFF),
     /** Land of outlines. */
@@ -102,6 +115,24 @@ public enum SemanticColor {
     /** The value in the theme in force. */
     public Color get() {
         return in(Look.theme());
+    }
+
+    /**
+     * The value in the theme in force, mixed with another.
+     *
+     * @param part of this colour, 0 to 1
+     */
+    public Color over(SemanticColor other, double part) {
+        Color top = get();
+        Color below = other.get();
+        return new Color(
+                mixed(top.getRed(), below.getRed(), part),
+                mixed(top.getGreen(), below.getGreen(), part),
+                mixed(top.getBlue(), below.getBlue(), part));
+    }
+
+    private static int mixed(int top, int below, double part) {
+        return (int) Math.round(part * top + (1 - part) * below);
     }
 
     /** The value in the theme in force, as transparent as said: 0 to 255. */

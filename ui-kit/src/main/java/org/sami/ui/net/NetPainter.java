@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
@@ -47,6 +48,8 @@ final class NetPainter {
         DrawingBox clip = clip(g, scene);
         boolean words = scale >= LEAST_ZOOM_OF_TEXT * own;
         NetStrokes strokes = NetStrokes.at(scale / own);
+        FramePainter frames = new FramePainter(scene.frames());
+        frames.paint(g, light.selected(), words ? 1 : own / scale);
         for (NoteBox note : scene.notes()) {
             if (clip.intersects(note.box())) {
                 NotePainter.paint(g, note, light.selected().contains(NetScene.idOf(note.index())), words);
@@ -59,9 +62,9 @@ final class NetPainter {
             edge(g, edge, light, strokes);
         }
         if (words) { // a line that crosses a text is not to be read through it
-            g.setColor(SemanticColor.NET_CANVAS.get());
             for (Label label : scene.labels()) {
                 if (clip.intersects(label.box())) {
+                    g.setColor(frames.below(label.box()));
                     g.fill(rectangle(label.box().grown(1)));
                 }
             }
@@ -82,7 +85,7 @@ final class NetPainter {
                 }
             }
         } else {
-            FarNames.paint(g, own / scale, scene, marking, light, clip);
+            FarNames.paint(g, own / scale, scene, marking, light, clip, frames);
             for (Label label : scene.labels()) { // what is missing is seen from afar, too
                 if (isMissing(label) && clip.intersects(label.box())) {
                     missing(g, label.box());
@@ -180,9 +183,22 @@ final class NetPainter {
         around(g, vertex, light, strokes);
         if (vertex.kind() == Kind.TRANSITION) {
             transition(g, vertex, light.firing().applyAsDouble(vertex.id()));
+            disabled(g, vertex, NetDrawing.PLACE_RADIUS / 2, strokes);
         } else {
             place(g, vertex, marking.isActive(vertex.id()), strokes);
             tokens.paint(g, vertex, marking);
+            disabled(g, vertex, NetDrawing.PLACE_RADIUS * 0.7, strokes);
+        }
+    }
+
+    /** A stroke through what is left out while the plan is tried; "disabled" stands beside it. */
+    private static void disabled(Graphics2D g, Vertex vertex, double reach, NetStrokes strokes) {
+        if (vertex.disabled()) {
+            double x = vertex.centre().x();
+            double y = vertex.centre().y();
+            g.setColor(SemanticColor.WARNING.get());
+            g.setStroke(strokes.thick());
+            g.draw(new Line2D.Double(x - reach, y + reach, x + reach, y - reach));
         }
     }
 
@@ -208,7 +224,11 @@ final class NetPainter {
         }
         SemanticColor still = vertex.recovery() ? SemanticColor.NET_RECOVERY : SemanticColor.NET_TRANSITION;
         g.setColor((firing > 0 ? SemanticColor.NET_FIRING : still).get());
-        g.fill(rectangle(vertex.box()));
+        if (vertex.disabled()) {
+            g.draw(rectangle(vertex.box().grown(-1)));
+        } else {
+            g.fill(rectangle(vertex.box()));
+        }
     }
 
     private static void place(Graphics2D g, Vertex vertex, boolean active, NetStrokes strokes) {

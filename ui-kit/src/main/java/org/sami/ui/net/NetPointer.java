@@ -2,6 +2,7 @@ package org.sami.ui.net;
 
 import java.util.Optional;
 import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 
@@ -15,6 +16,7 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
  * @param vertex under it
  * @param edge under it, where no vertex is
  * @param note under it, where neither is
+ * @param frame whose rim or head is under it, where nothing else is
  * @param menu whether it asks for a menu: the right button
  * @param box whether a box is meant: Shift is held
  * @param additive whether it adds to what is selected: Ctrl is held
@@ -28,6 +30,7 @@ public record NetPointer(
         Optional<Vertex> vertex,
         Optional<Edge> edge,
         Optional<NoteBox> note,
+        Optional<FrameBox> frame,
         boolean menu,
         boolean box,
         boolean additive,

@@ -1,5 +1,6 @@
 package org.sami.ui.net;
 
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -12,6 +13,7 @@ import java.util.stream.Stream;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Label;
 import org.sami.spn.drawing.NetDrawing.NoteBox;
@@ -133,6 +135,23 @@ public final class NetScene {
         return "note " + note + " ";
     }
 
+    /** The frames: they are shown in every mode, as they say what the parts of the net are. */
+    public List<FrameBox> frames() {
+        return drawing.frames();
+    }
+
+    /** What a frame is called where elements are called by their ids, as {@link #idOf} for notes. */
+    public static String idOfFrame(int frame) {
+        return "frame " + frame + " ";
+    }
+
+    /** The frame whose rim or head is at a point, the smallest of several; none where there is none. */
+    public Optional<FrameBox> frameAt(double x, double y, double reach) {
+        return frames().stream()
+                .filter(frame -> frame.isHeldAt(x, y, reach))
+                .min(Comparator.comparingDouble(frame -> frame.width() * frame.height()));
+    }
+
     /** The note at a point; none where there is none. */
     public Optional<NoteBox> noteAt(double x, double y) {
         return notes.stream().filter(note -> note.box().contains(x, y)).findFirst();
@@ -154,7 +173,8 @@ public final class NetScene {
                         Stream.concat(vertices().stream(), silhouettes().stream())
                                 .map(Vertex::box),
                         labels.stream().map(Label::box),
-                        notes.stream().map(NoteBox::box))
+                        notes.stream().map(NoteBox::box),
+                        frames().stream().map(FrameBox::box))
                 .flatMap(Function.identity())
                 .reduce(DrawingBox::union)
                 .orElse(bounds());
@@ -183,7 +203,10 @@ public final class NetScene {
                         boxOfLabels(ids).stream(),
                         notes.stream()
                                 .filter(note -> ids.contains(idOf(note.index())))
-                                .map(NoteBox::box))
+                                .map(NoteBox::box),
+                        frames().stream()
+                                .filter(frame -> ids.contains(idOfFrame(frame.index())))
+                                .map(FrameBox::box))
                 .flatMap(Function.identity())
                 .reduce(DrawingBox::union);
     }

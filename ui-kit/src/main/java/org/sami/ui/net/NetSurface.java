@@ -5,6 +5,7 @@ import java.awt.geom.Point2D;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.ui.canvas.CanvasMouse;
@@ -29,6 +30,9 @@ record NetSurface(NetView view, NetViewport viewport) implements CanvasMouse.Sur
         Optional<NoteBox> note = vertex.isPresent() || edge.isPresent()
                 ? Optional.empty()
                 : view.scene().noteAt(at.getX(), at.getY());
+        Optional<FrameBox> frame = vertex.isPresent() || edge.isPresent() || note.isPresent()
+                ? Optional.empty()
+                : view.scene().frameAt(at.getX(), at.getY(), reach);
         return new NetPointer(
                 at.getX(),
                 at.getY(),
@@ -37,6 +41,7 @@ record NetSurface(NetView view, NetViewport viewport) implements CanvasMouse.Sur
                 vertex,
                 edge,
                 note,
+                frame,
                 SwingUtilities.isRightMouseButton(e),
                 e.isShiftDown(),
                 e.isControlDown(),

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.drawing.VertexWords;
 import org.sami.spn.model.InRequirement;
@@ -27,12 +28,12 @@ final class NetTips {
             Plan plan, Vocabulary vocabulary, NetMarking marking, String id, Function<Token, String> tokenName) {
         List<String> lines = new ArrayList<>();
         plan.place(id).ifPresent(place -> {
-            lines.add(place.name().isBlank() ? "Place " + id : place.name());
+            lines.add(ElementNames.of(place, vocabulary));
             lines.addAll(VertexWords.of(place, vocabulary).events());
             tokens(marking, id, tokenName).ifPresent(lines::add);
         });
         plan.transition(id).ifPresent(transition -> {
-            lines.add(transition.name().isBlank() ? "Transition " + id : transition.name());
+            lines.add(ElementNames.of(transition, vocabulary));
             lines.addAll(VertexWords.of(transition, vocabulary).events());
         });
         plan.inEdges().stream().filter(edge -> edge.id().equals(id)).forEach(edge -> {

@@ -339,10 +339,11 @@ class NetViewTest {
         long withNames = dark(NetScenes.paint(small));
 
         Plan nameless = plan.withId("nameless")
-                .withPlaces(
-                        plan.places().stream().map(place -> place.withName("")).toList())
+                .withPlaces(plan.places().stream()
+                        .map(place -> place.withName("").withOutputs(List.of()).withSubMissions(List.of()))
+                        .toList())
                 .withTransitions(plan.transitions().stream()
-                        .map(transition -> transition.withName(""))
+                        .map(transition -> transition.withName("").withInputs(List.of()))
                         .toList());
         small.show(nameless, NetScenes.VOCABULARY);
 
