@@ -14,9 +14,9 @@ import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FrameEdit;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.NetFrame;
 import org.sami.ui.net.NetScene;
 
 /** What gestures and keys mean as edits of frames. A frame carries along what lies in it. Coordinates are those of the drawing. Knows no window. */
@@ -85,7 +85,7 @@ final class FrameEdits {
         DrawingBox box = around.map(b -> new DrawingBox(b.x(), b.y() - HEAD, b.width(), b.height() + HEAD))
                 .orElse(new DrawingBox(at.x(), at.y(), FIRST_WIDTH, FIRST_HEIGHT));
         return new NetEdits.Made(
-                new FrameEdit.AddFrame(net.plan().id(), framed(new Frame("", nextColor(), at, 1, 1), box)),
+                new FrameEdit.AddFrame(net.plan().id(), framed(new NetFrame("", nextColor(), at, 1, 1), box)),
                 Set.of(NetScene.idOfFrame(net.plan().frames().size())));
     }
 
@@ -101,7 +101,7 @@ final class FrameEdits {
         return FrameColor.BLUE;
     }
 
-    private Frame framed(Frame frame, DrawingBox box) {
+    private NetFrame framed(NetFrame frame, DrawingBox box) {
         LayoutPoint size = net.toPlan(box.width(), box.height());
         return frame.withAt(net.toPlan(box.x(), box.y())).withSize(size.x(), size.y());
     }
@@ -155,7 +155,7 @@ final class FrameEdits {
 
     /** Gives a frame another size. */
     Edit resize(FrameBox frame, double x, double y) {
-        Frame now = net.plan().frames().get(frame.index());
+        NetFrame now = net.plan().frames().get(frame.index());
         return new FrameEdit.SetFrame(net.plan().id(), frame.index(), framed(now, size(frame, x, y)));
     }
 

@@ -20,9 +20,9 @@ import org.sami.spn.edit.Fragment;
 import org.sami.spn.edit.FrameEdit;
 import org.sami.spn.edit.NoteEdit;
 import org.sami.spn.edit.VertexEdit;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.ui.net.NetMode;
@@ -201,7 +201,7 @@ final class NetActions {
 
     private void writeTitle(int index) {
         Plan plan = net.plan();
-        Frame frame = plan.frames().get(index);
+        NetFrame frame = plan.frames().get(index);
         net.drawing().frames().stream()
                 .filter(box -> box.index() == index)
                 .findFirst()

@@ -9,8 +9,8 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.FrameEdit;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Plan;
 
 /** Title and colour of the selected frames. */
@@ -24,7 +24,7 @@ final class FrameSection extends Form {
         this.plan = plan;
         this.frames = frames.stream().sorted().toList();
         setName("inspector-frame");
-        List<Frame> now = this.frames.stream().map(plan.frames()::get).toList();
+        List<NetFrame> now = this.frames.stream().map(plan.frames()::get).toList();
         if (now.size() == 1) {
             text(
                     "Title",
@@ -38,12 +38,12 @@ final class FrameSection extends Form {
                 "inspector-frame-color",
                 "Tells frames apart; it means nothing else",
                 List.of(FrameColor.values()),
-                VertexSection.common(now, Frame::color),
+                VertexSection.common(now, NetFrame::color),
                 color -> color.name().toLowerCase(Locale.ROOT),
                 color -> each(frame -> frame.withColor(color)));
     }
 
-    private void each(UnaryOperator<Frame> change) {
+    private void each(UnaryOperator<NetFrame> change) {
         List<Edit> edits = new ArrayList<>();
         for (int index : frames) {
             edits.add(new FrameEdit.SetFrame(

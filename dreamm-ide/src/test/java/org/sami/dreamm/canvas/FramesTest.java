@@ -11,10 +11,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.edit.FrameEdit;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Plan;
 import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetScene;
@@ -132,7 +132,7 @@ class FramesTest {
     void noWordsLieOnATitle() {
         scene.context.apply(new FrameEdit.AddFrame(
                 "clv",
-                new Frame(
+                new NetFrame(
                         "What boats visit",
                         FrameColor.TEAL,
                         scene.plan().layout().get("select"),

@@ -46,12 +46,12 @@ import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.FieldSource;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.Match;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -178,7 +178,7 @@ class ProfileWalkTest {
                 .variable(new VariableSpec("@point", ValueType.Simple.POINT, Optional.empty()))
                 .task(new TaskSpec("look", "Camera", Map.of()))
                 .build()
-                .withFrames(List.of(new Frame("Walk", FrameColor.BLUE, new LayoutPoint(0, 0), 100, 80)));
+                .withFrames(List.of(new NetFrame("Walk", FrameColor.BLUE, new LayoutPoint(0, 0), 100, 80)));
         VariableSpec global = new VariableSpec("@home", ValueType.Simple.POINT, Optional.empty());
         return new Project("walk", "", "crw", List.of(global), List.of(), List.of(plan, child));
     }

@@ -7,10 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -124,7 +124,7 @@ final class GivenLayout {
     private List<NetDrawing.FrameBox> frames() {
         List<NetDrawing.FrameBox> boxes = new ArrayList<>();
         for (int i = 0; i < plan.frames().size(); i++) {
-            Frame frame = plan.frames().get(i);
+            NetFrame frame = plan.frames().get(i);
             LayoutPoint at = scaled(frame.at());
             double width = frame.width() * factor;
             boxes.add(new NetDrawing.FrameBox(

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.sami.spn.model.Frame;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -69,7 +69,7 @@ final class NetTexts {
     }
 
     /** The title of a frame, in as many lines as it needs in the frame's width. */
-    TextBlock of(Frame frame, double width) {
+    TextBlock of(NetFrame frame, double width) {
         return TextBlock.of(
                 frame.title(), TextStyle.NAME, List.of(), TextStyle.NAME, Math.max(40, width - ROUND_SIGN), measure);
     }

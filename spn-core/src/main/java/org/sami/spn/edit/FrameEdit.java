@@ -7,14 +7,14 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Plan;
 
 /** Changes of the frames of one plan. A frame is known by its index in the plan's list. */
 public sealed interface FrameEdit extends PlanEdit {
     /** Adds a frame behind those that there are. */
-    record AddFrame(String plan, Frame frame) implements FrameEdit {
+    record AddFrame(String plan, NetFrame frame) implements FrameEdit {
         public AddFrame {
             Objects.requireNonNull(plan, "plan");
             Objects.requireNonNull(frame, "frame");
@@ -32,7 +32,7 @@ public sealed interface FrameEdit extends PlanEdit {
     }
 
     /** Gives a frame another title, colour, place or size. */
-    record SetFrame(String plan, int index, Frame frame) implements FrameEdit {
+    record SetFrame(String plan, int index, NetFrame frame) implements FrameEdit {
         public SetFrame {
             Objects.requireNonNull(plan, "plan");
             Objects.requireNonNull(frame, "frame");
@@ -45,7 +45,7 @@ public sealed interface FrameEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            List<Frame> frames = new ArrayList<>(before.frames());
+            List<NetFrame> frames = new ArrayList<>(before.frames());
             frames.set(checked(before, index), frame);
             return before.withFrames(frames);
         }
@@ -65,7 +65,7 @@ public sealed interface FrameEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            List<Frame> frames = new ArrayList<>(before.frames());
+            List<NetFrame> frames = new ArrayList<>(before.frames());
             for (Map.Entry<Integer, LayoutPoint> move : to.entrySet()) {
                 int index = checked(before, move.getKey());
                 frames.set(index, frames.get(index).withAt(move.getValue()));
@@ -88,7 +88,7 @@ public sealed interface FrameEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            List<Frame> frames = new ArrayList<>(before.frames());
+            List<NetFrame> frames = new ArrayList<>(before.frames());
             for (int index : new TreeSet<>(indices).descendingSet()) {
                 frames.remove(checked(before, index));
             }

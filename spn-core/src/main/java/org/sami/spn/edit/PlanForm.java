@@ -5,11 +5,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Match;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
@@ -154,7 +154,7 @@ final class PlanForm {
         }
     }
 
-    private void frame(Frame frame) {
+    private void frame(NetFrame frame) {
         if (!Double.isFinite(frame.at().x())
                 || !Double.isFinite(frame.at().y())
                 || !Double.isFinite(frame.width())

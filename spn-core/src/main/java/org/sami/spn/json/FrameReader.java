@@ -2,16 +2,16 @@ package org.sami.spn.json;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Optional;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.NetFrame;
 
 /** Reads a frame of a drawing: its title and colour, where it lies and how large it is. */
 final class FrameReader {
     private FrameReader() {}
 
     /** The frame; empty where it lies nowhere or has no size, which the object's problems say. */
-    static Optional<Frame> read(JsonObjectReader frame) {
+    static Optional<NetFrame> read(JsonObjectReader frame) {
         String title = frame.text("title", "");
         FrameColor color = frame.word("color", FrameColor.class, FrameColor.BLUE);
         Optional<LayoutPoint> at = pair(frame, "at", "A frame lies at [x, y]");
@@ -21,7 +21,7 @@ final class FrameReader {
             frame.problem(Codes.BAD_VALUE, "size", "A frame is wider and higher than 0");
             return Optional.empty();
         }
-        return at.flatMap(corner -> size.map(extent -> new Frame(title, color, corner, extent.x(), extent.y())));
+        return at.flatMap(corner -> size.map(extent -> new NetFrame(title, color, corner, extent.x(), extent.y())));
     }
 
     private static Optional<LayoutPoint> pair(JsonObjectReader frame, String member, String shape) {

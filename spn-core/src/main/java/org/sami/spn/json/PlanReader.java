@@ -5,10 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -66,7 +66,7 @@ final class PlanReader {
                 .map(noteReader::read)
                 .flatMap(Optional::stream)
                 .toList();
-        List<Frame> frames = m.objects("frames").stream()
+        List<NetFrame> frames = m.objects("frames").stream()
                 .map(FrameReader::read)
                 .flatMap(Optional::stream)
                 .toList();

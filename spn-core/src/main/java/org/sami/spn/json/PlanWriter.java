@@ -6,13 +6,13 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
@@ -83,7 +83,7 @@ final class PlanWriter {
         }
     }
 
-    private static ObjectNode frame(Frame frame) {
+    private static ObjectNode frame(NetFrame frame) {
         ObjectNode node = NODES.objectNode();
         putText(node, "title", frame.title());
         if (frame.color() != FrameColor.BLUE) {

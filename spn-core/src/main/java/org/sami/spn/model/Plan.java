@@ -30,7 +30,7 @@ public record Plan(
         List<TaskSpec> tasks,
         Map<String, LayoutPoint> layout,
         List<Note> notes,
-        List<Frame> frames,
+        List<NetFrame> frames,
         List<TestCase> testCases) {
     public Plan {
         Objects.requireNonNull(id, "id");
@@ -342,7 +342,7 @@ public record Plan(
     }
 
     /** The same plan with other frames. */
-    public Plan withFrames(List<Frame> frames) {
+    public Plan withFrames(List<NetFrame> frames) {
         return new Plan(
                 id,
                 name,

@@ -6,21 +6,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Project;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
 
 class FrameEditTest {
-    private static final Frame ONE = new Frame("one", FrameColor.BLUE, new LayoutPoint(0, 0), 100, 80);
-    private static final Frame TWO = new Frame("two", FrameColor.SAND, new LayoutPoint(200, 0), 50, 40);
+    private static final NetFrame ONE = new NetFrame("one", FrameColor.BLUE, new LayoutPoint(0, 0), 100, 80);
+    private static final NetFrame TWO = new NetFrame("two", FrameColor.SAND, new LayoutPoint(200, 0), 50, 40);
 
     private final Project project =
             NetBuilder.project(new NetBuilder("p").start("s").build().withFrames(List.of(ONE, TWO)));
 
-    private List<Frame> after(Edit edit) {
+    private List<NetFrame> after(Edit edit) {
         return edit.apply(project, TestVocabulary.TEST)
                 .project()
                 .orElseThrow()
@@ -35,7 +35,7 @@ class FrameEditTest {
 
         assertThat(after(new FrameEdit.MoveFrames("p", Map.of(1, there)))).containsExactly(ONE, TWO.withAt(there));
         assertThat(after(new FrameEdit.SetFrame("p", 0, ONE.withTitle("first").withSize(9, 8))))
-                .containsExactly(new Frame("first", FrameColor.BLUE, ONE.at(), 9, 8), TWO);
+                .containsExactly(new NetFrame("first", FrameColor.BLUE, ONE.at(), 9, 8), TWO);
         assertThat(after(new FrameEdit.AddFrame("p", ONE))).containsExactly(ONE, TWO, ONE);
     }
 

@@ -31,12 +31,12 @@ import org.sami.spn.edit.TaskEdit;
 import org.sami.spn.edit.VariableEdit;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.model.FieldSource;
-import org.sami.spn.model.Frame;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
@@ -240,8 +240,8 @@ public final class RandomEdits {
         return stem + ++names;
     }
 
-    private Frame frame() {
-        return new Frame(
+    private NetFrame frame() {
+        return new NetFrame(
                 fresh("Frame "),
                 of(List.of(FrameColor.values())),
                 point(),

@@ -9,8 +9,8 @@ import java.util.Objects;
  * @param width in units of the layout, more than 0
  * @param height in units of the layout, more than 0
  */
-public record Frame(String title, FrameColor color, LayoutPoint at, double width, double height) {
-    public Frame {
+public record NetFrame(String title, FrameColor color, LayoutPoint at, double width, double height) {
+    public NetFrame {
         Objects.requireNonNull(title, "title");
         Objects.requireNonNull(color, "color");
         Objects.requireNonNull(at, "at");
@@ -21,21 +21,21 @@ public record Frame(String title, FrameColor color, LayoutPoint at, double width
 
     /** The same frame with another title. */
     public Frame withTitle(String title) {
-        return new Frame(title, color, at, width, height);
+        return new NetFrame(title, color, at, width, height);
     }
 
     /** The same frame in another colour. */
     public Frame withColor(FrameColor color) {
-        return new Frame(title, color, at, width, height);
+        return new NetFrame(title, color, at, width, height);
     }
 
     /** The same frame elsewhere. */
     public Frame withAt(LayoutPoint at) {
-        return new Frame(title, color, at, width, height);
+        return new NetFrame(title, color, at, width, height);
     }
 
     /** The same frame in another size. */
     public Frame withSize(double width, double height) {
-        return new Frame(title, color, at, width, height);
+        return new NetFrame(title, color, at, width, height);
     }
 }
