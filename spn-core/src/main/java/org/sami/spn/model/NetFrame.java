@@ -20,22 +20,22 @@ public record NetFrame(String title, FrameColor color, LayoutPoint at, double wi
     }
 
     /** The same frame with another title. */
-    public Frame withTitle(String title) {
+    public NetFrame withTitle(String title) {
         return new NetFrame(title, color, at, width, height);
     }
 
     /** The same frame in another colour. */
-    public Frame withColor(FrameColor color) {
+    public NetFrame withColor(FrameColor color) {
         return new NetFrame(title, color, at, width, height);
     }
 
     /** The same frame elsewhere. */
-    public Frame withAt(LayoutPoint at) {
+    public NetFrame withAt(LayoutPoint at) {
         return new NetFrame(title, color, at, width, height);
     }
 
     /** The same frame in another size. */
-    public Frame withSize(double width, double height) {
+    public NetFrame withSize(double width, double height) {
         return new NetFrame(title, color, at, width, height);
     }
 }
