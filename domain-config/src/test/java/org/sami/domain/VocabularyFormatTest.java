@@ -19,6 +19,7 @@ import org.sami.spn.json.VocabularyFiles;
 import org.sami.spn.json.VocabularyReader;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldLimits;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** The vocabulary's format: one small good domain, and what is refused of it. */
@@ -71,9 +72,44 @@ class VocabularyFormatTest {
         assertThat(words.taskClasses()).containsOnlyKeys("Dig");
     }
 
+    @Test
+    void whichValuesAFieldCanHaveIsRead() {
+        String limits = """
+                {"range": [0, 6000], "usual": [1, 0.5e2], "above": "draught"}""";
+        Vocabulary words = read(WORDS.replace(
+                        "{\"name\": \"depth\",",
+                        "{\"name\": \"draught\", \"type\": \"real\"}, {\"limits\": " + limits
+                                + ", \"name\": \"depth\","))
+                .orThrow();
+
+        FieldLimits read = words.taskClasses().get("Dig").fields().get(1).limits();
+        assertThat(read.range()).isEqualTo(new FieldLimits.Range(0, 6000));
+        assertThat(read.usual()).isEqualTo(new FieldLimits.Range(1, 50));
+        assertThat(read.above()).contains("draught");
+        assertThat(read.words()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"Offer, word, E-BAD-VALUE", "Offer, price, E-BAD-VALUE", "Nothing, name, E-BAD-VALUE"})
+    void namesOfRobotsStandInTextsThatThereAre(String of, String field, String code) {
+        Map<String, String> files = new LinkedHashMap<>();
+        files.put("domain.json", INDEX.replace("}", ", \"robotNames\": {\"" + of + "\": \"" + field + "\"}}"));
+        files.put("words.json", WORDS);
+
+        assertThat(VocabularyReader.read(new VocabularyFiles(files)).findings())
+                .extracting(Finding::code, Finding::pointer)
+                .containsExactly(Tuple.tuple(code, "domain.json#/robotNames/" + of));
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     "name": "Left"          | "name": "Taken"         | E-DUPLICATE
+                    "name": "depth"         | "limits": {"range": [2, 1]}, "name": "depth"     | E-BAD-VALUE
+                    "name": "depth"         | "limits": {"range": [1]}, "name": "depth"        | E-BAD-VALUE
+                    "name": "depth"         | "limits": {"words": ["deep"]}, "name": "depth"   | E-BAD-VALUE
+                    "name": "depth"         | "limits": {"above": "height"}, "name": "depth"   | E-BAD-VALUE
+                    "name": "depth"         | "limits": {"most": 3}, "name": "depth"           | E-UNKNOWN-MEMBER
+                    "name": "how"           | "limits": {"usual": [1, 2]}, "name": "how"       | E-BAD-VALUE
                     "aliases": ["Question"] | "aliases": ["Left"]     | E-DUPLICATE
                     "record": "Offer"       | "record": "Colour"      | E-DUPLICATE
                     "record": "Offer"       | "record": "offer"       | E-BAD-VALUE

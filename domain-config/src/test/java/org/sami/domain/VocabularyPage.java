@@ -9,6 +9,7 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldLimits;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.TokenNeed;
@@ -127,7 +128,33 @@ final class VocabularyPage {
                 : "`" + TypeNames.of(field.type()) + "`";
         String unit = field.unit().isEmpty() ? "" : " in " + field.unit();
         String optional = field.required() ? "" : ", optional";
-        item("`" + field.name() + "`: " + type + unit + optional + ". " + field.help());
+        item("`" + field.name() + "`: " + type + unit + limits(field) + optional + ". " + field.help());
+    }
+
+    private static String limits(FieldType field) {
+        FieldLimits limits = field.limits();
+        StringBuilder words = new StringBuilder();
+        String seconds = field.type() == ValueType.Simple.DURATION ? " s" : "";
+        if (!limits.range().equals(FieldLimits.Range.ALL)) {
+            words.append(", from ").append(ends(limits.range())).append(seconds);
+        }
+        if (!limits.usual().equals(FieldLimits.Range.ALL)) {
+            words.append(", usually ").append(ends(limits.usual())).append(seconds);
+        }
+        limits.above()
+                .ifPresent(other -> words.append(", above `").append(other).append('`'));
+        if (!limits.words().isEmpty()) {
+            words.append(", one of ").append(String.join(", ", limits.words()));
+        }
+        return words.toString();
+    }
+
+    private static String ends(FieldLimits.Range range) {
+        return number(range.least()) + " to " + number(range.most());
+    }
+
+    private static String number(double number) {
+        return number == Math.rint(number) ? String.format(Locale.ROOT, "%.0f", number) : Double.toString(number);
     }
 
     private void type(NamedType type) {

@@ -9,6 +9,7 @@ import org.sami.spn.value.NamedType;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.FieldLimits;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.GeographyMark;
 import org.sami.spn.vocabulary.MarkupType;
@@ -26,10 +27,12 @@ final class FieldTypeReader {
 
     List<FieldType> fields(JsonObjectReader m, String member) {
         Names taken = new Names(problems);
-        return m.objects(member).stream()
+        List<FieldType> fields = m.objects(member).stream()
                 .map(f -> field(f, taken))
                 .flatMap(Optional::stream)
                 .toList();
+        FieldLimitsReader.checkOrder(fields, m.at(member), problems);
+        return fields;
     }
 
     private Optional<FieldType> field(JsonObjectReader m, Names taken) {
@@ -46,6 +49,7 @@ final class FieldTypeReader {
         }
         String help = m.text("help", "");
         Optional<GeographyMark> mark = m.has("geography") ? m.word("geography", GeographyMark.class) : Optional.empty();
+        FieldLimits limits = FieldLimitsReader.read(m, type, problems);
         m.done();
         if (mark.isPresent() && type.isPresent() && !type.get().equals(type(mark.get()))) {
             m.problem(
@@ -53,7 +57,7 @@ final class FieldTypeReader {
                     "geography",
                     "The mark " + Words.of(mark.get()) + " is for fields of type " + TypeNames.of(type(mark.get())));
         }
-        return type.map(t -> new FieldType(name, t, unit, required, defaultValue, help, mark));
+        return type.map(t -> new FieldType(name, t, unit, required, defaultValue, help, mark, limits));
     }
 
     private static ValueType type(GeographyMark mark) {

@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import org.sami.spn.value.NamedType;
+import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Geography;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.TaskClass;
@@ -57,6 +59,7 @@ public final class VocabularyReader {
         }
         String domain = readIndex(index);
         Optional<Geography> geography = index.object("geography").flatMap(VocabularyReader::geography);
+        Map<String, String> robotNames = index.textMap("robotNames");
         readTypes();
         FieldTypeReader fields = new FieldTypeReader(types, problems);
         Names eventNames = new Names(problems);
@@ -67,9 +70,11 @@ public final class VocabularyReader {
             root.text(ProjectReader.SCHEMA, "");
             root.done();
         });
-        Vocabulary vocabulary = new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks, geography);
+        Vocabulary vocabulary =
+                new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks, geography, robotNames);
         if (problems.none()) {
             new VocabularyChecks(vocabulary, eventNames, problems).check();
+            robotNames.keySet().forEach(of -> checkRobotName(vocabulary, of, index.at("robotNames") + "/" + of));
         }
         return Reading.of(vocabulary, problems);
     }
@@ -99,6 +104,23 @@ public final class VocabularyReader {
             return Optional.empty();
         }
         return Optional.of(new Geography(farM, rangeM));
+    }
+
+    private void checkRobotName(Vocabulary vocabulary, String of, String pointer) {
+        String field = vocabulary.robotNames().get(of);
+        Optional<ValueType> inEvent =
+                vocabulary.event(of).flatMap(event -> event.field(field)).map(FieldType::type);
+        Optional<ValueType> inRecord = vocabulary.types().get(of) instanceof NamedType.RecordType record
+                ? Optional.ofNullable(record.fields().get(field))
+                : Optional.empty();
+        if (inEvent.or(() -> inRecord)
+                .filter(type -> type == ValueType.Simple.TEXT)
+                .isEmpty()) {
+            problems.add(
+                    Codes.BAD_VALUE,
+                    pointer,
+                    "There is no record or event " + of + " with a field \"" + field + "\" of type text");
+        }
     }
 
     private void readTypes() {

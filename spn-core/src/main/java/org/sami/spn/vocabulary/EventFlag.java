@@ -15,5 +15,7 @@ public enum EventFlag {
     /** News that a robot has begun with a task: it comes by itself when the task is the first that its robot has left. */
     TASK_STARTED,
     /** An input event that says that tasks are complete: each of their robots goes on with its next. */
-    TASK_COMPLETED
+    TASK_COMPLETED,
+    /** An input event that says that all is well: a plan that takes robots from their work for it is warned. */
+    NOMINAL
 }

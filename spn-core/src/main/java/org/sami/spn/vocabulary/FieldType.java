@@ -13,6 +13,7 @@ import org.sami.spn.value.ValueType;
  * @param defaultValue used where the field is not required and not given
  * @param help a sentence for the plan's author
  * @param geography what a geographic value here means to the checks of plans
+ * @param limits which values of the type the checks of plans let pass
  */
 public record FieldType(
         String name,
@@ -21,7 +22,8 @@ public record FieldType(
         boolean required,
         Optional<Value> defaultValue,
         String help,
-        Optional<GeographyMark> geography) {
+        Optional<GeographyMark> geography,
+        FieldLimits limits) {
     public FieldType {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(type, "type");
@@ -29,11 +31,12 @@ public record FieldType(
         Objects.requireNonNull(defaultValue, "defaultValue");
         Objects.requireNonNull(help, "help");
         Objects.requireNonNull(geography, "geography");
+        Objects.requireNonNull(limits, "limits");
     }
 
     /** A field that means nothing special to the checks. */
     public FieldType(
             String name, ValueType type, String unit, boolean required, Optional<Value> defaultValue, String help) {
-        this(name, type, unit, required, defaultValue, help, Optional.empty());
+        this(name, type, unit, required, defaultValue, help, Optional.empty(), FieldLimits.NONE);
     }
 }

@@ -20,15 +20,16 @@ public final class Vocabulary {
     private final Map<String, MarkupType> markupsByAlias = new LinkedHashMap<>();
     private final Map<String, TaskClass> taskClasses = new LinkedHashMap<>();
     private final Optional<Geography> geography;
+    private final Map<String, String> robotNames;
 
-    /** A vocabulary of a domain that says nothing of distances. */
+    /** A vocabulary of a domain that says nothing of distances and of names of robots. */
     public Vocabulary(
             String domain,
             List<NamedType> types,
             List<EventType> events,
             List<MarkupType> markups,
             List<TaskClass> taskClasses) {
-        this(domain, types, events, markups, taskClasses, Optional.empty());
+        this(domain, types, events, markups, taskClasses, Optional.empty(), Map.of());
     }
 
     /** A vocabulary; the reader has checked before that names are unique and references resolve. */
@@ -38,7 +39,9 @@ public final class Vocabulary {
             List<EventType> events,
             List<MarkupType> markups,
             List<TaskClass> taskClasses,
-            Optional<Geography> geography) {
+            Optional<Geography> geography,
+            Map<String, String> robotNames) {
+        this.robotNames = Collections.unmodifiableMap(new LinkedHashMap<>(robotNames));
         this.geography = Objects.requireNonNull(geography, "geography");
         this.domain = Objects.requireNonNull(domain, "domain");
         types.forEach(t -> this.types.put(t.name(), t));
@@ -61,6 +64,11 @@ public final class Vocabulary {
     /** How far the domain's robots get; empty where it does not say. */
     public Optional<Geography> geography() {
         return geography;
+    }
+
+    /** The fields that hold names of robots, each by the record or event that it is a field of. */
+    public Map<String, String> robotNames() {
+        return robotNames;
     }
 
     /** Declared enumerations and records by name, in order of declaration. */

@@ -26,6 +26,7 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldLimits;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Geography;
 import org.sami.spn.vocabulary.GeographyMark;
@@ -68,11 +69,12 @@ class GeographyChecksTest {
                 events,
                 List.copyOf(base.markups().values()),
                 List.copyOf(base.taskClasses().values()),
-                geography);
+                geography,
+                Map.of());
     }
 
     private static FieldType field(String name, ValueType type, Optional<GeographyMark> mark) {
-        return new FieldType(name, type, "", false, Optional.empty(), "", mark);
+        return new FieldType(name, type, "", false, Optional.empty(), "", mark, FieldLimits.NONE);
     }
 
     /** A point so many metres north and east of a quay in Italy. */
