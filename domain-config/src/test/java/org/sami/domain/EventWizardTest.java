@@ -322,7 +322,7 @@ class EventWizardTest {
                         .as("%s %s", event.name(), sequence.id())
                         .isSubsetOf(
                                 event.direction() == Direction.OUTPUT
-                                        ? List.of("E-FIELD-MISSING")
+                                        ? List.of("E-FIELD-MISSING", "E-APPLIES-NOTHING")
                                         : List.of("E-FIELD-MISSING", "E-NO-CAUSE", "E-NO-SUB-MISSION"));
             }
         }

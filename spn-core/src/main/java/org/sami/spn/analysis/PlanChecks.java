@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -18,13 +19,24 @@ import org.sami.spn.vocabulary.Vocabulary;
  * order is the model's.
  */
 public final class PlanChecks {
-    private static final List<PlanCheck> CHECKS = List.of(
+    /** What must be right for the plan to be read, and what says which parts of it never run. */
+    private static final List<PlanCheck> OF_PLANS = List.of(
             new KnownNames(),
             new StartPlace(),
             new EndPlaces(),
             new Reachability(),
             new EdgesWithoutRequirement(),
             new TransitionsThatNeverFire(),
+            new FieldValues(),
+            new KnownVariables(),
+            new VariableTypes(),
+            new VariableUse(),
+            new SubMissionCheck(),
+            new NamedTasks(),
+            new DisabledForTrying());
+
+    /** What goes wrong in a run. */
+    private static final List<PlanCheck> OF_RUNS = List.of(
             new CausesOfInputs(),
             new AnswersOfOutputs(),
             new FailuresOfOutputs(),
@@ -33,20 +45,14 @@ public final class PlanChecks {
             new RelevantTokenCheck(),
             new MissedAnswers(),
             new RequiredFields(),
-            new FieldValues(),
-            new KnownVariables(),
-            new VariableTypes(),
-            new VariableUse(),
             new Contradictions(),
             new Inhibitors(),
             new EmptyPools(),
-            new SubMissionCheck(),
             new SharedInstancesOver(),
             new MissingSubMissions(),
             new ReturnValues(),
             new CommandsAtTheEnd(),
             new Livelocks(),
-            new NamedTasks(),
             new TaskFields(),
             new InterruptNames(),
             new Autonomy(),
@@ -54,7 +60,24 @@ public final class PlanChecks {
             new FarLocations(),
             new AvoidedAreas(),
             new WaysBeyondRange(),
-            new DisabledForTrying());
+            new OutOfRange(),
+            new UnusualValues(),
+            new FractionsForPercent(),
+            new FieldOrder(),
+            new UnknownWords(),
+            new UnknownRobots(),
+            new EmptyQuestions(),
+            new AppliesNothing(),
+            new ReadsBeforeWrites(),
+            new FixedNumbers(),
+            new TooManyWanted(),
+            new EndsWithFirst(),
+            new ForgottenPlaces(),
+            new OpenGates(),
+            new TwoCommands(),
+            new TwoTakers(),
+            new HealthyLedAway(),
+            new TasksMadeAgain());
 
     /** Checks whose findings do not follow from other faults of the document. */
     private static final List<PlanCheck> INDEPENDENT = List.of(new StartPlace());
@@ -70,12 +93,12 @@ public final class PlanChecks {
                 project,
                 vocabulary,
                 project.plans().stream().filter(p -> !p.places().isEmpty()).toList(),
-                INDEPENDENT);
+                context -> found(context, INDEPENDENT));
     }
 
     /** The findings about all plans of a project, in the order of the document. */
     public static List<Finding> check(Project project, Vocabulary vocabulary) {
-        return check(project, vocabulary, project.plans(), CHECKS);
+        return check(project, vocabulary, project.plans(), PlanChecks::check);
     }
 
     /**
@@ -83,7 +106,7 @@ public final class PlanChecks {
      * the project has no such plan.
      */
     public static List<Finding> check(Project project, Vocabulary vocabulary, String planId) {
-        return check(project, vocabulary, withDescendants(project, planId), CHECKS);
+        return check(project, vocabulary, withDescendants(project, planId), PlanChecks::check);
     }
 
     /**
@@ -92,24 +115,27 @@ public final class PlanChecks {
      * @param handled the output events that the program has handlers for, by name
      */
     public static List<Finding> checkHandled(Project project, Vocabulary vocabulary, Set<String> handled) {
-        return check(project, vocabulary, project.plans(), List.of(new HandledOutputs(handled)));
+        return check(
+                project, vocabulary, project.plans(), context -> found(context, List.of(new HandledOutputs(handled))));
     }
 
     private static List<Finding> check(
-            Project project, Vocabulary vocabulary, List<Plan> plans, List<PlanCheck> checks) {
+            Project project, Vocabulary vocabulary, List<Plan> plans, Function<PlanContext, List<Finding>> check) {
         ProjectContext context = new ProjectContext(project, vocabulary);
         List<Finding> findings = new ArrayList<>();
-        plans.forEach(plan -> findings.addAll(check(context.of(plan), checks)));
+        plans.forEach(plan -> findings.addAll(check.apply(context.of(plan))));
         findings.sort(DocumentOrder.BY_POINTER);
         return List.copyOf(findings);
     }
 
     /** The findings of all checks about one plan, in the order of the checks. */
     static List<Finding> check(PlanContext plan) {
-        return check(plan, CHECKS);
+        List<Finding> findings = found(plan, OF_PLANS);
+        findings.addAll(new PartsThatNeverRun(plan).without(found(plan, OF_RUNS)));
+        return findings;
     }
 
-    private static List<Finding> check(PlanContext plan, List<PlanCheck> checks) {
+    private static List<Finding> found(PlanContext plan, List<PlanCheck> checks) {
         List<Finding> findings = new ArrayList<>();
         checks.forEach(check -> check.check(
                 plan, finding -> findings.add(finding.inPlan(plan.plan().id()))));

@@ -41,6 +41,8 @@ final class PlanContext {
     private final Map<String, List<InEdge>> edgesOutOf;
     private final Map<String, List<OutEdge>> edgesInto;
     private final VariableScope scope;
+    private Optional<KnownFields> known = Optional.empty();
+    private Optional<TokenFlow> flow = Optional.empty();
 
     PlanContext(ProjectContext project, Plan plan, String pointer) {
         this.project = project;
@@ -99,6 +101,22 @@ final class PlanContext {
     /** Who declares, reads and writes which variable. */
     VariableScope scope() {
         return scope;
+    }
+
+    /** The values of fields that are known before a run; made when they are first asked for. */
+    KnownFields known() {
+        if (known.isEmpty()) {
+            known = Optional.of(new KnownFields(this));
+        }
+        return known.get();
+    }
+
+    /** Which kinds of tokens may stand where; made when it is first asked for. */
+    TokenFlow flow() {
+        if (flow.isEmpty()) {
+            flow = Optional.of(new TokenFlow(this));
+        }
+        return flow.get();
     }
 
     private static <T> Map<String, Integer> index(List<T> elements, Function<T, String> id) {
@@ -242,6 +260,16 @@ final class PlanContext {
     /** A transition as messages speak of it. */
     static String name(Transition transition) {
         return "transition \"" + (transition.name().isEmpty() ? transition.id() : transition.name()) + "\"";
+    }
+
+    /** A place as messages speak of it, by its id. */
+    String placeName(String id) {
+        return place(id).map(PlanContext::name).orElse("place \"" + id + "\"");
+    }
+
+    /** A transition at the beginning of a message, by its id. */
+    String transitionName(String id) {
+        return "The " + transition(id).map(PlanContext::name).orElse("transition \"" + id + "\"");
     }
 
     /** An output event of a known type, where it stands. */

@@ -17,22 +17,63 @@ final class Reachability implements PlanCheck {
         if (plan.plan().startPlace().isEmpty()) {
             return;
         }
-        Set<String> reached = from(plan);
-        for (Place place : plan.plan().places()) {
-            if (!reached.contains(place.id())) {
-                report.accept(Finding.warning(
-                        "W-UNREACHABLE",
-                        plan.at(place),
-                        "Nothing leads to the " + PlanContext.name(place),
-                        place.id()));
+        Set<String> dead = new LinkedHashSet<>();
+        plan.plan().places().forEach(p -> dead.add(p.id()));
+        plan.plan().transitions().forEach(t -> dead.add(t.id()));
+        dead.removeAll(from(plan));
+        while (!dead.isEmpty()) {
+            Set<String> part = connected(plan, dead);
+            dead.removeAll(part);
+            boolean saidElsewhere = part.stream()
+                    .flatMap(id -> plan.transition(id).stream())
+                    .anyMatch(t -> plan.inEdges(t).isEmpty());
+            if (!saidElsewhere) { // what begins with a transition that never fires
+                report(plan, part, report);
             }
         }
-        for (Transition t : plan.plan().transitions()) {
-            if (!reached.contains(t.id()) && !plan.inEdges(t).isEmpty()) {
-                report.accept(Finding.warning(
-                        "W-UNREACHABLE", plan.at(t), "Nothing leads to the " + PlanContext.name(t), t.id()));
+    }
+
+    /** The vertices of some that hang together with the first of them. */
+    private static Set<String> connected(PlanContext plan, Set<String> some) {
+        Set<String> part = new LinkedHashSet<>();
+        Deque<String> open = new ArrayDeque<>(List.of(some.iterator().next()));
+        while (!open.isEmpty()) {
+            String vertex = open.pop();
+            if (some.contains(vertex) && part.add(vertex)) {
+                open.addAll(next(plan, vertex));
+                plan.transition(vertex).ifPresent(t -> plan.inPlaces(t).forEach(p -> open.add(p.id())));
+                plan.place(vertex).ifPresent(p -> plan.edgesInto(p).forEach(e -> open.add(e.transition())));
             }
         }
+        return part;
+    }
+
+    /** Says of a part of the net once that nothing leads to it, at a vertex with nothing before it where there is one. */
+    private static void report(PlanContext plan, Set<String> part, Consumer<Finding> report) {
+        String first = part.stream()
+                .filter(id ->
+                        plan.place(id).filter(p -> plan.edgesInto(p).isEmpty()).isPresent())
+                .findFirst()
+                .orElseGet(() -> part.iterator().next());
+        String name = plan.place(first)
+                .map(PlanContext::name)
+                .orElseGet(() -> plan.transition(first).map(PlanContext::name).orElseThrow());
+        String pointer = plan.place(first)
+                .map(plan::at)
+                .orElseGet(() -> plan.transition(first).map(plan::at).orElseThrow());
+        Set<String> elements = new LinkedHashSet<>(List.of(first));
+        elements.addAll(part);
+        int more = part.size() - 1;
+        report.accept(Finding.warning(
+                "W-UNREACHABLE",
+                pointer,
+                "Nothing leads to the " + name
+                        + (more == 0
+                                ? ""
+                                : ", nor to the "
+                                        + (more == 1 ? "place or transition" : more + " places and transitions")
+                                        + " connected with it"),
+                elements.toArray(String[]::new)));
     }
 
     /** Ids of the vertices that can be reached, requirements and events disregarded. */

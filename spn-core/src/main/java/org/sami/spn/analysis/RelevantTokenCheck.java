@@ -1,11 +1,18 @@
 package org.sami.spn.analysis;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.analysis.TokenFlow.Kind;
+import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
 import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.EventRole;
@@ -28,12 +35,16 @@ final class RelevantTokenCheck implements PlanCheck {
             }
             for (InEdge e : plan.inEdges(t)) {
                 if (e.requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)) {
-                    report(t, plan.at(e), e.id(), report);
+                    String edge = "The edge from the " + plan.placeName(e.place()) + " to the " + PlanContext.name(t)
+                            + " asks for";
+                    report(t, plan.at(e), e.id(), edge, finding -> report.accept(askingFor(plan, e, finding)));
                 }
             }
             for (OutEdge e : plan.outEdges(t)) {
                 if (e.requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)) {
-                    report(t, plan.at(e), e.id(), report);
+                    String edge = "The edge from the " + PlanContext.name(t) + " to the " + plan.placeName(e.place())
+                            + " moves";
+                    report(t, plan.at(e), e.id(), edge, finding -> report.accept(moving(plan, t, e, finding)));
                 }
             }
         }
@@ -44,21 +55,73 @@ final class RelevantTokenCheck implements PlanCheck {
                 || MAY_NAME.contains(input.type().role());
     }
 
-    private static void report(Transition t, String pointer, String edge, Consumer<Finding> report) {
+    /** Offers to ask for robots or tasks, as they may stand in the edge's place, in the stead of relevant tokens. */
+    private static Finding askingFor(PlanContext plan, InEdge e, Finding finding) {
+        Finding fixed = finding;
+        for (TokenKind kind : kinds(plan.place(e.place()).map(plan.flow()::at).orElse(Set.of()))) {
+            fixed = fixed.fixedBy(
+                    "Ask for " + (kind == TokenKind.ANY_TASK ? "tasks" : "robots"),
+                    new EdgeEdit.SetInRequirements(
+                            plan.plan().id(),
+                            e.id(),
+                            e.requirements().stream()
+                                    .map(r -> r.kind() == TokenKind.RELEVANT ? in(r, kind) : r)
+                                    .distinct()
+                                    .toList()));
+        }
+        return fixed;
+    }
+
+    private static InRequirement in(InRequirement r, TokenKind kind) {
+        return r.match() == Match.ALL
+                ? InRequirement.of(kind, Match.AT_LEAST, 1)
+                : InRequirement.of(kind, r.match(), r.n());
+    }
+
+    private static Finding moving(PlanContext plan, Transition t, OutEdge e, Finding finding) {
+        Finding fixed = finding;
+        for (TokenKind kind : kinds(plan.flow().pool(t))) {
+            fixed = fixed.fixedBy(
+                    "Move " + (kind == TokenKind.ANY_TASK ? "tasks" : "robots"),
+                    new EdgeEdit.SetOutRequirements(
+                            plan.plan().id(),
+                            e.id(),
+                            e.requirements().stream()
+                                    .map(r -> r.kind() == TokenKind.RELEVANT
+                                            ? OutRequirement.of(r.action(), r.n(), kind)
+                                            : r)
+                                    .distinct()
+                                    .toList()));
+        }
+        return fixed;
+    }
+
+    /** The kinds of tokens with names that there may be: proxies where none is known of. */
+    private static List<TokenKind> kinds(Set<Kind> kinds) {
+        List<TokenKind> named = new ArrayList<>();
+        if (kinds.contains(Kind.PROXY) || !kinds.contains(Kind.TASK)) {
+            named.add(TokenKind.ANY_PROXY);
+        }
+        if (kinds.contains(Kind.TASK)) {
+            named.add(TokenKind.ANY_TASK);
+        }
+        return named;
+    }
+
+    private static void report(Transition t, String pointer, String edge, String does, Consumer<Finding> report) {
         report.accept(
                 t.inputs().isEmpty()
                         ? Finding.error(
                                 "E-RELEVANT-WITHOUT-EVENT",
                                 pointer,
-                                "An edge of the " + PlanContext.name(t)
-                                        + " speaks of relevant tokens, but the transition has no input event to name them",
+                                does + " relevant tokens, but the transition has no input event to name them:"
+                                        + " speak of robots or tasks, or give it an event",
                                 edge,
                                 t.id())
                         : Finding.warning(
                                 "W-RELEVANT-NOBODY",
                                 pointer,
-                                "An edge of the " + PlanContext.name(t)
-                                        + " speaks of relevant tokens, but its input events name nobody",
+                                does + " relevant tokens, but the input events of the transition name nobody",
                                 edge,
                                 t.id()));
     }

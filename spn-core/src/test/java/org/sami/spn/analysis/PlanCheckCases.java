@@ -30,7 +30,7 @@ final class PlanCheckCases {
     private static final ValueType REAL = ValueType.Simple.REAL;
     private static final ValueType TEXT = ValueType.Simple.TEXT;
 
-    private static PlanCheckCase of(String code, NetBuilder bad, NetBuilder good) {
+    static PlanCheckCase of(String code, NetBuilder bad, NetBuilder good) {
         return new PlanCheckCase(code, project(bad.build()), project(good.build()));
     }
 
@@ -38,6 +38,7 @@ final class PlanCheckCases {
     static NetBuilder drive() {
         return begin().output("go", "Drive", Map.of("speed", SPEED), Map.of())
                 .transition("driven", "Driven")
+                .waitForAll("driven")
                 .in("go", "driven", "relevant all")
                 .out("driven", "end", "take all relevant");
     }
@@ -133,6 +134,8 @@ final class PlanCheckCases {
         addSubMissionCases(cases);
         cases.addAll(GeographyChecksTest.pairs());
         cases.add(new PlanCheckCase("W-DISABLED", project(disabled(drive().build())), project(drive().build())));
+        cases.addAll(ValueCheckCases.all());
+        cases.addAll(TeamCheckCases.all());
         return cases;
     }
 

@@ -1,0 +1,38 @@
+package org.sami.spn.analysis;
+
+import java.util.function.Consumer;
+import org.sami.spn.edit.FieldEdit;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.vocabulary.Reserved;
+
+/** What an operator is asked or told says something: no text is blank, and no list of what is asked for is empty. */
+final class EmptyQuestions implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (KnownFields.Known known : plan.known().all()) {
+            String field = known.field().name();
+            boolean question = field.equals(Reserved.QUESTION);
+            boolean blank =
+                    known.value() instanceof TextValue text && text.value().isBlank();
+            boolean none = field.equals(Reserved.VARIABLES)
+                    && known.value() instanceof ListValue list
+                    && list.items().isEmpty();
+            if (none || (blank && (question || known.field().required()))) {
+                Finding finding = Finding.warning(
+                        "W-EMPTY-QUESTION",
+                        known.pointer(),
+                        known.name() + " is empty: " + (none ? "name what is asked for" : "write what people read"),
+                        known.vertex(),
+                        known.event());
+                report.accept(
+                        question && !known.field().required()
+                                ? finding.fixedBy(
+                                        "Ask the usual question",
+                                        new FieldEdit.ClearField(plan.plan().id(), known.event(), field))
+                                : finding);
+            }
+        }
+    }
+}

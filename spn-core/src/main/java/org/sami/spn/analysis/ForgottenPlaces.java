@@ -1,0 +1,183 @@
+package org.sami.spn.analysis;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.EnumSet;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import org.sami.spn.analysis.TokenFlow.Kind;
+import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.edit.Edit;
+import org.sami.spn.edit.EditSequence;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+
+/**
+ * A transition that goes on when nobody is left in some places looks at all of them: at those from which robots or tasks come one after
+ * the other into the place where they gather, and, where it ends the mission, at those that lead back to the places that it looks at. A
+ * place is looked at as well where another one counts who is in it (thesis 7.0.3).
+ */
+final class ForgottenPlaces implements PlanCheck {
+    private static final Set<Kind> NAMED = EnumSet.of(Kind.PROXY, Kind.TASK);
+
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (Transition t : plan.plan().transitions()) {
+            Set<Kind> kinds = absent(plan, t);
+            if (t.inputs().isEmpty() && !kinds.isEmpty()) {
+                Set<Place> forgotten = new LinkedHashSet<>();
+                Set<String> watched =
+                        plan.inEdges(t).stream().map(InEdge::place).collect(Collectors.toSet());
+                addGathered(plan, t, kinds, watched, forgotten);
+                if (plan.outPlaces(t).stream().anyMatch(Place::end)) {
+                    addBehind(plan, t, kinds, watched, forgotten);
+                }
+                if (!forgotten.isEmpty()) {
+                    report(plan, t, List.copyOf(forgotten), kinds, report);
+                }
+            }
+        }
+    }
+
+    /** Whether a requirement asks that nobody is there. */
+    static boolean isAbsence(InRequirement r) {
+        return r.match() == Match.ZERO
+                || (r.match() == Match.LESS_THAN && r.n() <= 1)
+                || (r.match() == Match.EXACTLY && r.n() == 0);
+    }
+
+    /** The kinds with names of which a transition asks that none is left somewhere. */
+    private static Set<Kind> absent(PlanContext plan, Transition t) {
+        Set<Kind> kinds = EnumSet.noneOf(Kind.class);
+        for (InEdge edge : plan.inEdges(t)) {
+            edge.requirements().stream()
+                    .filter(r -> isAbsence(r) && r.kind() != TokenKind.RELEVANT)
+                    .forEach(r -> kinds.addAll(TokenFlow.kinds(r.kind())));
+        }
+        kinds.retainAll(NAMED);
+        return kinds;
+    }
+
+    /** Places from which some come one after the other into one where the transition waits for them. */
+    private static void addGathered(
+            PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
+        for (InEdge edge : plan.inEdges(t)) {
+            boolean gathers = edge.requirements().stream()
+                    .anyMatch(r -> r.match() == Match.AT_LEAST && meets(TokenFlow.kinds(r.kind()), kinds));
+            boolean plain = plan.place(edge.place())
+                    .filter(p -> p.subMissions().isEmpty())
+                    .isPresent();
+            if (gathers && plain) {
+                EndsWithFirst.comeSinglyFrom(plan, edge.place()).stream()
+                        .filter(place -> !watched.contains(place.id()))
+                        .forEach(forgotten::add);
+            }
+        }
+    }
+
+    /** Places to which a way leads from those that the transition looks at, and from which one leads back to them. */
+    private static void addBehind(
+            PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
+        Set<String> after = reached(plan, watched, kinds);
+        for (Place place : plan.plan().places()) {
+            if (!watched.contains(place.id())
+                    && !place.end()
+                    && after.contains(place.id())
+                    && meets(plan.flow().at(place), kinds)
+                    && !isCounted(plan, t, place, kinds)
+                    && reached(plan, Set.of(place.id()), kinds).stream().anyMatch(watched::contains)) {
+                forgotten.add(place);
+            }
+        }
+    }
+
+    /** The places to which tokens of some kinds may come from others, those left out unless a way leads back. */
+    private static Set<String> reached(PlanContext plan, Set<String> from, Set<Kind> kinds) {
+        Set<String> reached = new HashSet<>();
+        Deque<String> open = new ArrayDeque<>(from);
+        while (!open.isEmpty()) {
+            String place = open.pop();
+            for (Transition t : plan.place(place).map(plan::outTransitions).orElse(List.of())) {
+                boolean leaves = plan.inEdges(t).stream()
+                        .filter(e -> e.place().equals(place))
+                        .flatMap(e -> e.requirements().stream())
+                        .noneMatch(ForgottenPlaces::isAbsence);
+                for (OutEdge edge : leaves ? plan.outEdges(t) : List.<OutEdge>of()) {
+                    if (meets(plan.flow().along(edge), kinds) && reached.add(edge.place())) {
+                        open.push(edge.place());
+                    }
+                }
+            }
+        }
+        return reached;
+    }
+
+    /** Whether whoever enters a place is counted in another one that the transition asks to be empty. */
+    private static boolean isCounted(PlanContext plan, Transition t, Place place, Set<Kind> kinds) {
+        List<Transition> entering = plan.edgesInto(place).stream()
+                .filter(e -> meets(plan.flow().along(e), kinds))
+                .flatMap(e -> plan.transition(e.transition()).stream())
+                .toList();
+        return plan.inEdges(t).stream()
+                .filter(e -> e.requirements().stream().anyMatch(ForgottenPlaces::isAbsence))
+                .map(InEdge::place)
+                .anyMatch(counter -> entering.stream()
+                        .allMatch(u -> plan.outEdges(u).stream()
+                                .anyMatch(e -> e.place().equals(counter))));
+    }
+
+    private static boolean meets(Set<Kind> some, Set<Kind> others) {
+        return some.stream().anyMatch(others::contains);
+    }
+
+    private static void report(
+            PlanContext plan, Transition t, List<Place> forgotten, Set<Kind> kinds, Consumer<Finding> report) {
+        String names = forgotten.stream().map(PlanContext::name).collect(Collectors.joining(" and the "));
+        List<String> elements = new ArrayList<>(List.of(t.id()));
+        forgotten.forEach(place -> elements.add(place.id()));
+        report.accept(askingForNone(
+                plan,
+                t,
+                forgotten,
+                kinds,
+                Finding.warning(
+                        "W-PLACE-FORGOTTEN",
+                        plan.at(t),
+                        plan.transitionName(t.id()) + " fires when nobody is left in some places, and does not look at"
+                                + " the " + names + ": somebody may still be there. Ask for none left (= 0) there as"
+                                + " well",
+                        elements.toArray(String[]::new))));
+    }
+
+    /** Offers to ask that nobody is left in some places. */
+    static Finding askingForNone(PlanContext plan, Transition t, List<Place> places, Set<Kind> kinds, Finding finding) {
+        TokenKind kind = !kinds.contains(Kind.TASK)
+                ? TokenKind.ANY_PROXY
+                : kinds.contains(Kind.PROXY) ? TokenKind.ANY_TOKEN : TokenKind.ANY_TASK;
+        List<Edit> edits = new ArrayList<>();
+        for (Place place : places) {
+            if (plan.inEdges(t).stream().noneMatch(e -> e.place().equals(place.id()))) {
+                edits.add(new EdgeEdit.ConnectIn(
+                        plan.plan().id(),
+                        place.id(),
+                        t.id(),
+                        t.mode(),
+                        List.of(InRequirement.of(kind, Match.ZERO, 0))));
+            }
+        }
+        return edits.isEmpty()
+                ? finding
+                : finding.fixedBy("Ask for none left there", new EditSequence("Ask for none left", edits));
+    }
+}

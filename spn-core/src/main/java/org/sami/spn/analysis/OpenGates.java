@@ -1,0 +1,77 @@
+package org.sami.spn.analysis;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.analysis.TokenFlow.Kind;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Transition;
+
+/**
+ * A place that does nothing, into which robots or tasks come one after the other from one place, gathers them: the transition behind it
+ * waits for more than the first. One that asks only for at least 1 lets each go on as it comes.
+ */
+final class OpenGates implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (Transition t : plan.plan().transitions()) {
+            List<InEdge> edges = plan.inEdges(t);
+            if (t.inputs().isEmpty()
+                    && edges.size() == 1
+                    && plan.outPlaces(t).stream().noneMatch(Place::end)) {
+                InEdge edge = edges.get(0);
+                plan.place(edge.place())
+                        .filter(place -> doesNothing(place)
+                                && plan.edgesInto(place).size() == 1
+                                && nobodyElseTakes(plan, place, t))
+                        .ifPresent(place -> check(plan, t, edge, place, report));
+            }
+        }
+    }
+
+    private static boolean doesNothing(Place place) {
+        return !place.start()
+                && place.outputs().isEmpty()
+                && place.subMissions().isEmpty();
+    }
+
+    /** Whether the other transitions after a place only ask that nobody is there. */
+    private static boolean nobodyElseTakes(PlanContext plan, Place place, Transition t) {
+        return plan.plan().inEdges().stream()
+                .filter(e -> e.place().equals(place.id()) && !e.transition().equals(t.id()))
+                .allMatch(e ->
+                        !e.requirements().isEmpty() && e.requirements().stream().allMatch(ForgottenPlaces::isAbsence));
+    }
+
+    private static void check(PlanContext plan, Transition t, InEdge edge, Place place, Consumer<Finding> report) {
+        List<Place> before = EndsWithFirst.comeSinglyFrom(plan, place.id());
+        boolean firstGoesOn =
+                edge.requirements().size() == 1 && edge.requirements().stream().allMatch(OpenGates::asksForOne);
+        if (firstGoesOn && !before.isEmpty()) {
+            Set<Kind> kinds = TokenFlow.kinds(edge.requirements().get(0).kind());
+            report.accept(ForgottenPlaces.askingForNone(
+                    plan,
+                    t,
+                    before,
+                    kinds,
+                    Finding.warning(
+                            "W-OPEN-GATE",
+                            plan.at(t),
+                            plan.transitionName(t.id()) + " lets the first in the " + PlanContext.name(place)
+                                    + " go on at once, while others may be in the " + PlanContext.name(before.get(0))
+                                    + ". To go on together, ask for none left (= 0) there as well; else leave out the "
+                                    + PlanContext.name(place),
+                            t.id(),
+                            place.id())));
+        }
+    }
+
+    private static boolean asksForOne(InRequirement r) {
+        Set<Kind> kinds = TokenFlow.kinds(r.kind());
+        return r.match() == Match.AT_LEAST && r.n() <= 1 && (kinds.contains(Kind.PROXY) || kinds.contains(Kind.TASK));
+    }
+}

@@ -1,0 +1,24 @@
+package org.sami.spn.analysis;
+
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.vocabulary.FieldLimits.Range;
+
+/** A number that is known before the run is one that the domain's handlers accept. */
+final class OutOfRange implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (KnownFields.Known known : plan.known().all()) {
+            Range range = known.field().limits().range();
+            known.number()
+                    .filter(number -> !range.contains(number))
+                    .ifPresent(number -> report.accept(Finding.error(
+                            "E-OUT-OF-RANGE",
+                            known.pointer(),
+                            known.name() + " is " + known.inWords(number) + ": give " + known.inWords(range.least())
+                                    + " to " + known.inWords(range.most()),
+                            known.vertex(),
+                            known.event())));
+        }
+    }
+}
