@@ -95,12 +95,10 @@ final class Enabling {
                 .filter(copy -> world.overrides(t) || isOver(copy.visit, t))
                 .filter(copy -> mayUse(copy.visit, used))
                 .toList();
-        for (Instance shared : m.statics) {
-            if (shared.place.equals(place) && needsReturn(shared, t, used)) {
-                pool = equalTo(usableReturn(shared, t, used).map(r -> r.tokens).orElse(List.of()), pool);
-            }
+        if (returnsNeeded(m, t, place, used).isEmpty()) {
+            return pool;
         }
-        return pool;
+        return equalTo(broughtBackByAll(returnsUsed(m, t, place, used)), pool);
     }
 
     private boolean isOver(Visit visit, Transition t) {
@@ -115,15 +113,52 @@ final class Enabling {
                 .allMatch(r -> r.by.visit.get() == visit);
     }
 
-    /** The return of a shared instance that a firing uses: the one that it checks, else the oldest one, if it needs any. */
-    Optional<Returned> usableReturn(Instance shared, Transition t, List<Pending> used) {
-        Optional<Returned> checked = used.stream()
-                .flatMap(p -> p.told.stream())
-                .filter(r -> r.by == shared)
-                .findFirst();
-        return checked.isPresent() || !needsReturn(shared, t, used)
-                ? checked
-                : shared.returns.stream().findFirst();
+    // ---- Returns of static sub-missions that go together (R-SHR-4, R-SHR-9)
+
+    private List<Instance> returnsNeeded(Mission m, Transition t, Place place, List<Pending> used) {
+        return m.statics.stream()
+                .filter(i -> i.place.equals(place) && needsReturn(i, t, used))
+                .toList();
+    }
+
+    /** One return of each static instance on a place, as a firing uses them; none where it has to wait or needs none. */
+    List<Returned> returnsUsed(Mission m, Transition t, Place place, List<Pending> used) {
+        List<List<Returned>> tuples = List.of(List.of());
+        for (Instance instance : returnsNeeded(m, t, place, used)) {
+            List<Returned> checked = used.stream()
+                    .flatMap(p -> p.told.stream())
+                    .filter(r -> r.by == instance)
+                    .toList();
+            List<List<Returned>> longer = new ArrayList<>();
+            for (List<Returned> tuple : tuples) {
+                for (Returned choice : checked.isEmpty() ? instance.returns : checked.subList(0, 1)) {
+                    List<Returned> with = new ArrayList<>(tuple);
+                    with.add(choice);
+                    longer.add(with);
+                }
+            }
+            tuples = longer;
+        }
+        return tuples.stream().filter(Enabling::goTogether).findFirst().orElse(List.of());
+    }
+
+    private static boolean goTogether(List<Returned> tuple) {
+        return tuple.stream().anyMatch(r -> r.tokens.isEmpty())
+                || !broughtBackByAll(tuple).isEmpty();
+    }
+
+    /** As many of each token as every one of the returns has. */
+    static List<Token> broughtBackByAll(List<Returned> tuple) {
+        List<Token> all = new ArrayList<>();
+        if (!tuple.isEmpty()) {
+            for (Token token : tuple.get(0).tokens) {
+                int wanted = java.util.Collections.frequency(all, token) + 1;
+                if (tuple.stream().allMatch(r -> java.util.Collections.frequency(r.tokens, token) >= wanted)) {
+                    all.add(token);
+                }
+            }
+        }
+        return all;
     }
 
     /** Whether it needs a return (R-SHR-4); not interrupts, and not for an instance whose abort they answer. */
@@ -147,9 +182,8 @@ final class Enabling {
         List<Visit> visits =
                 m.visits.stream().filter(v -> v.place.equals(place)).toList();
         boolean allRun = !visits.isEmpty() && visits.stream().noneMatch(v -> mayUse(v, used) && isOver(v, t));
-        boolean noReturn = m.statics.stream()
-                .filter(i -> i.place.equals(place) && needsReturn(i, t, used))
-                .anyMatch(i -> usableReturn(i, t, used).isEmpty());
+        boolean noReturn = !returnsNeeded(m, t, place, used).isEmpty()
+                && returnsUsed(m, t, place, used).isEmpty();
         return allRun || noReturn;
     }
 

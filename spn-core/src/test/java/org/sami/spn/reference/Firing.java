@@ -223,28 +223,29 @@ final class Firing {
         List<Selected> tokens = new ArrayList<>();
         for (Place place : m.inPlaces(t)) {
             List<Copy> free = new ArrayList<>(enabling.poolIn(m, t, place, used));
+            List<Returned> returns = enabling.returnsUsed(m, t, place, used);
+            for (Token token : Enabling.broughtBackByAll(returns)) {
+                tokens.add(cameBack(token, returns.get(0).by, free));
+            }
             for (Instance instance : m.instancesOn(place)) {
-                for (Token token : available(instance, t, used)) {
-                    Optional<Copy> came = free.stream()
-                            .filter(c -> c.token.equals(token)
-                                    && instance.visit.map(v -> v == c.visit).orElse(true))
-                            .findFirst();
-                    came.ifPresent(free::remove);
-                    tokens.add(new Selected(token, came, Optional.of(instance)));
+                boolean canBeTaken = instance.visit
+                        .map(v -> v.complete() && Enabling.mayUse(v, used))
+                        .orElse(false);
+                for (Token token : canBeTaken ? instance.back : List.<Token>of()) {
+                    tokens.add(cameBack(token, instance, free));
                 }
             }
         }
         return tokens;
     }
 
-    private List<Token> available(Instance instance, Transition t, List<Pending> used) {
-        if (instance.spec.shared()) {
-            return enabling.usableReturn(instance, t, used).map(r -> r.tokens).orElse(List.of());
-        }
-        boolean canBeTaken = instance.visit
-                .map(v -> v.complete() && Enabling.mayUse(v, used))
-                .orElse(false);
-        return canBeTaken ? instance.back : List.of();
+    private static Selected cameBack(Token token, Instance instance, List<Copy> free) {
+        Optional<Copy> came = free.stream()
+                .filter(c -> c.token.equals(token)
+                        && instance.visit.map(v -> v == c.visit).orElse(true))
+                .findFirst();
+        came.ifPresent(free::remove);
+        return new Selected(token, came, Optional.of(instance));
     }
 
     private void useUpSubMissionTokens(Moves moves) {
@@ -255,17 +256,19 @@ final class Firing {
         });
     }
 
-    /** The return that this firing uses (R-SHR-4), with the occurrence that tells its value. */
+    /** What this firing uses of returns (R-SHR-4, R-SHR-9), with the occurrences that tell their values. */
     private List<Returned> useUpReturns(Mission m, Transition t, List<Pending> used) {
-        Set<Returned> all = new LinkedHashSet<>();
-        used.forEach(p -> p.told.ifPresent(all::add));
+        used.forEach(p -> p.told.filter(r -> r.by.visit.isPresent()).ifPresent(places::useUp));
+        List<Returned> all = new ArrayList<>();
         for (Place place : m.inPlaces(t)) {
-            m.statics.stream()
-                    .filter(i -> i.place.equals(place))
-                    .forEach(i -> enabling.usableReturn(i, t, used).ifPresent(all::add));
+            List<Returned> together = enabling.returnsUsed(m, t, place, used);
+            List<Token> tokens = Enabling.broughtBackByAll(together);
+            for (Returned one : together) {
+                all.add(new Returned(one.by, tokens, one.value));
+                places.useUp(one, tokens);
+            }
         }
-        all.forEach(places::useUp);
-        return List.copyOf(all);
+        return all;
     }
 
     /** A token that leaves the parent's place otherwise leaves the end places of the completed instance as well. */

@@ -330,7 +330,8 @@ final class Missions {
         tell(returned);
     }
 
-    private void tell(Returned returned) {
+    /** Tells the value of a return, if it has one, once the work list is empty. */
+    void tell(Returned returned) {
         returned.value.ifPresent(value -> world.internal.add(() -> tell(returned, value)));
     }
 

@@ -273,6 +273,19 @@ final class Places {
         return oldest.isPresent();
     }
 
+    /** Some tokens of a return are used; the others stay a return, in its place, and its value is told anew. */
+    void useUp(Returned returned, List<Token> tokens) {
+        List<Token> others = new ArrayList<>(returned.tokens);
+        tokens.forEach(others::remove);
+        int place = returned.by.returns.indexOf(returned);
+        useUp(returned);
+        if (!others.isEmpty()) {
+            Returned rest = new Returned(returned.by, others, returned.value);
+            returned.by.returns.add(place, rest);
+            missions.tell(rest);
+        }
+    }
+
     /** A return can be used no more, neither what it brought back nor its value. */
     void useUp(Returned returned) {
         returned.usedUp = true;

@@ -79,13 +79,11 @@ public final class Enabling {
 
     public boolean isReady(TransitionState t, CompiledPlace place, FiringScope scope) {
         PlaceState state = t.mission.places[place.index];
-        for (int i = 0; i < place.shared.size(); i++) {
-            if (state == null || state.shared.length <= i) {
-                return false;
-            }
-            if (scope.needsReturn(state.shared[i]) && scope.returnOf(state.shared[i]) == null) {
-                return false;
-            }
+        if (!place.shared.isEmpty()
+                && (state == null
+                        || state.shared.length < place.shared.size()
+                        || PairedReturns.in(state, scope) == null)) {
+            return false;
         }
         return state == null || state.instanceVisits().isEmpty() || anyVisit(state, scope, v -> isOver(v, scope));
     }

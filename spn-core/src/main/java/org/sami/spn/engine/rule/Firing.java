@@ -170,7 +170,7 @@ public final class Firing {
         return entered;
     }
 
-    /** Uses up completions and returns of sub-missions; the returns of static instances that it used. */
+    /** Uses up completions and returns of sub-missions; the returns of static instances that it used, with what it used of them. */
     private List<Return> useReturns(
             MissionState m, CompiledTransition t, Selection.Selected selected, FiringScope scope) {
         for (Selection.UsedReturn used : selected.usedReturns) {
@@ -188,15 +188,15 @@ public final class Firing {
                     v.used |= v.complete() && (bound == null || bound == v);
                 }
             }
-            for (SharedRun run : state.shared) {
-                Return used = scope.returnOf(run);
-                if (used != null) {
-                    result.add(used);
+            PairedReturns paired = PairedReturns.in(state, scope);
+            if (paired != null) {
+                for (Return used : paired.returns) {
+                    result.add(new Return(used.instance, paired.tokens, used.value));
+                    rules.sharedInstances.used(used, paired.tokens);
                 }
             }
         }
         scope.checked.forEach(rules.pendings::over);
-        result.forEach(rules.sharedInstances::over);
         return result;
     }
 

@@ -67,16 +67,11 @@ public final class FiringScope {
                     case ABORTED -> run.instance.status != Instance.Status.ABORTED;
                     case ALL -> false;
                 }
-                || checks(run) != null;
+                || checkedOf(run) != null;
     }
 
-    /** The return of a static instance that it uses: the one whose value it checks, else the oldest; null where it uses none. */
-    public Return returnOf(SharedRun run) {
-        Return checks = checks(run);
-        return checks != null ? checks : needsReturn(run) ? run.oldest() : null;
-    }
-
-    private Return checks(SharedRun run) {
+    /** The return of a static instance whose value it checks; null where it checks none. */
+    Return checkedOf(SharedRun run) {
         for (Return r : checked) {
             if (r.instance == run.instance) {
                 return r;

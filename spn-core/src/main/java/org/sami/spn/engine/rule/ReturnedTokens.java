@@ -8,8 +8,6 @@ import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
-import org.sami.spn.engine.state.Return;
-import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.Action;
@@ -59,8 +57,11 @@ final class ReturnedTokens {
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState state = t.mission.places[place.index];
             if (state != null) {
-                List<PlacedToken> returned = rules.pool.returned(state, scope);
-                selectReturns(state, scope, returned);
+                PairedReturns paired = PairedReturns.in(state, scope);
+                List<PlacedToken> returned = rules.pool.returned(state, scope, paired);
+                if (paired != null && paired.limit()) {
+                    selectReturned(paired, returned);
+                }
                 Visit bound = scope.visitIn(state);
                 for (Visit v : state.instanceVisits().values()) {
                     if (v.complete() && (bound == null || bound == v)) {
@@ -74,19 +75,17 @@ final class ReturnedTokens {
         }
     }
 
-    private void selectReturns(PlaceState state, FiringScope scope, List<PlacedToken> entries) {
-        for (SharedRun run : state.shared) {
-            Return used = scope.returnOf(run);
-            for (Token token : used == null ? List.<Token>of() : used.tokens) {
-                PlacedToken standing = null;
-                for (PlacedToken e : entries) {
-                    if (e.token.equals(token) && e.pickedBy != pick) {
-                        standing = e;
-                        break;
-                    }
+    /** What several static instances brought back is one token. */
+    private void selectReturned(PairedReturns paired, List<PlacedToken> entries) {
+        for (Token token : paired.tokens) {
+            PlacedToken standing = null;
+            for (PlacedToken e : entries) {
+                if (e.token.equals(token) && e.pickedBy != pick) {
+                    standing = e;
+                    break;
                 }
-                use(run.instance, token, standing);
             }
+            use(paired.returns.get(0).instance, token, standing);
         }
     }
 

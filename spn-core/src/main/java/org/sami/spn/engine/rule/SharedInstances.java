@@ -122,8 +122,21 @@ final class SharedInstances {
         throw new IllegalArgumentException("Not a static instance of '" + instance.place.place + "'");
     }
 
+    /** A firing used some tokens of a return: others stay unused, with its value, until every instance has returned them. */
+    void used(Return r, List<Token> tokens) {
+        List<Token> left = new ArrayList<>(r.tokens);
+        tokens.forEach(left::remove);
+        if (!left.isEmpty()) {
+            Return rest = new Return(r.instance, left, r.value);
+            List<Return> returns = runOf(r.instance).returns;
+            returns.add(returns.indexOf(r) + 1, rest);
+            rules.subMissions.post(rest);
+        }
+        over(r);
+    }
+
     /** A firing used a return, or it is void. */
-    void over(Return r) {
+    private void over(Return r) {
         runOf(r.instance).returns.remove(r);
         rules.pendings.over(r);
     }

@@ -6,8 +6,6 @@ import java.util.function.Predicate;
 import org.sami.spn.engine.net.Reach;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
-import org.sami.spn.engine.state.Return;
-import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Token;
 
@@ -121,23 +119,26 @@ public final class TokenPool {
      * limits the firing. A token is free when every static instance on the place has brought it back.
      */
     public List<PlacedToken> returned(PlaceState place, FiringScope scope) {
-        List<PlacedToken> result = null;
-        for (SharedRun run : place.shared) {
-            if (scope.needsReturn(run)) {
-                if (result == null) {
-                    result = place.inOrder();
-                    result.removeIf(e -> !standsFree(e, scope));
-                }
-                keepEqual(result, scope.returnOf(run));
-            }
-        }
-        return result;
+        return place.shared.length == 0 ? null : returned(place, scope, PairedReturns.in(place, scope));
     }
 
-    /** Keeps the oldest of those equal to what returned, one for one. */
-    private static void keepEqual(List<PlacedToken> entries, Return returned) {
-        List<Token> left = returned == null ? new ArrayList<>() : new ArrayList<>(returned.tokens);
-        entries.removeIf(e -> !left.remove(e.token));
+    /**
+     * The same, where it is known which returns the firing uses.
+     *
+     * @param paired null where it must wait for some
+     */
+    List<PlacedToken> returned(PlaceState place, FiringScope scope, PairedReturns paired) {
+        if (paired == null) {
+            return List.of();
+        }
+        if (!paired.limit()) {
+            return null;
+        }
+        // the oldest of those equal to what returned, one for one
+        List<Token> left = new ArrayList<>(paired.tokens);
+        List<PlacedToken> result = place.inOrder();
+        result.removeIf(e -> !standsFree(e, scope) || !left.remove(e.token));
+        return result;
     }
 
     private static boolean usable(PlacedToken e, FiringScope scope, List<PlacedToken> returned) {

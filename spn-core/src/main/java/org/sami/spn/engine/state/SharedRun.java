@@ -11,9 +11,4 @@ public final class SharedRun {
     public SharedRun(Instance instance) {
         this.instance = instance;
     }
-
-    /** The oldest unused return, or null. */
-    public Return oldest() {
-        return returns.isEmpty() ? null : returns.get(0);
-    }
 }
