@@ -37,7 +37,7 @@ final class EngineMessages {
             case LIVELOCK -> Priority.CRITICAL;
             case HANDLER_FAILED, INTERRUPT_REFUSED, NOT_RETURNED, NO_AUTOMATIC_ANSWER -> Priority.HIGH;
             case REJECTED_INPUT, NAMES_NOBODY, SHORT_OF_TOKENS, GLOBAL_KEPT -> Priority.MEDIUM;
-            case DISCARDED, LATE -> Priority.LOW;
+            case DISCARDED, LATE, GONE -> Priority.LOW;
         };
     }
 }

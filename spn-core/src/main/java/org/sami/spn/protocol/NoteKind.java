@@ -8,6 +8,8 @@ public enum NoteKind {
     LATE,
     /** An answer naming nobody where tokens were asked for. */
     NAMES_NOBODY,
+    /** Robots that an answer names, or that a filter kept, are gone: it is taken, or asked, for the others. */
+    GONE,
     /** Fewer tokens were there than an out requirement asked for (thesis 4.1.3, "attempts to remove"). */
     SHORT_OF_TOKENS,
     /** A starting token did not come back from a sub-mission, or cannot: it entered when the static instance was over. */

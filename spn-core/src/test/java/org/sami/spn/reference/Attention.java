@@ -12,6 +12,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
@@ -31,6 +32,13 @@ final class Attention {
 
     /** Gives it to all it is for (R-OCC-6), or notes why nobody wants it (R-OCC-11). */
     boolean receive(Occurrence occurrence) {
+        return receive(occurrence, List.of());
+    }
+
+    /** As the other, for an answer to a question that offered boats which stood there. */
+    boolean receive(Occurrence occurrence, List<String> offered) {
+        boolean someAreGone = false;
+        boolean onlyGone = false;
         boolean wanted = false;
         boolean askedForNames = false;
         for (Mission m : List.copyOf(world.missions)) {
@@ -44,19 +52,76 @@ final class Attention {
                     if (!typeFits(pending) || !someInPlaceIsMarked(m, t)) {
                         continue;
                     }
-                    if (namesNobodyWhereAsked(m, pending)) {
-                        askedForNames = true;
-                    } else if (isFor(m, pending)) {
+                    leaveOutGone(m, pending, offered);
+                    boolean refused = namesNobodyWhereAsked(m, pending);
+                    onlyGone |= refused && !pending.gone.isEmpty();
+                    boolean taken = !refused && isFor(m, pending);
+                    if (taken) {
                         keep(m, pending);
-                        wanted = true;
                     }
+                    askedForNames |= refused;
+                    wanted |= taken;
+                    someAreGone |= taken && !pending.gone.isEmpty();
                 }
             }
         }
         if (!wanted) {
-            noteUnwanted(occurrence, askedForNames);
+            noteUnwanted(occurrence, askedForNames, onlyGone);
+        } else if (someAreGone) {
+            world.note(NoteKind.GONE, world.visitOfActivation.get(occurrence.activation()).mission.id, "");
         }
         return wanted;
+    }
+
+    // ---- Who is gone (R-OCC-12)
+
+    /** Leaves out of an answer whom its question named and who is no longer where the transition looks. */
+    private void leaveOutGone(Mission m, Pending p, List<String> offered) {
+        Visit visit = p.isAnswer() ? world.visitOfActivation.get(p.occurrence.activation()) : null;
+        boolean isPress = World.isInterrupt(world.eventType(p.event.type()).role());
+        if (visit == null || visit.mission != m || isSuperseded(visit) || isPress) {
+            return;
+        }
+        for (Token name : p.names()) {
+            if (questionNamed(p, name, offered)
+                    && !standsForIt(m, p, visit, name)
+                    && !isWhereAsked(m, p, visit, name)) {
+                p.gone.add(name);
+            }
+        }
+    }
+
+    private boolean questionNamed(Pending p, Token name, List<String> offered) {
+        Activation question = enabling.answered(p);
+        boolean entered = enabling.tokensOf(name, p).stream().anyMatch(question.tokens()::contains);
+        return entered
+                || (name instanceof Token.Proxy boat
+                        && (question.proxies().contains(boat.proxy()) || offered.contains(boat.proxy())));
+    }
+
+    /** In the visit; where nobody entered, in the place. */
+    private boolean isWhereAsked(Mission m, Pending p, Visit visit, Token name) {
+        return enabling.tokensOf(name, p).stream()
+                .anyMatch(token ->
+                        visit.byNobody ? m.stands(token, visit.place) : !visit.ended && m.standsInVisit(token, visit));
+    }
+
+    /** Whether all transitions that wait for an answer would refuse it, for whom it names is gone. */
+    boolean namesOnlyGone(Occurrence answer, List<String> offered, boolean isChoice) {
+        Visit visit = world.visitOfActivation.get(answer.activation());
+        List<Pending> all = new ArrayList<>();
+        for (Transition t : visit.mission.outTransitions(visit.place)) {
+            for (InputEventSpec event : t.inputs()) {
+                if (event.type().equals(answer.type())) {
+                    Pending p = new Pending(t, event, answer);
+                    leaveOutGone(visit.mission, p, offered);
+                    all.add(p);
+                }
+            }
+        }
+        return answer.namesSomebody()
+                && !all.isEmpty()
+                && all.stream().allMatch(p -> isChoice ? !p.namesSomebody() : namesNobodyWhereAsked(visit.mission, p));
     }
 
     /** An answer reaches transitions in the order of the place that asked (R-LOOK-6). */
@@ -215,7 +280,7 @@ final class Attention {
         EventRole role = world.eventType(p.event.type()).role();
         boolean joinsWithAny = p.transition.inputs().size() > 1;
         boolean open = p.answeredVisit(world).filter(visit -> !visit.ended).isPresent();
-        return open && !p.occurrence.namesSomebody() && speaks && !joinsWithAny && !World.overrides(role);
+        return open && !p.namesSomebody() && speaks && !joinsWithAny && !World.overrides(role);
     }
 
     /** Keeps an occurrence (R-PEND-1). */
@@ -230,7 +295,7 @@ final class Attention {
                     && namedSet(older).equals(namedSet(pending)));
         }
         answered.ifPresent(visit -> pending.names().stream()
-                .filter(name -> standsForIt(m, pending, visit, name))
+                .filter(name -> standsForIt(m, pending, visit, name) || isWhereAsked(m, pending, visit, name))
                 .forEach(pending.stood::add));
         m.pending.add(pending);
         world.lookAt(m, pending.transition);
@@ -240,7 +305,7 @@ final class Attention {
         return new HashSet<>(p.names());
     }
 
-    private void noteUnwanted(Occurrence occurrence, boolean askedForNames) {
+    private void noteUnwanted(Occurrence occurrence, boolean askedForNames, boolean onlyGone) {
         Visit visit = world.visitOfActivation.get(occurrence.activation());
         long mission = occurrence.mission() == Ids.NONE && visit != null ? visit.mission.id : occurrence.mission();
         if (world.eventType(occurrence.type()).flags().contains(EventFlag.COALESCE)) {
@@ -248,7 +313,7 @@ final class Attention {
         } else if (World.isInterrupt(world.eventType(occurrence.type()).role())) {
             world.note(NoteKind.INTERRUPT_REFUSED, occurrence.mission(), occurrence.type());
         } else if (askedForNames) {
-            world.note(NoteKind.NAMES_NOBODY, mission, occurrence.type());
+            world.note(onlyGone ? NoteKind.DISCARDED : NoteKind.NAMES_NOBODY, mission, occurrence.type());
         } else if (occurrence.activation() != Ids.NONE
                 && (visit == null || visit.ended || visit.mission.status == Mission.Status.ENDED)) {
             world.note(NoteKind.LATE, mission, occurrence.type());
@@ -308,7 +373,7 @@ final class Attention {
     private boolean stillThere(Mission m, Pending p, Token name, Place left, List<Visit> entered) {
         Optional<Visit> answered = p.answeredVisit(world);
         if (answered.isPresent()) {
-            return standsForIt(m, p, answered.get(), name);
+            return standsForIt(m, p, answered.get(), name) || isWhereAsked(m, p, answered.get(), name);
         }
         return enabling.watched(m, p.transition).stream()
                 .flatMap(place -> m.tokensIn(place).stream())
@@ -318,7 +383,7 @@ final class Attention {
 
     /** The visit that it answers is over, and it names nobody. */
     private boolean unheardOf(Pending p) {
-        return !p.occurrence.namesSomebody()
+        return !p.namesSomebody()
                 && p.answeredVisit(world).map(visit -> visit.ended).orElse(false);
     }
 

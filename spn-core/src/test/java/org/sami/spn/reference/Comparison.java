@@ -26,6 +26,7 @@ final class Comparison {
             NoteKind.SHORT_OF_TOKENS,
             NoteKind.NOT_RETURNED,
             NoteKind.NAMES_NOBODY,
+            NoteKind.GONE,
             NoteKind.INTERRUPT_REFUSED,
             NoteKind.LATE,
             NoteKind.DISCARDED);

@@ -71,6 +71,9 @@ final class Firing {
                 entered.add(places.add(m, m.place(edge.place()), tokens));
             }
         }
+        if (!left.isEmpty()) {
+            places.offerAllWhereFilteredLeft(m);
+        }
         attention.strike(m, left, entered);
 
         world.firings++;

@@ -14,6 +14,8 @@ final class Pending {
     final Transition transition;
     final InputEventSpec event;
     final Occurrence occurrence;
+    /** Boats and tasks that its question named too, and that were gone when it came: it is as if it did not name them. */
+    final List<Token> gone = new ArrayList<>();
     /** Boats and tasks that it named and that left since. */
     final List<Token> struck = new ArrayList<>();
     /** Of an answer: whom it names and who was there when it arrived. */
@@ -41,9 +43,20 @@ final class Pending {
         return isAnswer() ? Optional.of(world.visitOfActivation.get(occurrence.activation())) : childOf;
     }
 
+    /** Whether it named anybody who was there when it came. */
+    boolean namesSomebody() {
+        return !named().isEmpty();
+    }
+
+    private List<Token> named() {
+        List<Token> named = new ArrayList<>(ofAborted ? Names.ofAborted(occurrence) : Names.of(occurrence));
+        named.removeAll(gone);
+        return named;
+    }
+
     /** Whom it names and who was not struck. */
     List<Token> names() {
-        List<Token> names = new ArrayList<>(ofAborted ? Names.ofAborted(occurrence) : Names.of(occurrence));
+        List<Token> names = named();
         names.removeAll(struck);
         return names;
     }

@@ -321,6 +321,11 @@ final class Places {
         places.forEach(w -> lookAfterLeaving(w.mission(), w.place()));
     }
 
+    /** Where a filter keeps nobody who is there any longer, all are offered (R-DEC-10). */
+    void offerAllWhereFilteredLeft(Mission m) {
+        roles.offerAllWhereFilteredLeft(m);
+    }
+
     /** Who was withdrawn from an instance is offered there no longer (R-DEC-8). */
     void askWithoutWithdrawn() {
         roles.askWithout(boatsWithdrawn);

@@ -407,7 +407,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                     Roles.withDefaults((Question.FillIn) q.decision().question(), (Answer.Fields) input.answer()));
             missions.mark(m);
         } else {
-            roles.accept(q, input.answer(), input.by());
+            roles.answer(q, input.answer(), input.by());
         }
     }
 

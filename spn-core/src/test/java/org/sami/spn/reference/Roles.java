@@ -185,7 +185,10 @@ final class Roles {
                 deadline,
                 Priority.MEDIUM,
                 activation.markups());
-        world.questions.add(new World.Question(decision, Optional.of(visit)));
+        boolean ofStanding = question instanceof Question.ChooseProxies
+                && activation.proxies().isEmpty()
+                && !standing(visit).isEmpty();
+        world.questions.add(new World.Question(decision, Optional.of(visit), ofStanding));
         world.effects.add(new Effect.DecisionOpened(decision));
         if (deadline.isPresent()) {
             world.clocks.add(new World.Clock(
@@ -225,12 +228,65 @@ final class Roles {
         if (!activation.proxies().isEmpty()) {
             return activation.proxies();
         }
-        List<String> here = visit.mission.tokensIn(visit.place).stream()
+        List<String> here = standing(visit);
+        return here.isEmpty() ? List.copyOf(world.proxies) : here;
+    }
+
+    private static List<String> standing(Visit visit) {
+        return visit.mission.tokensIn(visit.place).stream()
                 .filter(c -> c.token instanceof Token.Proxy)
                 .map(c -> ((Token.Proxy) c.token).proxy())
                 .distinct()
                 .toList();
-        return here.isEmpty() ? List.copyOf(world.proxies) : here;
+    }
+
+    /** Whom a filtered question would offer now without its filters (R-DEC-10); empty for any other question. */
+    private List<String> unfiltered(World.Question q) {
+        boolean filtered =
+                q.decision().markups().stream().anyMatch(markup -> markup.type().equals("Filter"));
+        if (!filtered || q.visit().isEmpty()) {
+            return List.of();
+        }
+        Visit visit = q.visit().get();
+        Activation activation = activationOf(q);
+        if (!activation.proxies().isEmpty()) {
+            return activation.proxies().stream()
+                    .filter(boat -> isStillIn(visit, activation, boat))
+                    .toList();
+        }
+        return q.ofStanding() ? standing(visit) : List.copyOf(world.proxies);
+    }
+
+    private boolean isStillIn(Visit visit, Activation activation, String boat) {
+        return visit.mission.standsInVisit(new Token.Proxy(boat), visit)
+                || activation.tokens().stream()
+                        .anyMatch(token -> token instanceof Token.Task
+                                && world.boatOf(token).equals(Optional.of(boat))
+                                && visit.mission.standsInVisit(token, visit));
+    }
+
+    private static Activation activationOf(World.Question q) {
+        return q.visit().orElseThrow().activations.stream()
+                .filter(a -> a.id() == q.decision().activation())
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Boats left places of a mission: filters that keep too few of those who are there are given up (R-DEC-10). */
+    void offerAllWhereFilteredLeft(Mission m) {
+        for (World.Question q : List.copyOf(world.questions)) {
+            if (q.decision().mission() == m.id && q.decision().question() instanceof Question.ChooseProxies choice) {
+                List<String> all = unfiltered(q);
+                List<String> left =
+                        choice.proxies().stream().filter(all::contains).toList();
+                if (left.size() < choice.proxies().size()
+                        && left.size() < Math.max(1, choice.min())
+                        && all.size() > left.size()) {
+                    askAnew(q, all);
+                    world.note(NoteKind.GONE, m.id, "");
+                }
+            }
+        }
     }
 
     /** R-DEC-10: every filter lets it through. */
@@ -283,7 +339,7 @@ final class Roles {
         find(decision).ifPresent(q -> {
             Optional<Answer> automatic = q.decision().automatic();
             if (automatic.isPresent() && fits(q.decision().question(), automatic.get())) {
-                accept(q, automatic.get(), Answerer.AUTONOMY);
+                answer(q, automatic.get(), Answerer.AUTONOMY);
             } else {
                 world.note(
                         NoteKind.NO_AUTOMATIC_ANSWER,
@@ -308,43 +364,54 @@ final class Roles {
             if (!others.removeAll(boats)) {
                 continue;
             }
-            boolean runs =
-                    world.clocks.stream().anyMatch(clock -> clock.timer().isEmpty() && clock.decision() == old.id());
-            close(q, Optional.empty(), Optional.empty());
-            if (others.isEmpty() && old.activation() == Ids.NONE) {
+            List<String> all = new ArrayList<>(unfiltered(q));
+            all.removeAll(boats);
+            if (others.size() < Math.max(1, choice.min()) && all.size() > others.size()) {
+                askAnew(q, all);
+                world.note(NoteKind.GONE, old.mission(), "");
+            } else if (others.isEmpty() && old.activation() == Ids.NONE) {
+                close(q, Optional.empty(), Optional.empty());
                 world.note(NoteKind.INTERRUPT_REFUSED, old.mission(), "");
-                continue;
+            } else {
+                askAnew(q, others);
             }
-            Question question = new Question.ChooseProxies(others, choice.min(), choice.max());
-            Decision decision = new Decision(
-                    world.nextDecision++,
-                    old.mission(),
-                    old.activation(),
-                    old.type(),
-                    old.prompt(),
-                    question,
-                    old.activation() == Ids.NONE
-                            ? Optional.empty()
-                            : automatic(world.eventType(old.type()).decision().orElseThrow(), question, old.markups()),
-                    runs ? old.deadlineMillis() : OptionalLong.empty(),
-                    Priority.MEDIUM,
-                    old.markups());
-            world.questions.add(new World.Question(decision, q.visit()));
-            world.effects.add(new Effect.DecisionOpened(decision));
-            if (runs) {
-                world.clocks.add(new World.Clock(
-                        old.deadlineMillis().orElseThrow(),
-                        world.nextClock++,
-                        Optional.empty(),
-                        Optional.empty(),
-                        decision.id()));
-            }
-            if (others.isEmpty()) {
-                world.note(NoteKind.NAMES_NOBODY, old.mission(), "");
-            } else if (decision.automatic().isPresent()
-                    && trigger(old.markups()).equals("IMMEDIATELY")) {
-                world.internal.add(() -> answerByAutonomy(decision.id()));
-            }
+        }
+    }
+
+    /** Closes a choice and asks it for other boats, with the deadline that it had (R-DEC-8, R-DEC-9). */
+    private void askAnew(World.Question q, List<String> boats) {
+        Decision old = q.decision();
+        Question.ChooseProxies choice = (Question.ChooseProxies) old.question();
+        boolean runs = world.clocks.stream().anyMatch(clock -> clock.timer().isEmpty() && clock.decision() == old.id());
+        close(q, Optional.empty(), Optional.empty());
+        Question question = new Question.ChooseProxies(boats, choice.min(), choice.max());
+        Decision decision = new Decision(
+                world.nextDecision++,
+                old.mission(),
+                old.activation(),
+                old.type(),
+                old.prompt(),
+                question,
+                old.activation() == Ids.NONE
+                        ? Optional.empty()
+                        : automatic(world.eventType(old.type()).decision().orElseThrow(), question, old.markups()),
+                runs ? old.deadlineMillis() : OptionalLong.empty(),
+                Priority.MEDIUM,
+                old.markups());
+        world.questions.add(new World.Question(decision, q.visit(), q.ofStanding()));
+        world.effects.add(new Effect.DecisionOpened(decision));
+        if (runs) {
+            world.clocks.add(new World.Clock(
+                    old.deadlineMillis().orElseThrow(),
+                    world.nextClock++,
+                    Optional.empty(),
+                    Optional.empty(),
+                    decision.id()));
+        }
+        if (boats.isEmpty()) {
+            world.note(NoteKind.NAMES_NOBODY, old.mission(), "");
+        } else if (decision.automatic().isPresent() && trigger(old.markups()).equals("IMMEDIATELY")) {
+            world.internal.add(() -> answerByAutonomy(decision.id()));
         }
     }
 
@@ -408,13 +475,21 @@ final class Roles {
                 && world.eventType(q.decision().type()).decision().orElseThrow().names() == AnswerNames.CHOSEN;
     }
 
-    /** Answers once (R-DEC-1): closes the question and answers its activation. */
-    void accept(World.Question q, Answer answer, Answerer by) {
-        close(q, Optional.of(answer), Optional.of(by));
-        Activation activation = q.visit().orElseThrow().activations.stream()
-                .filter(a -> a.id() == q.decision().activation())
-                .findFirst()
-                .orElseThrow();
+    /** Takes an answer, unless whom it names is gone and somebody is asked for: then the question stays open (R-OCC-12). */
+    void answer(World.Question q, Answer answer, Answerer by) {
+        AnswerNames names =
+                world.eventType(q.decision().type()).decision().orElseThrow().names();
+        boolean isChoice = names == AnswerNames.CHOSEN;
+        if (attention.namesOnlyGone(occurrence(q, answer), q.standing(), isChoice)) {
+            world.note(NoteKind.NAMES_NOBODY, q.decision().mission(), "");
+        } else { // answered once (R-DEC-1)
+            close(q, Optional.of(answer), Optional.of(by));
+            attention.receive(occurrence(q, answer), q.standing());
+        }
+    }
+
+    private Occurrence occurrence(World.Question q, Answer answer) {
+        Activation activation = activationOf(q);
         DecisionType type = world.eventType(activation.type()).decision().orElseThrow();
         boolean rejected = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
         Map<String, Value> values = new LinkedHashMap<>();
@@ -439,7 +514,7 @@ final class Roles {
             proxies = activation.proxies();
             tasks = activation.tasks();
         }
-        answer(activation, rejected ? type.rejected() : type.accepted(), proxies, tasks, values);
+        return Occurrence.answer(rejected ? type.rejected() : type.accepted(), activation, proxies, tasks, values);
     }
 
     static Map<String, Value> withDefaults(Question.FillIn question, Answer.Fields answer) {

@@ -27,8 +27,23 @@ final class World {
     /** A transition that is to be looked at. */
     record Look(Mission mission, Transition transition) {}
 
-    /** A question that is open. */
-    record Question(Decision decision, Optional<Visit> visit) {}
+    /**
+     * A question that is open.
+     *
+     * @param ofStanding whether it offers boats because they stood in the place, which nobody entered
+     */
+    record Question(Decision decision, Optional<Visit> visit, boolean ofStanding) {
+        Question(Decision decision, Optional<Visit> visit) {
+            this(decision, visit, false);
+        }
+
+        /** The boats that it offers because they stood there. */
+        List<String> standing() {
+            return ofStanding && decision.question() instanceof org.sami.spn.protocol.Question.ChooseProxies c
+                    ? c.proxies()
+                    : List.of();
+        }
+    }
 
     /**
      * A clock that runs: of a timer activation (for one token, with a per-boat timer) or of a decision's deadline.

@@ -148,6 +148,9 @@ final class TrialMonitor implements HostListener {
             }
             case REJECTED_INPUT, NO_AUTOMATIC_ANSWER, GLOBAL_KEPT ->
                 keep(Severity.WARNING, TrialCodes.REJECTED, plan, noted.message());
+            case GONE -> {
+                // the plan goes on without those who left: that is no defect of it
+            }
         }
     }
 

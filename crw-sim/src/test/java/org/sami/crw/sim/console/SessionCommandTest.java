@@ -114,6 +114,30 @@ class SessionCommandTest {
         }
     }
 
+    /** The options name both boats; the mission of whom is left goes on, and the operator is told who is missing. */
+    @Test
+    void boatThatIsDroppedWhileOptionsNameItIsNotWaitedFor() throws IOException {
+        CommandResult ran = session(
+                List.of(),
+                "add b 45.7,10.72 2",
+                "wait boats 2 within 120",
+                "start clv",
+                "wait decision within 120",
+                "answer all",
+                "wait decision within 120",
+                "answer 45.7001,10.7201;45.7002,10.7202",
+                "wait decision within 120",
+                "drop b2",
+                "answer 1",
+                "wait ended within 120",
+                "quit");
+
+        assertThat(ran.out())
+                .contains("OperatorAcceptedAllocation is taken without b2, who is gone")
+                .contains("All boats have finished", "mission 1 of clv: ended");
+        assertThat(ran.exitCode()).isZero();
+    }
+
     @Test
     void boatThatNeverAnsweredIsListedCountedAndGivenUp() throws IOException {
         int nobodys;

@@ -66,7 +66,15 @@ public final class Decisions {
                 deadline,
                 output.priority,
                 output.spec.markups());
-        OpenDecision open = new OpenDecision(decision, OpenDecision.Purpose.ACTIVATION, sent.mission(), sent, null, "");
+        OpenDecision open = new OpenDecision(
+                decision,
+                OpenDecision.Purpose.ACTIVATION,
+                sent.mission(),
+                sent,
+                null,
+                question instanceof Question.ChooseProxies && questions.offersStanding(sent)
+                        ? OpenDecision.STANDING
+                        : "");
         sent.decision = open;
         add(open);
         if (output.trigger == CompiledOutput.Trigger.TIMER) {
@@ -193,6 +201,9 @@ public final class Decisions {
         if (wrong.isPresent()) {
             return Optional.of("The answer to '" + open.decision.prompt() + "' does not fit: " + wrong.get());
         }
+        if (namesOnlyGone(open, input.answer())) {
+            return Optional.empty();
+        }
         take(open, input.answer(), input.by());
         return Optional.empty();
     }
@@ -229,6 +240,31 @@ public final class Decisions {
                 && p.proxies().isEmpty();
     }
 
+    /** Whether an answer names only robots that are gone, where somebody is asked for; that is noted. */
+    private boolean namesOnlyGone(OpenDecision open, Answer answer) {
+        if (open.purpose != OpenDecision.Purpose.ACTIVATION
+                || !rules.routing.namesOnlyGone(
+                        occurrence(open, answer, Map.of()),
+                        open.sent,
+                        offered(open),
+                        typeOf(open).names() == AnswerNames.CHOSEN)) {
+            return false;
+        }
+        rules.note(
+                NoteKind.NAMES_NOBODY,
+                open.mission.id,
+                "Whom the answer to '" + open.decision.prompt() + "' names is gone; the question stays open");
+        return true;
+    }
+
+    /** Robots that a choice offers because they stood in its place when it was asked. */
+    private static List<String> offered(OpenDecision open) {
+        return open.decision.question() instanceof Question.ChooseProxies choice
+                        && open.subject.equals(OpenDecision.STANDING)
+                ? choice.proxies()
+                : List.of();
+    }
+
     private static DecisionType typeOf(OpenDecision open) {
         return open.sent.output.decision;
     }
@@ -250,7 +286,9 @@ public final class Decisions {
                     "Autonomy has no answer to '" + open.decision.prompt() + "'; the operator must decide");
             return;
         }
-        take(open, automatic.get(), Answerer.AUTONOMY);
+        if (!namesOnlyGone(open, automatic.get())) {
+            take(open, automatic.get(), Answerer.AUTONOMY);
+        }
     }
 
     private void take(OpenDecision open, Answer answer, Answerer by) {
@@ -285,12 +323,21 @@ public final class Decisions {
     /** The answer becomes the occurrence of an input event. */
     private void occur(OpenDecision open, Answer answer) {
         DecisionType type = typeOf(open);
-        Activation asked = open.sent.activation;
-        boolean no = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
         Map<String, Value> values = values(open, type, answer);
         if (type.form() == DecisionForm.REDEFINE_VARIABLE || type.form() == DecisionForm.DEFINE_VARIABLES) {
             values = written(open, values);
         }
+        Occurrence occurrence = occurrence(open, answer, values);
+        if (!occurrence.type().isEmpty()) {
+            rules.routing.route(occurrence, offered(open));
+        }
+    }
+
+    /** The answer as an occurrence; of no type where the question's type has none for it. */
+    private static Occurrence occurrence(OpenDecision open, Answer answer, Map<String, Value> values) {
+        DecisionType type = typeOf(open);
+        Activation asked = open.sent.activation;
+        boolean no = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
         List<String> proxies = List.of();
         List<TaskId> tasks = List.of();
         if (type.names() == AnswerNames.ENTERING) {
@@ -299,10 +346,7 @@ public final class Decisions {
         } else if (type.names() == AnswerNames.CHOSEN && answer instanceof Answer.Proxies chosen) {
             proxies = chosen.proxies();
         }
-        String event = no ? type.rejected() : type.accepted();
-        if (!event.isEmpty()) {
-            rules.routing.route(Occurrence.answer(event, asked, proxies, tasks, values));
-        }
+        return Occurrence.answer(no ? type.rejected() : type.accepted(), asked, proxies, tasks, values);
     }
 
     /** Writes variables; the answer carries what they were given as one map. */
@@ -353,7 +397,10 @@ public final class Decisions {
                         .filter(without::contains)
                         .map(robot -> "'" + robot + "' was " + how)
                         .collect(Collectors.joining(", "));
-                if (left.isEmpty() && open.purpose == OpenDecision.Purpose.INTERRUPT_CHOICE) {
+                List<String> all = questions.all(open, without);
+                if (tooFew(left, choice) && filtered(open) && all.size() > left.size()) {
+                    askAll(open, all, who);
+                } else if (left.isEmpty() && open.purpose == OpenDecision.Purpose.INTERRUPT_CHOICE) {
                     close(open);
                     rules.note(
                             NoteKind.INTERRUPT_REFUSED,
@@ -364,6 +411,43 @@ public final class Decisions {
                 }
             }
         }
+    }
+
+    /** Tokens left places of a mission: a filter that keeps nobody who is there any longer is given up. */
+    void left(MissionState m) {
+        for (OpenDecision open : List.copyOf(m.decisions.values())) {
+            if (filtered(open) && open.decision.question() instanceof Question.ChooseProxies choice) {
+                List<String> all = questions.all(open, Set.of());
+                List<String> left =
+                        choice.proxies().stream().filter(all::contains).toList();
+                if (left.size() < choice.proxies().size() && tooFew(left, choice) && all.size() > left.size()) {
+                    askAll(
+                            open,
+                            all,
+                            choice.proxies().stream()
+                                    .filter(robot -> !left.contains(robot))
+                                    .map(robot -> "'" + robot + "' has left")
+                                    .collect(Collectors.joining(", ")));
+                }
+            }
+        }
+    }
+
+    private static boolean filtered(OpenDecision open) {
+        return open.purpose == OpenDecision.Purpose.ACTIVATION && !open.sent.output.filters.isEmpty();
+    }
+
+    private static boolean tooFew(List<String> left, Question.ChooseProxies choice) {
+        return left.size() < Math.max(1, choice.min());
+    }
+
+    private void askAll(OpenDecision open, List<String> all, String why) {
+        Question.ChooseProxies choice = (Question.ChooseProxies) open.decision.question();
+        askAnew(open, new Question.ChooseProxies(all, choice.min(), choice.max()), why);
+        rules.note(
+                NoteKind.GONE,
+                open.mission.id,
+                "The filter of '" + open.decision.prompt() + "' leaves too few (" + why + "): all are offered again");
     }
 
     private void askAnew(OpenDecision open, Question.ChooseProxies question, String why) {

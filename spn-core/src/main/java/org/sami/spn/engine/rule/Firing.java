@@ -112,6 +112,9 @@ public final class Firing {
         }
         nobody.forEach(rules.visits::end);
         rules.robotRemoval.askWithoutWithdrawn();
+        if (!selected.removed.isEmpty() && !m.decisions.isEmpty()) {
+            rules.decisions.left(m);
+        }
         write(m, used);
         if (ending) {
             rules.missionEnd.lastWords(m);

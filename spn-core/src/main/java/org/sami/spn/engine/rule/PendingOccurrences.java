@@ -30,7 +30,7 @@ import org.sami.spn.vocabulary.Reserved;
 /**
  * Occurrences that transitions have received and not used.
  *
- * <p>Implements R-REL-1, R-REL-3, R-PEND-1, R-PEND-2, R-PEND-3, R-PEND-4, R-RET-1, R-RET-4.
+ * <p>Implements R-REL-1, R-REL-3, R-OCC-12, R-PEND-1, R-PEND-2, R-PEND-3, R-PEND-4, R-RET-1, R-RET-4.
  */
 public final class PendingOccurrences {
     private static final NamedToken[] NOBODY = {};
@@ -79,7 +79,59 @@ public final class PendingOccurrences {
         return p;
     }
 
+    /**
+     * Strikes from an answer, which is not added yet, whom the question named and who is gone since; those that it struck.
+     *
+     * @param offered robots that the question offered because they stood in its place; it named them too
+     */
+    public List<Token> strikeGone(TransitionState t, PendingOccurrence p, List<String> offered) {
+        List<Token> gone = List.of();
+        for (NamedToken n : p.names) {
+            if (!n.stood && wasNamed(n, p.answered, offered) && !isIn(p.answered.visit, n)) {
+                gone = gone.isEmpty() ? new ArrayList<>() : gone;
+                gone.add(n.token);
+            }
+        }
+        if (!gone.isEmpty()) {
+            List<NamedToken> left = new ArrayList<>();
+            for (NamedToken n : p.names) {
+                if (!gone.contains(n.token)) {
+                    left.add(n);
+                }
+            }
+            p.names = left.isEmpty() ? NOBODY : left.toArray(NamedToken[]::new);
+            p.namesLeft = p.names.length;
+        }
+        return gone;
+    }
+
+    /** Whether a question or request named somebody: who entered, whose task did, or who was offered. */
+    private static boolean wasNamed(NamedToken n, SentActivation asked, List<String> offered) {
+        for (Token token : n.tokens) {
+            if (asked.activation.tokens().contains(token)) {
+                return true;
+            }
+        }
+        return n.token instanceof Token.Proxy robot
+                && (asked.activation.proxies().contains(robot.proxy()) || offered.contains(robot.proxy()));
+    }
+
+    /** Whether a token of a name is in a visit; in the place of a visit by nobody. */
+    private static boolean isIn(Visit visit, NamedToken n) {
+        for (Token token : n.tokens) {
+            if (visit.byNobody ? visit.place.find(token) != null : !visit.ended && visit.has(token)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     public void add(TransitionState t, PendingOccurrence p) {
+        if (p.visit() != null) {
+            for (NamedToken n : p.names) {
+                n.stood = n.stood || isIn(p.visit(), n);
+            }
+        }
         if (p.isNews() && !p.input.isPress()) {
             replaceOlder(t, p);
         }
@@ -219,8 +271,9 @@ public final class PendingOccurrences {
     }
 
     private void strikeIfGone(TransitionState t, NamedToken n, PlaceState left, long before) {
-        boolean gone =
-                n.pending.isNews() ? watches(t, left) && !standsOn(n, t, left, before) : n.stood && !stands(n, t);
+        boolean gone = n.pending.isNews()
+                ? watches(t, left) && !standsOn(n, t, left, before)
+                : n.stood && !stands(n, t) && (n.pending.visit() == null || !isIn(n.pending.visit(), n));
         if (gone) {
             strike(t, n);
         }

@@ -11,6 +11,7 @@ import java.util.function.BiPredicate;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.net.OptionFilter;
+import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.VariableSpec;
@@ -88,11 +89,48 @@ final class Questions {
         if (!entered.isEmpty()) {
             return entered;
         }
+        Set<String> standing = standing(sent);
+        return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
+    }
+
+    private static Set<String> standing(SentActivation sent) {
         Set<String> standing = new LinkedHashSet<>();
         for (PlacedToken e = sent.visit.place.first[PlacedToken.PROXY]; e != null; e = e.nextOfKind) {
             standing.add(((Token.Proxy) e.token).proxy());
         }
-        return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
+        return standing;
+    }
+
+    /** Whether a choice offers those who stand in the place, as nobody entered it. */
+    boolean offersStanding(SentActivation sent) {
+        return sent.activation.proxies().isEmpty() && !standing(sent).isEmpty();
+    }
+
+    /** Whom an open choice would offer now without its filters, of those among whom it was asked. */
+    List<String> all(OpenDecision open, Set<String> without) {
+        SentActivation sent = open.sent;
+        if (open.purpose != OpenDecision.Purpose.ACTIVATION) {
+            return List.of();
+        }
+        List<String> all = List.copyOf(rules.state.proxies);
+        if (!sent.activation.proxies().isEmpty()) {
+            all = sent.activation.proxies().stream()
+                    .filter(robot -> isIn(sent, new Token.Proxy(robot)))
+                    .toList();
+        } else if (open.subject.equals(OpenDecision.STANDING)) {
+            all = List.copyOf(standing(sent));
+        }
+        return all.stream().filter(robot -> !without.contains(robot)).toList();
+    }
+
+    /** Whether a robot, or a task that it has, is still in the visit that asked. */
+    private boolean isIn(SentActivation sent, Token robot) {
+        for (Token token : rules.pendings.tokensOf(robot, sent)) {
+            if (sent.visit.has(token)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private List<Value> options(SentActivation sent) {

@@ -1,7 +1,9 @@
 package org.sami.spn.engine.rule;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
@@ -29,13 +31,26 @@ import org.sami.spn.vocabulary.TokenNeed;
  * transitions of its place, news to the missions whose plans speak of it: the cost does not grow with robots or
  * missions that it does not concern.
  *
- * <p>Implements R-OCC-2, R-OCC-3, R-OCC-4, R-OCC-5, R-OCC-6, R-OCC-8, R-OCC-10, R-OCC-11.
+ * <p>Implements R-OCC-2, R-OCC-3, R-OCC-4, R-OCC-5, R-OCC-6, R-OCC-8, R-OCC-10, R-OCC-11, R-OCC-12.
  */
 public final class Routing {
     /** What became of an occurrence at one or more transitions. */
     private static final class Fate {
+        /** Robots that the question offered because they stood in its place. */
+        final List<String> offered;
+
+        /** Whom the answer names and who is gone, for transitions that took it. */
+        final Set<Token> gone = new LinkedHashSet<>();
+
+        /** The same, for transitions that refused it as it names nobody else. */
+        final Set<Token> onlyGone = new LinkedHashSet<>();
+
         boolean received;
         boolean namesNobody;
+
+        Fate(List<String> offered) {
+            this.offered = offered;
+        }
     }
 
     private final Rules rules;
@@ -46,9 +61,18 @@ public final class Routing {
 
     /** Brings an occurrence to whom it is for, or notes why nobody wants it; says whether somebody does. */
     public boolean route(Occurrence o) {
+        return route(o, List.of());
+    }
+
+    /**
+     * The same for an answer to a choice of robots.
+     *
+     * @param offered robots that the choice offered because they stood in its place
+     */
+    boolean route(Occurrence o, List<String> offered) {
         int type = rules.project().knownTypeId(o.type());
         SentActivation sent = o.activation() == Ids.NONE ? null : rules.state.sent.get(o.activation());
-        Fate fate = new Fate();
+        Fate fate = new Fate(offered);
         if (type >= 0) {
             if (o.activation() == Ids.NONE) {
                 news(o, type, null, fate);
@@ -64,8 +88,39 @@ public final class Routing {
         }
         if (!fate.received) {
             unwanted(o, sent, fate);
+        } else if (!fate.gone.isEmpty()) {
+            rules.note(
+                    NoteKind.GONE,
+                    sent.activation.mission(),
+                    o.type() + " is taken without " + SubMissions.words(List.copyOf(fate.gone)) + ", who is gone");
         }
         return fate.received;
+    }
+
+    /**
+     * Whether everybody whom an answer names is gone for all transitions that wait for it, and they ask for somebody.
+     *
+     * @param offered robots that the question offered because they stood in its place
+     * @param isChoice whether an answer that names nobody is none, whatever transitions ask for (R-DEC-5)
+     */
+    boolean namesOnlyGone(Occurrence o, SentActivation sent, List<String> offered, boolean isChoice) {
+        int type = rules.project().knownTypeId(o.type());
+        boolean onlyGone = false;
+        for (CompiledTransition t : sent.visit.place.place.outTransitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.typeId == type && !input.isPress() && o.namesSomebody()) {
+                    TransitionState state = sent.mission().transition(t.index);
+                    List<Token> names = PendingOccurrences.names(o, input.role);
+                    PendingOccurrence p = rules.pendings.make(state, input, o, names, sent, null);
+                    rules.pendings.strikeGone(state, p, offered);
+                    if (p.names.length > 0 || !(isChoice || asksForNames(t, o))) {
+                        return false;
+                    }
+                    onlyGone = true;
+                }
+            }
+        }
+        return onlyGone;
     }
 
     private void answer(Occurrence o, int type, SentActivation sent, Fate fate) {
@@ -119,26 +174,30 @@ public final class Routing {
         if (!fits(input, o) || !isAttentive(m, t)) {
             return;
         }
-        boolean single = t.inputs.length == 1;
-        if (sent != null
-                && !o.namesSomebody()
-                && !input.isPress()
-                && t.speaksOfRelevant
-                && (single || needsTokens(o))) {
-            fate.namesNobody |= !sent.visit.ended; // else there is no question that stays open: it is late
-            return;
-        }
         TransitionState state = m.transition(t.index);
         List<Token> names = PendingOccurrences.names(o, input.role);
         PendingOccurrence p = rules.pendings.make(state, input, o, names, sent, null);
+        List<Token> gone =
+                sent == null || input.isPress() ? List.of() : rules.pendings.strikeGone(state, p, fate.offered);
+        if (sent != null && p.names.length == 0 && !input.isPress() && asksForNames(t, o)) {
+            fate.namesNobody |= !sent.visit.ended; // else there is no question that stays open: it is late
+            fate.onlyGone.addAll(gone);
+            return;
+        }
         if (sent != null && !answers(t, p, sent)) {
             return;
         }
-        if (t.mustHaveRelevant && (single || p.names.length > 0) && !anyHere(m, t, p)) {
+        if (t.mustHaveRelevant && (t.inputs.length == 1 || p.names.length > 0) && !anyHere(m, t, p)) {
             return;
         }
         rules.pendings.add(state, p);
         fate.received = true;
+        fate.gone.addAll(gone);
+    }
+
+    /** Whether an answer must name somebody for a transition. */
+    private boolean asksForNames(CompiledTransition t, Occurrence o) {
+        return t.speaksOfRelevant && (t.inputs.length == 1 || needsTokens(o));
     }
 
     /** Whether one of its in places is marked or visited by nobody, or it has none. */
@@ -237,6 +296,12 @@ public final class Routing {
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();
         if (type != null && CompiledInput.isInterrupt(type.role())) {
             rules.interrupts.untaken(o);
+        } else if (fate.namesNobody && !fate.onlyGone.isEmpty()) {
+            String who = SubMissions.words(List.copyOf(fate.onlyGone));
+            rules.note(
+                    NoteKind.DISCARDED,
+                    mission,
+                    o.type() + " is discarded: it names nobody but " + who + ", who is gone");
         } else if (fate.namesNobody) {
             rules.note(
                     NoteKind.NAMES_NOBODY, mission, o.type() + " names nobody though robots or tasks were asked for");

@@ -13,6 +13,9 @@ public final class OpenDecision {
         DOMAIN
     }
 
+    /** The subject of a choice that offers the robots that stood in its place, for nobody entered it. */
+    public static final String STANDING = "standing";
+
     /** Replaced by one without a deadline where the operator holds it. */
     public Decision decision;
 
@@ -23,7 +26,7 @@ public final class OpenDecision {
     public final SentActivation sent;
     /** The aborted child, else null. */
     public final Instance instance;
-    /** The interrupt whose robots are chosen, or whom the domain's question is about, else empty text. */
+    /** The interrupt whose robots are chosen, or whom the domain's question is about, or {@link #STANDING}; else empty text. */
     public final String subject;
 
     public RunningTimer deadline;
