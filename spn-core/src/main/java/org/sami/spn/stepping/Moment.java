@@ -20,7 +20,7 @@ final class Moment {
     /** Activations whose visits have not ended, and those of end places. */
     final Map<Long, Activation> activations = new LinkedHashMap<>();
 
-    final TaskQueues tasks;
+    final RobotTasks tasks;
     long nowMillis;
     long mission = Ids.NONE;
     Optional<Outcome> outcome = Optional.empty();
@@ -28,10 +28,10 @@ final class Moment {
     private String looks;
 
     Moment(EngineState state) {
-        this(state, new TaskQueues());
+        this(state, new RobotTasks());
     }
 
-    private Moment(EngineState state, TaskQueues tasks) {
+    private Moment(EngineState state, RobotTasks tasks) {
         this.state = state;
         this.tasks = tasks;
     }

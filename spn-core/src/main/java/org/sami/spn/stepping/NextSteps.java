@@ -76,7 +76,7 @@ public final class NextSteps {
         return List.copyOf(sorted);
     }
 
-    /** What could happen here as well and is not among the steps, in sentences: no value could be made up for it. */
+    /** What could happen here as well and is not among the steps, in a few words each: it could not be made up. */
     public Set<String> unlooked() {
         return unlooked;
     }
@@ -132,7 +132,7 @@ public final class NextSteps {
             items.forEach(item -> samples.of(item.type())
                     .ifPresentOrElse(
                             value -> values.put(item.key(), value),
-                            () -> unlooked.add("The operator is asked for " + item.key() + ", and "
+                            () -> unlooked.add("the operator is asked for " + item.key() + ", and "
                                     + samples.whyNone(item.type()))));
             if (values.size() == items.size()) {
                 NextStep.Kind kind = size == 0 ? NextStep.Kind.EMPTY : NextStep.Kind.DECISION;
@@ -178,14 +178,15 @@ public final class NextSteps {
     private void connect(EventType type, Activation asked, NextStep.Kind kind) {
         List<String> known = view.proxies();
         List<String> free = known.stream().filter(robot -> !takesPart(robot)).toList();
-        if (free.isEmpty() && known.size() < stepper.robotsAtStart() + MOST_NEW_ROBOTS) {
-            add(kind, new TestStep.Join(newName(known)));
-        } else {
-            List<String> named = free.isEmpty() ? known.subList(known.size() - 1, known.size()) : free.subList(0, 1);
-            TestStep.Occur step = occur(type, asked.event(), named, List.of());
+        if (!free.isEmpty()) {
+            TestStep.Occur step = occur(type, asked.event(), free.subList(0, 1), List.of());
             if (!isKept(asked, step)) {
                 add(kind, step);
             }
+        } else if (known.size() < stepper.robotsAtStart() + MOST_NEW_ROBOTS) {
+            add(kind, new TestStep.Join(newName(known)));
+        } else {
+            unlooked.add("more than " + MOST_NEW_ROBOTS + " robots that connect");
         }
     }
 

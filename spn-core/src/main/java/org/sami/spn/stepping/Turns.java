@@ -30,8 +30,8 @@ public final class Turns {
     private static final int LOOKS = 3;
     /** After so many steps in which nobody came to where he was not yet, the run goes round. */
     private static final int NOTHING_NEW = 40;
-    /** How many moments are looked at for a way that leads on: a blink of an eye. */
-    private static final int MOST_LOOKED = 250;
+    /** How many steps are tried for a way that leads on: a blink of an eye. */
+    private static final int MOST_TRIED = 1_200;
 
     private static final Set<Kind> EXPECTED = Set.of(Kind.DECISION, Kind.ANSWER, Kind.TIME);
 
@@ -39,6 +39,7 @@ public final class Turns {
     private final List<Integer> locations;
     private final Predicate<Kind> isPlayed;
     private final Set<MomentKey> before;
+    private int tried;
     private final Map<String, Integer> looks = new HashMap<>();
     private final int stepsWithoutNews;
     private final Map<String, Integer> turns = new HashMap<>();
@@ -112,15 +113,29 @@ public final class Turns {
                 .next();
     }
 
+    /**
+     * The next step of a run in which all goes as expected; empty where nothing expected leads on.
+     *
+     * @param locations as for {@link NextSteps#of}
+     */
+    public static Optional<NextStep> expected(Stepper stepper, List<Integer> locations) {
+        Turns turns = new Turns(stepper, locations, EXPECTED::contains);
+        return turns.fresh(turns.candidates(stepper, EXPECTED::contains));
+    }
+
     private Turn next() {
         List<Candidate> candidates = candidates(stepper, kind -> EXPECTED.contains(kind) && isPlayed.test(kind));
-        Optional<NextStep> fresh = candidates.stream()
+        Optional<NextStep> fresh = fresh(candidates);
+        return fresh.isPresent() ? new Turn(fresh, "") : leadOut(!candidates.isEmpty());
+    }
+
+    private Optional<NextStep> fresh(List<Candidate> candidates) {
+        return candidates.stream()
                 .filter(candidate -> candidate.leadsOn() && stepsWithoutNews < NOTHING_NEW)
                 .map(Candidate::step)
                 .min(Comparator.comparing((NextStep step) -> uses.getOrDefault(step.step(), 0) >= OFTEN)
                         .thenComparing(step -> step.kind() == Kind.TIME)
                         .thenComparing(step -> turns.getOrDefault(actor(step.step()), 0)));
-        return fresh.isPresent() ? new Turn(fresh, "") : leadOut(!candidates.isEmpty());
     }
 
     /** The steps of some kinds that change something, or let time pass, with what they lead to. */
@@ -206,22 +221,25 @@ public final class Turns {
         known.add(stepper.key());
         Deque<Way> open = new ArrayDeque<>(List.of(new Way(stepper.branch(), List.of())));
         Optional<Way> fresh = Optional.empty();
-        while (!open.isEmpty() && known.size() < MOST_LOOKED) {
+        int until = tried + MOST_TRIED / 4;
+        while (!open.isEmpty() && tried < until) {
             Way way = open.poll();
             for (NextStep step : NextSteps.of(way.at(), locations).steps()) {
-                Stepper tried = way.at().branch();
-                if (!wanted.test(step.kind())
-                        || tried.take(step.step()).refusal().isPresent()
-                        || !known.add(tried.key())) {
+                if (!wanted.test(step.kind())) {
+                    continue;
+                }
+                tried++;
+                Stepper behind = way.at().branch();
+                if (behind.take(step.step()).refusal().isPresent() || !known.add(behind.key())) {
                     continue;
                 }
                 List<NextStep> steps = new ArrayList<>(way.steps());
                 steps.add(step);
-                Way longer = new Way(tried, steps);
-                if (tried.outcome().isPresent()) {
+                Way longer = new Way(behind, steps);
+                if (behind.outcome().isPresent()) {
                     return Optional.of(longer);
                 }
-                if (fresh.isEmpty() && !onlyToEnd && leadsOn(tried)) {
+                if (fresh.isEmpty() && !onlyToEnd && leadsOn(behind)) {
                     fresh = Optional.of(longer);
                 }
                 open.add(longer);

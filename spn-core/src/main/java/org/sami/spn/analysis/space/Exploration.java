@@ -1,6 +1,10 @@
 package org.sami.spn.analysis.space;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -8,133 +12,170 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.engine.Engine;
-import org.sami.spn.engine.MissionView;
-import org.sami.spn.model.TestCase;
-import org.sami.spn.model.TestStep;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
-import org.sami.spn.protocol.Outcome;
-import org.sami.spn.protocol.Token;
 import org.sami.spn.stepping.MomentKey;
 import org.sami.spn.stepping.NextStep;
 import org.sami.spn.stepping.NextSteps;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
+import org.sami.spn.stepping.Turns;
 
 /**
- * The states that a plan reaches by the steps of {@link NextSteps}, nearest first, until there is none left, the bound is met or somebody
- * stops it. States that go on alike ({@link MomentKey}) are one. The same request gives the same exploration.
+ * The states that a plan reaches by the steps of {@link NextSteps}: first those of runs in which all goes as expected, one for each number of
+ * locations, then nearest first, until there is none left, a bound is met or somebody stops it. States that go on alike ({@link MomentKey}) are
+ * one. A way on which tokens pile up is not followed further. The same request gives the same exploration.
  */
 final class Exploration {
     private static final int TELL_EVERY = 64;
+    private static final int LONGEST_RUN = 200;
+    /** A state in memory needs so many times the bytes of its shortest form: 3 to 5 were measured on the plans of the boats. */
+    private static final int BYTES_PER_BYTE = 6;
+    /** What is kept of a state that was looked at, in bytes. */
+    private static final int BYTES_PER_NODE = 2_000;
 
+    private final DeepRequest request;
+    private final SearchWatch watch;
+    private final List<Integer> locations = new ArrayList<>();
     private final List<Node> nodes = new ArrayList<>();
+    private final Map<MomentKey, Node> known = new LinkedHashMap<>();
+    private final Map<Node, Integer> sizes = new LinkedHashMap<>();
+    private final Map<String, String> texts = new HashMap<>();
     private final Set<String> visited = new LinkedHashSet<>();
     private final Set<String> fired = new LinkedHashSet<>();
+    private final Set<String> unlooked = new LinkedHashSet<>();
+    private final EndsOfRuns ends;
+    private final FirstOfMany firsts;
+    private final PilesOfTokens piles;
+    private final List<StepObserver> observers;
+    private final Deque<Node> open = new ArrayDeque<>();
+    private long usedBytes;
     private int looked;
+    private boolean outOfMemory;
 
-    /** A state that was reached. */
-    static final class Node {
-        private final List<Node> before = new ArrayList<>(2);
-        private final Map<String, List<Token>> marking;
-        private final Optional<Outcome> outcome;
-        private final Optional<Node> parent;
-        private final Optional<TestStep> step;
-        private final int steps;
-        private Optional<Stepper> stepper;
-
-        private Node(Stepper stepper, Optional<Node> parent, Optional<TestStep> step) {
-            this.stepper = Optional.of(stepper);
-            this.parent = parent;
-            this.step = step;
-            this.steps = parent.map(before -> before.steps + 1).orElse(0);
-            this.outcome = stepper.outcome();
-            this.marking = stepper.view()
-                    .mission(stepper.mission())
-                    .map(MissionView::marking)
-                    .orElse(Map.of());
-        }
-
-        /** Whether all that is tried here was tried. */
-        boolean isLookedAt() {
-            return stepper.isEmpty();
-        }
-
-        boolean isOver() {
-            return outcome.isPresent() && outcome.get() != Outcome.HALTED;
-        }
-
-        boolean isHalted() {
-            return outcome.isPresent() && outcome.get() == Outcome.HALTED;
-        }
-
-        Map<String, List<Token>> marking() {
-            return marking;
-        }
-
-        List<Node> before() {
-            return before;
-        }
-
-        int steps() {
-            return steps;
-        }
-
-        /** The shortest run that leads here. */
-        TestCase witness(String name, List<String> robots) {
-            List<TestStep> way = new ArrayList<>();
-            for (Node node = this; node.step.isPresent(); node = node.parent.orElseThrow()) {
-                way.add(0, node.step.get());
-            }
-            return new TestCase(name, robots, way);
-        }
+    private Exploration(DeepRequest request, SearchWatch watch) {
+        this.request = request;
+        this.watch = watch;
+        locations.addAll(request.locations());
+        locations.add(0);
+        Plan plan = request.project().plan(request.plan()).orElseThrow();
+        PlanRoles roles = new PlanRoles(plan, request.vocabulary());
+        ends = new EndsOfRuns(plan, roles);
+        firsts = new FirstOfMany(plan, roles);
+        piles = new PilesOfTokens(request.project());
+        observers = List.of(ends, firsts);
     }
 
-    private Exploration() {}
-
     static Exploration of(DeepRequest request, SearchWatch watch) {
-        Exploration exploration = new Exploration();
-        Stepper start = Stepper.start(
-                new Engine(request.vocabulary(), request.project()), request.plan(), request.plan(), request.robots());
-        exploration.run(start, request.mostStates(), watch);
+        Exploration exploration = new Exploration(request, watch);
+        exploration.run(Stepper.start(
+                new Engine(request.vocabulary(), request.project()), request.plan(), request.plan(), request.robots()));
         return exploration;
     }
 
-    private void run(Stepper start, int mostStates, SearchWatch watch) {
-        Map<MomentKey, Node> known = new LinkedHashMap<>();
-        Node first = new Node(start, Optional.empty(), Optional.empty());
-        known.put(start.key(), first);
-        nodes.add(first);
+    private void run(Stepper start) {
+        Node first = new Node(start.branch(), Optional.empty(), this::shared);
+        add(first, start.key());
         saw(start, start.startEffects());
-        while (looked < nodes.size() && looked < mostStates && !watch.isCancelled()) {
-            Node node = nodes.get(looked++);
-            if (!node.isOver() && !node.isHalted()) {
-                expand(node, node.stepper.orElseThrow(), known);
-            }
-            node.stepper = Optional.empty();
-            if (looked % TELL_EVERY == 0) {
-                watch.looked(looked, nodes.size() - looked);
-            }
+        Deque<Node> onRuns = new ArrayDeque<>();
+        for (int count : request.locations()) {
+            onRuns.addAll(runOn(first, start, count));
         }
+        while (goesOn(onRuns)) {
+            look(onRuns.poll());
+        }
+        while (goesOn(open)) {
+            look(open.poll());
+        }
+        open.forEach(Node::setUnlooked);
         watch.looked(looked, nodes.size() - looked);
     }
 
-    private void expand(Node node, Stepper at, Map<MomentKey, Node> known) {
-        for (NextStep next : NextSteps.of(at, NextSteps.LOCATIONS).steps()) {
-            Stepper stepper = at.branch();
-            TakenStep taken = stepper.take(next.step());
+    private boolean goesOn(Deque<Node> waiting) {
+        outOfMemory |= usedBytes > request.mostBytes();
+        return !waiting.isEmpty() && looked < request.mostStates() && !outOfMemory && !watch.isCancelled();
+    }
+
+    /** Takes a run in which all goes as expected, and returns its states. */
+    private List<Node> runOn(Node first, Stepper start, int count) {
+        List<Node> run = new ArrayList<>(List.of(first));
+        Stepper at = start.fork();
+        Node node = first;
+        while (run.size() < Math.min(LONGEST_RUN, request.mostStates())
+                && at.outcome().isEmpty()
+                && !watch.isCancelled()) {
+            Optional<NextStep> next = Turns.expected(at, List.of(count));
+            if (next.isEmpty()) {
+                return run;
+            }
+            Stepper before = at.branch();
+            TakenStep taken = at.take(next.get().step());
             if (taken.refusal().isPresent()) {
-                continue;
+                return run;
             }
-            saw(stepper, taken.effects());
-            MomentKey key = stepper.key();
-            Node reached = known.get(key);
-            if (reached == null) {
-                reached = new Node(stepper, Optional.of(node), Optional.of(next.step()));
-                known.put(key, reached);
-                nodes.add(reached);
-            }
-            reached.before.add(node);
+            node = reached(node, next.get(), before, at, taken.effects());
+            run.add(node);
         }
+        return run;
+    }
+
+    private void look(Node node) {
+        if (node.wasLookedAt()) {
+            return;
+        }
+        looked++;
+        usedBytes -= sizes.remove(node);
+        if (piles.isPile(node)) {
+            node.setUnlooked();
+        } else {
+            node.stepper().ifPresent(at -> expand(node, at));
+        }
+        node.setLooked();
+        if (looked % TELL_EVERY == 0) {
+            watch.looked(looked, nodes.size() - looked);
+        }
+    }
+
+    private void expand(Node node, Stepper at) {
+        NextSteps next = NextSteps.of(at, locations);
+        unlooked.addAll(next.unlooked());
+        if (!next.unlooked().isEmpty()) {
+            node.setUnlooked();
+        }
+        for (NextStep step : next.steps()) {
+            Stepper after = at.branch();
+            TakenStep taken = after.take(step.step());
+            if (taken.refusal().isEmpty()) {
+                reached(node, step, at, after, taken.effects());
+            }
+        }
+    }
+
+    private Node reached(Node from, NextStep step, Stepper before, Stepper after, List<Effect> effects) {
+        saw(after, effects);
+        observers.forEach(observer -> observer.took(from, step, before, after, effects));
+        Node.Edge edge = new Node.Edge(from, step);
+        Node node = known.get(after.key());
+        if (node == null) {
+            node = new Node(after.branch(), Optional.of(edge), this::shared);
+            add(node, after.key());
+        } else {
+            node.reached(edge);
+        }
+        return node;
+    }
+
+    private void add(Node node, MomentKey key) {
+        known.put(key, node);
+        nodes.add(node);
+        open.add(node);
+        int bytes = node.stepper().isPresent() ? key.stateBytes() * BYTES_PER_BYTE : 0;
+        sizes.put(node, bytes);
+        usedBytes += bytes + BYTES_PER_NODE;
+    }
+
+    private String shared(String text) {
+        return texts.computeIfAbsent(text, same -> same);
     }
 
     private void saw(Stepper stepper, List<Effect> effects) {
@@ -147,9 +188,29 @@ final class Exploration {
         }
     }
 
-    /** The states, those of the shortest runs first. */
+    // ---- What was found
+
+    /** The states, those of expected runs and then those of the shortest runs first. */
     List<Node> nodes() {
         return nodes;
+    }
+
+    /** The states that are reached where the operator never gives an empty list. */
+    Set<Node> usual() {
+        Map<Node, List<Node>> after = new LinkedHashMap<>();
+        nodes.forEach(node -> node.before().stream()
+                .filter(edge -> edge.step().kind() != NextStep.Kind.EMPTY)
+                .forEach(edge -> after.computeIfAbsent(edge.from(), from -> new ArrayList<>())
+                        .add(node)));
+        Set<Node> usual = new HashSet<>();
+        Deque<Node> toDo = new ArrayDeque<>(List.of(nodes.get(0)));
+        while (!toDo.isEmpty()) {
+            Node node = toDo.pop();
+            if (usual.add(node)) {
+                toDo.addAll(after.getOrDefault(node, List.of()));
+            }
+        }
+        return usual;
     }
 
     /** Places of the plan that somebody or nobody entered. */
@@ -162,12 +223,34 @@ final class Exploration {
         return fired;
     }
 
+    /** What could have happened somewhere and was not tried, in sentences. */
+    Set<String> unlooked() {
+        return unlooked;
+    }
+
+    EndsOfRuns ends() {
+        return ends;
+    }
+
+    FirstOfMany firsts() {
+        return firsts;
+    }
+
+    PilesOfTokens piles() {
+        return piles;
+    }
+
     int looked() {
         return looked;
     }
 
+    /** Whether the search ended as its memory was used up. */
+    boolean isOutOfMemory() {
+        return outOfMemory;
+    }
+
     /** Whether every state that was reached was looked at: there are no others by these steps. */
     boolean isComplete() {
-        return looked == nodes.size();
+        return looked == nodes.size() && piles.all().isEmpty();
     }
 }

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
@@ -14,7 +16,7 @@ import org.sami.spn.model.Transition;
  * Finds places that nobody ever enters and transitions that never fire, whatever robots, services and operator do. Where not all states
  * could be looked at it is a note.
  */
-final class NeverReached implements DeepCheck {
+final class NeverReached implements SpaceQuestion {
     static final String NEVER = "W-NEVER-REACHED";
     static final String NOT_YET = "N-NOT-REACHED";
 
@@ -35,28 +37,57 @@ final class NeverReached implements DeepCheck {
     }
 
     @Override
-    public DeepResult run(DeepRequest request, SearchWatch watch) {
+    public List<DeepFinding> findings(Exploration found, DeepRequest request) {
         Plan plan = request.project().plan(request.plan()).orElseThrow();
-        Exploration found = Exploration.of(request, watch);
+        if (SearchWords.isSubMission(request)) {
+            return List.of();
+        }
+        if (found.nodes().get(0).isOver()) {
+            return List.of(endsAtOnce(request, plan, found));
+        }
+        Set<String> untried = new UntriedTransitions(plan, request.vocabulary(), found.fired()).andBehindThem();
         List<DeepFinding> findings = new ArrayList<>();
         for (int i = 0; i < plan.places().size(); i++) {
             Place place = plan.places().get(i);
-            if (!found.visited().contains(place.id())) {
+            if (!found.visited().contains(place.id()) && !untried.contains(place.id()) && !onlyConsumes(plan, place)) {
                 findings.add(finding(request, plan, found, "/places/" + i, place.id(), words(place)));
             }
         }
         for (int i = 0; i < plan.transitions().size(); i++) {
             Transition transition = plan.transitions().get(i);
-            if (!found.fired().contains(transition.id())) {
+            if (!found.fired().contains(transition.id()) && !untried.contains(transition.id())) {
                 findings.add(finding(request, plan, found, "/transitions/" + i, transition.id(), words(transition)));
             }
         }
-        String looked = found.looked() + " states with " + StuckStates.robots(request);
-        String summary = (found.isComplete() ? "All " + looked + " were looked at: " : "Of the first " + looked + ": ")
-                + words(plan.places().size(), found.visited(), "places") + ", "
+        return findings;
+    }
+
+    @Override
+    public String result(Exploration found, DeepRequest request) {
+        Plan plan = request.project().plan(request.plan()).orElseThrow();
+        List<String> untried = new UntriedTransitions(plan, request.vocabulary(), found.fired()).words();
+        return words(plan.places().size(), found.visited(), "places") + ", "
                 + words(plan.transitions().size(), found.fired(), "transitions")
-                + (found.isComplete() ? "" : "; there are more that were not looked at");
-        return new DeepResult(findings, found.looked(), found.isComplete(), summary);
+                + (untried.isEmpty() ? "" : " (not tried: " + String.join(", ", untried) + ")");
+    }
+
+    private static DeepFinding endsAtOnce(DeepRequest request, Plan plan, Exploration found) {
+        String message =
+                "The plan \"" + plan.name() + "\" ends as it starts (" + SearchWords.robots(request) + "): only "
+                        + found.visited().size() + " of its " + plan.places().size() + " places are reached";
+        Finding finding = Finding.warning(NEVER, SearchWords.pointer(request, plan), message);
+        return new DeepFinding(finding.inPlan(plan.id()), Optional.empty());
+    }
+
+    /** Whether all edges into a place consume: it is drawn for them to end somewhere, and nobody is to enter. */
+    private static boolean onlyConsumes(Plan plan, Place place) {
+        List<OutEdge> into = plan.outEdges().stream()
+                .filter(edge -> edge.place().equals(place.id()))
+                .toList();
+        return !into.isEmpty()
+                && into.stream()
+                        .allMatch(edge -> !edge.requirements().isEmpty()
+                                && edge.requirements().stream().allMatch(moved -> moved.action() == Action.CONSUME));
     }
 
     private static String words(int all, Set<String> reached, String what) {
@@ -75,12 +106,12 @@ final class NeverReached implements DeepCheck {
     private static DeepFinding finding(
             DeepRequest request, Plan plan, Exploration found, String at, String element, String words) {
         String how = found.isComplete()
-                ? ", whatever is answered (" + StuckStates.robots(request) + "): look at the requirements before it"
-                : " in the first " + found.looked() + " states (" + StuckStates.robots(request) + "): look further";
+                ? ", whatever is answered (" + SearchWords.robots(request) + "): look at the requirements before it"
+                : " in the first " + found.looked() + " states (" + SearchWords.robots(request) + "): look further";
         Finding finding = new Finding(
                 found.isComplete() ? Severity.WARNING : Severity.NOTE,
                 found.isComplete() ? NEVER : NOT_YET,
-                StuckStates.pointer(request, plan) + at,
+                SearchWords.pointer(request, plan) + at,
                 words + how,
                 List.of(element));
         return new DeepFinding(finding.inPlan(plan.id()), Optional.empty());

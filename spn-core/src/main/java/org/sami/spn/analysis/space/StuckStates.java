@@ -1,7 +1,7 @@
 package org.sami.spn.analysis.space;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.spn.analysis.space.Exploration.Node;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -18,7 +17,7 @@ import org.sami.spn.model.Plan;
  * Finds states from which no run comes to an end: whatever robots, services and operator do, the mission goes on for ever or stands still.
  * Of states with tokens in the same places the one that is nearest to the start is told.
  */
-final class StuckStates implements DeepCheck {
+final class StuckStates implements SpaceQuestion {
     static final String STUCK = "W-STUCK";
     private static final int MOST = 20;
 
@@ -40,19 +39,38 @@ final class StuckStates implements DeepCheck {
 
     @Override
     public DeepResult run(DeepRequest request, SearchWatch watch) {
+        return hasEnd(request)
+                ? SpaceQuestion.super.run(request, watch)
+                : new DeepResult(List.of(), 0, true, "The plan has no end place, so no state leads to one");
+    }
+
+    private static boolean hasEnd(DeepRequest request) {
+        return request.project().plan(request.plan()).orElseThrow().places().stream()
+                .anyMatch(Place::end);
+    }
+
+    @Override
+    public List<DeepFinding> findings(Exploration found, DeepRequest request) {
         Plan plan = request.project().plan(request.plan()).orElseThrow();
-        if (plan.places().stream().noneMatch(Place::end)) {
-            return new DeepResult(List.of(), 0, true, "The plan has no end place, so no state leads to one");
+        return stuck(found, request).stream()
+                .limit(MOST)
+                .map(node -> finding(request, plan, node))
+                .toList();
+    }
+
+    /** The first state of each set of marked places from which no run comes to an end. */
+    private static List<Node> stuck(Exploration found, DeepRequest request) {
+        if (!hasEnd(request) || SearchWords.isShared(request)) {
+            return List.of();
         }
-        Exploration found = Exploration.of(request, watch);
         Set<Node> hopeful = hopeful(found);
+        Set<Node> usual = found.usual();
         Map<Set<String>, Node> stuck = new LinkedHashMap<>();
         found.nodes().stream()
-                .filter(node -> !hopeful.contains(node))
-                .forEach(node -> stuck.putIfAbsent(node.marking().keySet(), node));
-        List<DeepFinding> findings = new ArrayList<>();
-        stuck.values().stream().limit(MOST).forEach(node -> findings.add(finding(request, plan, node)));
-        return new DeepResult(findings, found.looked(), found.isComplete(), summary(found, stuck.size(), request));
+                .filter(node -> usual.contains(node) && !hopeful.contains(node))
+                .sorted(Comparator.comparingInt(Node::steps))
+                .forEach(node -> stuck.putIfAbsent(Set.copyOf(node.marked()), node));
+        return List.copyOf(stuck.values());
     }
 
     /** States from which an end was reached, or from which something leads to what was not looked at. */
@@ -60,62 +78,40 @@ final class StuckStates implements DeepCheck {
         Set<Node> hopeful = new HashSet<>();
         Deque<Node> open = new ArrayDeque<>();
         for (Node node : found.nodes()) {
-            if (node.isOver() || !node.isLookedAt()) {
+            if (node.isOver() || (!node.isLookedAt() && !node.isHalted())) {
                 open.add(node);
             }
         }
         while (!open.isEmpty()) {
             Node node = open.pop();
             if (hopeful.add(node)) {
-                open.addAll(node.before());
+                node.before().forEach(edge -> open.add(edge.from()));
             }
         }
         return hopeful;
     }
 
     private static DeepFinding finding(DeepRequest request, Plan plan, Node node) {
-        List<String> marked = List.copyOf(node.marking().keySet());
-        String where = marked.isEmpty()
-                ? "no token is left anywhere"
-                : "tokens stand in "
-                        + String.join(
-                                ", ", marked.stream().map(id -> name(plan, id)).toList());
+        List<String> marked = node.marked();
+        String where =
+                marked.isEmpty() ? "no token is left anywhere" : "tokens stand in " + SearchWords.places(plan, marked);
         String how = node.isHalted() ? "fires without end and is halted" : "can end no more";
-        String message = "The plan \"" + plan.name() + "\" " + how + " where " + where + " (" + steps(node.steps())
-                + " from the start, " + robots(request) + "); play it to see what is missing";
-        Finding finding = Finding.warning(STUCK, pointer(request, plan), message, marked.toArray(String[]::new))
+        String message = "The plan \"" + plan.name() + "\" " + how + " where " + where
+                + SearchWords.when(request, node.steps()) + "; play it to see what is missing";
+        Finding finding = Finding.warning(
+                        STUCK, SearchWords.pointer(request, plan), message, marked.toArray(String[]::new))
                 .inPlan(plan.id());
         return new DeepFinding(finding, Optional.of(node.witness("gets stuck: " + where, request.robots())));
     }
 
-    static String pointer(DeepRequest request, Plan plan) {
-        return "/plans/" + request.project().plans().indexOf(plan);
-    }
-
-    private static String name(Plan plan, String place) {
-        return plan.place(place)
-                .map(Place::name)
-                .filter(name -> !name.isEmpty())
-                .map(name -> "\"" + name + "\"")
-                .orElse(place);
-    }
-
-    private static String steps(int steps) {
-        return steps == 1 ? "1 step" : steps + " steps";
-    }
-
-    static String robots(DeepRequest request) {
-        int robots = request.robots().size();
-        return robots == 1 ? "1 robot" : robots + " robots";
-    }
-
-    private static String summary(Exploration found, int stuck, DeepRequest request) {
-        String looked = found.looked() + " states with " + robots(request);
-        String result = stuck == 0
+    @Override
+    public String result(Exploration found, DeepRequest request) {
+        if (SearchWords.isShared(request)) {
+            return "as a shared sub-mission it goes on with whoever enters";
+        }
+        int stuck = stuck(found, request).size();
+        return stuck == 0
                 ? "from each of them the mission can still end"
                 : "in " + stuck + (stuck == 1 ? " marking" : " markings") + " it can end no more";
-        return found.isComplete()
-                ? "All " + looked + " were looked at: " + result
-                : "Of the first " + looked + ", " + result + "; there are more that were not looked at";
     }
 }

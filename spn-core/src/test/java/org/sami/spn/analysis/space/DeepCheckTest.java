@@ -4,15 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.value.VariableReference;
 
 /** What deep checks find on small plans whose states can be counted by hand. */
 class DeepCheckTest {
@@ -145,6 +149,83 @@ class DeepCheckTest {
         assertThat(result.states()).isZero();
         assertThat(result.complete()).isFalse();
         assertThat(told).containsExactly(0);
+    }
+
+    /** A robot says again and again that it is done, and each time there is one token more. */
+    private static NetBuilder piling() {
+        return new NetBuilder("piles")
+                .start("work")
+                .output("work", "Do")
+                .end("end")
+                .transition("more", "Done")
+                .in("work", "more", "any >= 1")
+                .out("more", "heap", "add 1 generic")
+                .transition("over", "Failed")
+                .in("work", "over", "any >= 1")
+                .out("over", "end", "take all any");
+    }
+
+    @Test
+    void tokensThatPileUpWithoutBoundAreFoundWithARunThatShowsThem() {
+        DeepResult result = DeepCheck.ALL.get(0).run(request(piling().build(), 1_000_000), SearchWatch.NONE);
+
+        assertThat(result.states()).isLessThan(100);
+        assertThat(result.complete()).isFalse();
+        assertThat(result.summary()).contains("tokens pile up", "were not followed further");
+        assertThat(result.findings())
+                .filteredOn(found -> found.finding().code().equals("W-PILES-UP"))
+                .singleElement()
+                .satisfies(found -> {
+                    assertThat(found.finding().elements()).containsExactly("heap");
+                    assertThat(found.witness().orElseThrow().steps()).hasSizeGreaterThanOrEqualTo(2);
+                });
+    }
+
+    @Test
+    void heapThatIsTakenAwayAtLastIsNone() {
+        Plan plan = piling().in("heap", "away", "generic >= 4")
+                .out("away", "end", "take all any")
+                .build();
+
+        assertThat(DeepCheck.ALL
+                        .get(0)
+                        .run(request(plan, 1_000), SearchWatch.NONE)
+                        .findings())
+                .isEmpty();
+    }
+
+    @Test
+    void searchEndsWhenItsMemoryIsUsedUp() {
+        DeepRequest small = new DeepRequest(
+                NetBuilder.project(withWayOut().build()), TestVocabulary.TEST, "asks", ROBOTS, List.of(1), 1_000, 1);
+
+        DeepResult result = new StuckStates().run(small, SearchWatch.NONE);
+
+        assertThat(result.complete()).isFalse();
+        assertThat(result.findings()).isEmpty();
+        assertThat(result.summary()).endsWith("the memory for more is used up");
+    }
+
+    @Test
+    void whatCannotBeMadeUpIsSaidAndNotCalledStuck() {
+        Plan plan = new NetBuilder("asks")
+                .variable("@x", ValueType.Simple.PLAN)
+                .start("ask")
+                .output(
+                        "ask",
+                        "Redefine",
+                        Map.of("variable", new FieldSource.Fixed(new VariableReference("@x"))),
+                        Map.of())
+                .end("end")
+                .transition("given", "Redefined")
+                .in("ask", "given", "any >= 1")
+                .out("given", "end", "take all any")
+                .build();
+
+        DeepResult result = new StuckStates().run(request(plan, 100), SearchWatch.NONE);
+
+        assertThat(result.findings()).isEmpty();
+        assertThat(result.summary()).contains("not looked at: the operator is asked for @x");
     }
 
     @Test

@@ -18,12 +18,12 @@ import org.sami.spn.vocabulary.Vocabulary;
  * Which tasks each robot has left and with which it has begun, as a domain keeps them: a robot does one task after another, in the order in
  * which it got them. The engine knows only who has a task.
  */
-final class TaskQueues {
+final class RobotTasks {
     private final Map<String, List<TaskId>> queues = new TreeMap<>();
     private final Set<TaskId> started = new HashSet<>();
 
-    TaskQueues copy() {
-        TaskQueues copy = new TaskQueues();
+    RobotTasks copy() {
+        RobotTasks copy = new RobotTasks();
         queues.forEach((robot, tasks) -> copy.queues.put(robot, new ArrayList<>(tasks)));
         copy.started.addAll(started);
         return copy;
