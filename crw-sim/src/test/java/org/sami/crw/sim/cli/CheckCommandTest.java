@@ -19,6 +19,8 @@ class CheckCommandTest {
     private static final Path CLV = Path.of("../domain-config/src/main/resources/org/sami/domain/crw/plans/clv.json");
     private static final Path UAV = Path.of("../domain-config/src/main/resources/org/sami/domain/uav");
 
+    private static final String PANORAMAS = "../domain-config/src/test/resources/plans/panorama-";
+
     @TempDir
     Path folder;
 
@@ -240,6 +242,55 @@ class CheckCommandTest {
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains("domain.json").contains(folder.toString());
+    }
+
+    @Test
+    void deepCheckTellsWhatItFindsWithARunThatShowsIt() throws Exception {
+        CommandResult ran =
+                CommandResult.crw("check", PANORAMAS + "T5a-sync-at-least-1.json", "--deep", "--states", "300");
+
+        assertThat(ran.exitCode()).isEqualTo(1);
+        assertThat(ran.out())
+                .contains("warning W-WAITS-FOR-NOBODY at /plans/0 (ready, go2): Nobody ever waits in \"ready\"")
+                .contains("    TaskStarted of Camera 1")
+                .contains("plan: Of the first 300 states with 2 robots");
+    }
+
+    @Test
+    void deepCheckOfARightPlanFindsNothing() throws Exception {
+        CommandResult ran =
+                CommandResult.crw("check", PANORAMAS + "T5c-sync-right.json", "--deep", "--states", "300", "--json");
+
+        assertThat(ran.exitCode()).as(ran.out()).isZero();
+        JsonNode deep = new ObjectMapper().readTree(ran.out()).get("deep").get(0);
+        assertThat(deep.get("plan").asText()).isEqualTo("plan");
+        assertThat(deep.get("states").asInt()).isEqualTo(300);
+        assertThat(deep.get("complete").asBoolean()).isFalse();
+        assertThat(deep.get("findings")).isEmpty();
+        assertThat(deep.get("summary").asText()).contains("the mission can still end");
+    }
+
+    @Test
+    void runsOfADeepCheckStandInItsJson() throws Exception {
+        CommandResult ran = CommandResult.crw(
+                "check", PANORAMAS + "T5a-sync-at-least-1.json", "--deep", "--states", "300", "--json");
+
+        JsonNode found = new ObjectMapper()
+                .readTree(ran.out())
+                .get("deep")
+                .get(0)
+                .get("findings")
+                .get(0);
+        assertThat(found.get("code").asText()).isEqualTo("W-WAITS-FOR-NOBODY");
+        assertThat(found.get("run").get(2).asText()).isEqualTo("TaskStarted of Camera 1");
+    }
+
+    @Test
+    void deepCheckNeedsAPlanAndABound() throws Exception {
+        assertThat(CommandResult.crw("check", "--domain", "uav", "--deep").exitCode())
+                .isEqualTo(2);
+        assertThat(CommandResult.crw("check", "clv", "--deep", "--states", "0").exitCode())
+                .isEqualTo(2);
     }
 
     private void copyDomain() throws IOException {

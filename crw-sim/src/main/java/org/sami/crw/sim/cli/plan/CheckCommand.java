@@ -11,6 +11,9 @@ import org.sami.crw.sim.cli.option.DomainOption;
 import org.sami.crw.sim.cli.option.PlanSource;
 import org.sami.crw.sim.cli.output.ExitCode;
 import org.sami.crw.sim.cli.output.FindingsText;
+import org.sami.crw.sim.cli.output.ProgressDisplay;
+import org.sami.crw.sim.cli.output.StopOnInterrupt;
+import org.sami.crw.sim.cli.output.Terminal;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.legacy.ImportedFindings;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
@@ -34,18 +37,22 @@ import picocli.CommandLine.Spec;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:no errors; there may be warnings",
-            "1:there are errors: the plan would not be started",
+            "1:there are errors: the plan would not be started; with --deep also where a search has found something",
             "2:wrong usage, or there is no such file"
         },
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw check my-plan.json",
             "  crw check clv --json",
+            "  crw check my-plan.json --deep             runs its plans, with boats that are not real",
             "  crw check --domain uav search             a plan of the aircraft, which come with crw",
             "  crw check --domain my-domain              the domain and its library",
             "  crw check --domain my-domain plan.json    a plan with that domain's words"
         })
 public final class CheckCommand implements Callable<Integer> {
+    private static final int MOST_BOATS = 25;
+    private static final int MOST_STATES = 1_000_000;
+
     @Spec
     private CommandSpec spec;
 
@@ -62,11 +69,39 @@ public final class CheckCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
 
+    @Option(
+            names = "--deep",
+            description =
+                    "Run each plan without errors in all ways that boats, services and operator could take, as DREAMM does by Search "
+                            + "deeper; print what is found and a run that shows it.")
+    private boolean deep;
+
+    @Option(
+            names = "--boats",
+            paramLabel = "N",
+            defaultValue = "2",
+            description = "With --deep: how many boats there are at the start. Default: ${DEFAULT-VALUE}.")
+    private int boats;
+
+    @Option(
+            names = "--states",
+            paramLabel = "N",
+            defaultValue = "5000",
+            description = "With --deep: how many states of each plan are looked at. Default: ${DEFAULT-VALUE}.")
+    private int states;
+
     @Override
     public Integer call() {
         if (name == null && !domain.isGiven()) {
             throw new UsageFault(
                     "what is to be checked? FILE|PLAN, a file or a plan of the library, or --domain NAME|FOLDER");
+        }
+        if (boats < 0 || boats > MOST_BOATS || states < 1 || states > MOST_STATES) {
+            throw new UsageFault("--boats is from 0 to " + MOST_BOATS + " and --states from 1 to " + MOST_STATES
+                    + ", not " + boats + " and " + states);
+        }
+        if (deep && name == null) {
+            throw new UsageFault("--deep runs the plans of a FILE or a PLAN: name one");
         }
         Reading<DomainLibrary> read = domain.read();
         if (read.result().isEmpty()) {
@@ -92,8 +127,23 @@ public final class CheckCommand implements Callable<Integer> {
         return findings.stream().anyMatch(Finding::isError) ? ExitCode.FINDINGS : ExitCode.OK;
     }
 
+    private PlanSearches searched(DomainLibrary library, PlanSource source) {
+        PlanSearches searches = new PlanSearches();
+        if (deep && !source.hasErrors()) {
+            ProgressDisplay progress =
+                    new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
+            try (StopOnInterrupt stop = new StopOnInterrupt()) {
+                source.project()
+                        .ifPresent(
+                                project -> searches.run(project, library.vocabulary(), boats, states, progress, stop));
+            }
+        }
+        return searches;
+    }
+
     private int tell(String checked, DomainLibrary library, PlanSource source) {
         PrintWriter out = spec.commandLine().getOut();
+        PlanSearches searches = searched(library, source);
         if (json) {
             ObjectNode object = FindingsText.json(checked, source.findings());
             imported(source).ifPresent(imported -> {
@@ -110,8 +160,12 @@ public final class CheckCommand implements Callable<Integer> {
                                 .names()
                                 .forEach(names::add);
                     }));
+            if (deep) {
+                searches.put(object, checked);
+            }
             out.println(object.toPrettyString());
         } else {
+            searches.print(out, checked);
             Optional<ImportedFindings> imported = imported(source);
             if (imported.isPresent()) {
                 print(out, checked, imported.get());
@@ -128,7 +182,7 @@ public final class CheckCommand implements Callable<Integer> {
                     }));
         }
         out.flush();
-        return source.hasErrors() ? ExitCode.FINDINGS : ExitCode.OK;
+        return source.hasErrors() || searches.haveFound() ? ExitCode.FINDINGS : ExitCode.OK;
     }
 
     private static void print(PrintWriter out, String source, List<Finding> findings) {
