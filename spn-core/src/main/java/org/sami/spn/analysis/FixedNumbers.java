@@ -48,9 +48,12 @@ final class FixedNumbers implements PlanCheck {
                 .filter(other ->
                         other.place().equals(place.id()) && !other.transition().equals(edge.transition()))
                 .flatMap(other -> other.requirements().stream())
-                .anyMatch(other -> (other.kind() == r.kind() && !other.equals(r))
-                        || other.kind() == TokenKind.RELEVANT
-                        || other.kind() == TokenKind.UNCONDITIONAL);
+                .anyMatch(other -> other.kind() == r.kind() && !other.equals(r) && wantsSome(other));
+    }
+
+    /** Whether a requirement is met by some tokens, and not only where there are none. */
+    private static boolean wantsSome(InRequirement r) {
+        return !ForgottenPlaces.isAbsence(r) && r.n() > 0;
     }
 
     private static void report(PlanContext plan, Place place, InEdge edge, InRequirement r, Consumer<Finding> report) {

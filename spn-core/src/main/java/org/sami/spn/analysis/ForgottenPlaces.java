@@ -90,16 +90,35 @@ final class ForgottenPlaces implements PlanCheck {
     private static void addBehind(
             PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
         Set<String> after = reached(plan, watched, kinds);
+        Set<String> before = leadingTo(plan, watched, kinds);
         for (Place place : plan.plan().places()) {
             if (!watched.contains(place.id())
                     && !place.end()
                     && after.contains(place.id())
+                    && before.contains(place.id())
                     && meets(plan.flow().at(place), kinds)
-                    && !isCounted(plan, t, place, kinds)
-                    && reached(plan, Set.of(place.id()), kinds).stream().anyMatch(watched::contains)) {
+                    && !isCounted(plan, t, place, kinds)) {
                 forgotten.add(place);
             }
         }
+    }
+
+    /** The places from which tokens of some kinds may come to others. */
+    private static Set<String> leadingTo(PlanContext plan, Set<String> places, Set<Kind> kinds) {
+        Set<String> before = new HashSet<>();
+        Deque<String> open = new ArrayDeque<>(places);
+        while (!open.isEmpty()) {
+            for (OutEdge edge : plan.place(open.pop()).map(plan::edgesInto).orElse(List.of())) {
+                if (meets(plan.flow().along(edge), kinds)) {
+                    plan.transition(edge.transition()).map(plan::inEdges).orElse(List.of()).stream()
+                            .filter(e -> e.requirements().stream().noneMatch(ForgottenPlaces::isAbsence))
+                            .map(InEdge::place)
+                            .filter(before::add)
+                            .forEach(open::push);
+                }
+            }
+        }
+        return before;
     }
 
     /** The places to which tokens of some kinds may come from others, those left out unless a way leads back. */

@@ -40,9 +40,8 @@ final class HealthyLedAway implements PlanCheck {
         for (InEdge edge : plan.inEdges(t)) {
             Optional<Place> place = plan.place(edge.place());
             boolean works = place.isPresent()
-                    && plan.outputs().stream()
-                            .anyMatch(o -> o.place().id().equals(edge.place())
-                                    && o.type().flags().contains(EventFlag.COMMAND)
+                    && plan.outputsOf(place.get()).stream()
+                            .anyMatch(o -> o.type().flags().contains(EventFlag.COMMAND)
                                     && !o.type().flags().contains(EventFlag.ANSWER_OPTIONAL)
                                     && !o.type().answers().isEmpty());
             if (works) {

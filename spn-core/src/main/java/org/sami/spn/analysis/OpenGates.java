@@ -39,10 +39,13 @@ final class OpenGates implements PlanCheck {
                 && place.subMissions().isEmpty();
     }
 
-    /** Whether the other transitions after a place only ask that nobody is there. */
+    /** Whether the other transitions after a place wait for an event, or only ask that nobody is there. */
     private static boolean nobodyElseTakes(PlanContext plan, Place place, Transition t) {
         return plan.plan().inEdges().stream()
                 .filter(e -> e.place().equals(place.id()) && !e.transition().equals(t.id()))
+                .filter(e -> plan.transition(e.transition())
+                        .filter(other -> other.inputs().isEmpty())
+                        .isPresent())
                 .allMatch(e ->
                         !e.requirements().isEmpty() && e.requirements().stream().allMatch(ForgottenPlaces::isAbsence));
     }

@@ -36,6 +36,7 @@ final class PlanContext {
     private final Map<String, Integer> transitionIndex;
     private final Map<String, Integer> edgeIndex;
     private final Map<String, List<PlacedInput>> inputsByTransition;
+    private final Map<String, List<PlacedOutput>> outputsByPlace;
     private final Map<String, List<InEdge>> inEdges;
     private final Map<String, List<OutEdge>> outEdges;
     private final Map<String, List<InEdge>> edgesOutOf;
@@ -65,6 +66,8 @@ final class PlanContext {
         findEvents();
         inputsByTransition = inputs.stream()
                 .collect(Collectors.groupingBy(i -> i.transition().id()));
+        outputsByPlace =
+                outputs.stream().collect(Collectors.groupingBy(o -> o.place().id()));
         scope = new VariableScope(this);
     }
 
@@ -81,6 +84,7 @@ final class PlanContext {
         this.transitionIndex = known.transitionIndex;
         this.edgeIndex = known.edgeIndex;
         this.inputsByTransition = known.inputsByTransition;
+        this.outputsByPlace = known.outputsByPlace;
         this.inEdges = known.inEdges;
         this.outEdges = known.outEdges;
         this.edgesOutOf = known.edgesOutOf;
@@ -167,6 +171,10 @@ final class PlanContext {
     /** Output events whose type is known, in document order. */
     List<PlacedOutput> outputs() {
         return outputs;
+    }
+
+    List<PlacedOutput> outputsOf(Place place) {
+        return outputsByPlace.getOrDefault(place.id(), List.of());
     }
 
     /** Input events whose type is known, in document order. */

@@ -1,11 +1,12 @@
 package org.sami.spn.analysis;
 
+import java.util.ArrayDeque;
 import java.util.BitSet;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -15,7 +16,6 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.Match;
-import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.TokenKind;
@@ -104,32 +104,28 @@ final class ReadsBeforeWrites implements PlanCheck {
                 all.set(0, variables.size());
                 at.put(place.id(), place.start() ? entering(place) : all);
             }
-            boolean changed = true;
-            while (changed) {
-                changed = false;
-                for (Transition t : plan.plan().transitions()) {
-                    changed |= pass(t);
-                }
+            Deque<Transition> open = new ArrayDeque<>(plan.plan().transitions());
+            while (!open.isEmpty()) {
+                pass(open.pop(), open);
             }
         }
 
-        private boolean pass(Transition t) {
+        /** Takes away what is not written on the way along a transition, and looks again at those behind it. */
+        private void pass(Transition t, Deque<Transition> open) {
             BitSet after = before(t);
             t.inputs().forEach(input -> input.writes().values().forEach(v -> set(after, v)));
-            boolean changed = false;
-            for (OutEdge edge : plan.outEdges(t)) {
-                Optional<Place> place = plan.place(edge.place());
-                if (place.isPresent() && !place.get().start()) {
-                    BitSet there = new BitSet();
+            for (Place place : plan.outPlaces(t)) {
+                if (!place.start()) {
+                    BitSet there = entering(place);
                     there.or(after);
-                    there.or(entering(place.get()));
-                    BitSet known = at.get(edge.place());
+                    BitSet known = at.get(place.id());
                     int size = known.cardinality();
                     known.and(there);
-                    changed |= known.cardinality() != size;
+                    if (known.cardinality() != size) {
+                        open.addAll(plan.outTransitions(place));
+                    }
                 }
             }
-            return changed;
         }
 
         private BitSet before(Transition t) {

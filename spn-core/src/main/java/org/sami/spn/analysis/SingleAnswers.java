@@ -29,8 +29,7 @@ final class SingleAnswers {
         for (InEdge edge : plan.inEdges(t)) {
             plan.place(edge.place())
                     .filter(place -> isRelevant(edge))
-                    .filter(place -> plan.outputs().stream()
-                            .anyMatch(o -> o.place().id().equals(place.id()) && answersEach(o, input)))
+                    .filter(place -> plan.outputsOf(place).stream().anyMatch(o -> answersEach(o, input)))
                     .ifPresent(places::add);
         }
         return places;

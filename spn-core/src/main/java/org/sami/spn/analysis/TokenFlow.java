@@ -33,6 +33,7 @@ final class TokenFlow {
 
     private final PlanContext plan;
     private final Map<String, Set<Kind>> at = new HashMap<>();
+    private final Map<String, Set<Kind>> along = new HashMap<>(); // by edge, once all is known
 
     TokenFlow(PlanContext plan) {
         this.plan = plan;
@@ -50,7 +51,7 @@ final class TokenFlow {
         while (!open.isEmpty()) {
             Transition t = open.pop();
             for (OutEdge edge : plan.outEdges(t)) {
-                Set<Kind> moved = along(edge);
+                Set<Kind> moved = moved(edge);
                 plan.place(edge.place()).ifPresent(p -> add(p, moved, open));
             }
         }
@@ -69,6 +70,10 @@ final class TokenFlow {
 
     /** The kinds that a firing may bring along an edge into its place. */
     Set<Kind> along(OutEdge edge) {
+        return along.computeIfAbsent(edge.id(), id -> moved(edge));
+    }
+
+    private Set<Kind> moved(OutEdge edge) {
         Set<Kind> moved = EnumSet.noneOf(Kind.class);
         plan.transition(edge.transition()).ifPresent(t -> {
             Set<Kind> pool = pool(t);

@@ -45,8 +45,7 @@ final class TwoCommands implements PlanCheck {
     }
 
     private static List<PlacedOutput> commands(PlanContext plan, Place place) {
-        return plan.outputs().stream()
-                .filter(o -> o.place().id().equals(place.id()))
+        return plan.outputsOf(place).stream()
                 .filter(o -> o.type().flags().contains(EventFlag.COMMAND)
                         && !o.type().answers().isEmpty())
                 .toList();

@@ -169,6 +169,45 @@ class PlanChecksTest {
     }
 
     @Test
+    void partThatNeverRunsIsNamedOnceAndNotForEachOfItsFaults() {
+        NetBuilder net = fetch();
+        NetBuilder draft = drive().output("draft", "Fetch")
+                .transition("fetched", "Fetched")
+                .in("draft", "fetched", "relevant all")
+                .out("fetched", "later", "take all relevant")
+                .in("later", "back", "any >= 1")
+                .out("back", "draft", "take all any");
+
+        assertThat(PlanChecks.check(project(net.build()), CheckWords.WORDS))
+                .extracting(Finding::code)
+                .contains("W-FAILURE-IGNORED");
+        assertThat(PlanChecks.check(project(draft.build()), CheckWords.WORDS))
+                .singleElement()
+                .satisfies(finding -> {
+                    assertThat(finding.message())
+                            .isEqualTo("Nothing leads to the place \"draft\", nor to the 3 places and transitions"
+                                    + " connected with it");
+                    assertThat(finding.elements()).containsExactlyInAnyOrder("draft", "fetched", "later", "back");
+                });
+    }
+
+    @Test
+    void headingWithoutAStartIsNamedOnce() {
+        NetBuilder heading = new NetBuilder("heading")
+                .end("end")
+                .in("a", "there", "any >= 1")
+                .out("there", "b", "take all any")
+                .in("b", "back", "any >= 1")
+                .out("back", "a", "take all any")
+                .transition("stop", "AbortReceived")
+                .out("stop", "end", "take all any");
+
+        assertThat(PlanChecks.check(project(heading.build()), CheckWords.WORDS))
+                .extracting(Finding::code)
+                .containsExactly("E-NO-START");
+    }
+
+    @Test
     void findingsComeInTheOrderOfTheDocument() {
         NetBuilder net = drive().in("go", "a", "any >= 1").out("a", "end");
         for (int i = 0; i < 11; i++) {
