@@ -8,6 +8,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.model.InEdge;
@@ -18,8 +19,11 @@ import org.sami.spn.model.TokenKind;
 
 /** The requirements of an edge from a place to a transition: what the transition waits for. */
 final class InRequirementRows extends RequirementRows<InRequirement> {
+    private final transient InEdge edge;
+
     InRequirementRows(DreammContext context, Plan plan, InEdge edge) {
         super(context, plan, edge.id(), edge.requirements());
+        this.edge = edge;
         fill(
                 "The transition waits until here is",
                 InRequirement.of(TokenKind.GENERIC, Match.AT_LEAST, 1),
@@ -90,10 +94,28 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
     }
 
     @Override
-    InRequirement fresh(List<InRequirement> there) {
-        return there.contains(InRequirement.allRelevant())
-                ? InRequirement.of(TokenKind.ANY_PROXY, Match.AT_LEAST, 1)
-                : InRequirement.allRelevant();
+    List<InRequirement> sound() {
+        return requirements.in(edge);
+    }
+
+    @Override
+    boolean namesTokens() {
+        return requirements.namesTokens(edge.transition());
+    }
+
+    @Override
+    String said(InRequirement r) {
+        return RequirementWords.of(r);
+    }
+
+    @Override
+    String quantityId(InRequirement r) {
+        return ProfileIds.of(r.match());
+    }
+
+    @Override
+    InRequirement fresh() {
+        return InRequirement.of(TokenKind.ANY_PROXY, Match.AT_LEAST, 1);
     }
 
     @Override

@@ -8,6 +8,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.model.Action;
@@ -18,8 +19,11 @@ import org.sami.spn.model.TokenKind;
 
 /** The requirements of an edge from a transition to a place: what a firing does with tokens. */
 final class OutRequirementRows extends RequirementRows<OutRequirement> {
+    private final transient OutEdge edge;
+
     OutRequirementRows(DreammContext context, Plan plan, OutEdge edge) {
         super(context, plan, edge.id(), edge.requirements());
+        this.edge = edge;
         fill(
                 "When the transition fires",
                 OutRequirement.of(Action.TAKE, 1, TokenKind.GENERIC),
@@ -89,7 +93,27 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
     }
 
     @Override
-    OutRequirement fresh(List<OutRequirement> there) {
+    List<OutRequirement> sound() {
+        return requirements.out(edge);
+    }
+
+    @Override
+    boolean namesTokens() {
+        return requirements.namesTokens(edge.transition());
+    }
+
+    @Override
+    String said(OutRequirement r) {
+        return RequirementWords.of(r);
+    }
+
+    @Override
+    String quantityId(OutRequirement r) {
+        return ProfileIds.of(r.action());
+    }
+
+    @Override
+    OutRequirement fresh() {
         return OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.ANY_PROXY);
     }
 

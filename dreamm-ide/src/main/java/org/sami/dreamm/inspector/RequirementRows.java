@@ -23,6 +23,7 @@ import org.sami.spn.edit.Edit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.wizard.ComputeRequirements;
+import org.sami.spn.wizard.SoundRequirements;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -34,17 +35,25 @@ import org.sami.ui.look.Spacing;
  */
 abstract class RequirementRows<R> extends Form {
     private static final int MOST = 9999;
+    private static final int PROPOSED = 4;
 
     private final transient DreammContext context;
     private final transient Plan plan;
     private final String edge;
     private final transient List<R> all;
 
+    final transient SoundRequirements requirements;
+
     RequirementRows(DreammContext context, Plan plan, String edge, List<R> all) {
         this.context = context;
         this.plan = plan;
         this.edge = edge;
         this.all = List.copyOf(all);
+        requirements = new SoundRequirements(
+                context.document().project(),
+                plan,
+                context.vocabulary(),
+                context.additions().library());
         setName("inspector-edge");
     }
 
@@ -98,18 +107,49 @@ abstract class RequirementRows<R> extends Form {
         compute.setEnabled(!locked);
         buttons.add(compute);
         wide(buttons);
+        propose();
     }
 
-    /** A requirement to begin with, of the kinds that the profile has. */
+    /** A button for each of the likeliest requirements that make sense here. */
+    private void propose() {
+        List<R> sound = proposed().stream().limit(PROPOSED).toList();
+        if (sound.isEmpty()) {
+            return;
+        }
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4, wrap 2"));
+        row.setOpaque(false);
+        for (int i = 0; i < sound.size(); i++) {
+            R r = sound.get(i);
+            row.add(button(
+                    "+ " + said(r),
+                    "inspector-propose-requirement-" + i,
+                    "Add the requirement " + said(r),
+                    () -> set(with(r))));
+        }
+        wide(row);
+    }
+
+    /** What makes sense here, as far as the profile has it. */
+    private List<R> proposed() {
+        return sound().stream()
+                .filter(r -> context.profile().allows(profileId(kind(r))))
+                .filter(r -> context.profile().allows(quantityId(r)))
+                .toList();
+    }
+
+    /** The likeliest requirement that makes sense here, else one of the kinds that the profile has. */
     private R begun() {
-        R fresh = fresh(all);
+        R fresh = proposed().stream().findFirst().orElseGet(this::fresh);
         return offered().contains(kind(fresh)) ? fresh : ofKind(fresh, offered().get(0));
     }
 
-    /** The kinds of tokens that the profile has. */
+    /** The kinds of tokens that the profile has; relevant ones only where an input event names some, or where they stand. */
     private List<TokenKind> offered() {
         return kinds().stream()
                 .filter(kind -> context.profile().allows(profileId(kind)))
+                .filter(kind -> kind != TokenKind.RELEVANT
+                        || namesTokens()
+                        || all.stream().anyMatch(r -> kind(r) == TokenKind.RELEVANT))
                 .toList();
     }
 
@@ -175,8 +215,20 @@ abstract class RequirementRows<R> extends Form {
 
     abstract R ofTask(R r, String task);
 
-    /** A requirement to begin with. */
-    abstract R fresh(List<R> there);
+    /** The requirements that make sense on the edge and do not stand there, the likeliest first. */
+    abstract List<R> sound();
+
+    /** Whether an input event of the edge's transition can name tokens. */
+    abstract boolean namesTokens();
+
+    /** A requirement in words. */
+    abstract String said(R r);
+
+    /** The id by which a profile names how many tokens a requirement asks for, or what becomes of them. */
+    abstract String quantityId(R r);
+
+    /** A requirement to begin with where none makes more sense. */
+    abstract R fresh();
 
     /** The edit that gives an edge these requirements. */
     abstract Edit edit(String plan, String edge, List<R> requirements);

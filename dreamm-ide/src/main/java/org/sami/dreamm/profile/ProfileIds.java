@@ -40,6 +40,7 @@ public final class ProfileIds {
             "inspector-add-event",
             "inspector-implied-generic",
             "inspector-add-requirement",
+            "inspector-propose-requirement",
             "inspector-remove-requirement",
             "inspector-compute",
             "inspector-match",

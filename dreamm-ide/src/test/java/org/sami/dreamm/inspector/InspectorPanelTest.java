@@ -31,6 +31,7 @@ import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
 import org.sami.spn.value.RealValue;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
@@ -269,6 +270,32 @@ class InspectorPanelTest {
         assertThat(find("inspector-compute", AbstractButton.class).isEnabled()).isFalse();
         assertThat(find("inspector-compute", AbstractButton.class).getToolTipText())
                 .contains("locked");
+    }
+
+    @Test
+    void requirementsAreProposedThatMakeSenseOnTheEdge() {
+        open("crw", "panorama", "finished.all-finished");
+        assertThat(offered("inspector-kind-0")).doesNotContain(TokenKind.RELEVANT);
+        find("inspector-remove-requirement-0", AbstractButton.class).doClick();
+        assertThat(find("inspector-propose-requirement-0", AbstractButton.class).getText())
+                .doesNotContain("Relevant");
+
+        String edge = plan().inEdges().stream()
+                .filter(e -> e.transition().equals("all-finished") && e.place().equals("go"))
+                .findFirst()
+                .orElseThrow()
+                .id();
+        context.editor().select(List.of(edge));
+        while (Layout.find(panel, "inspector-remove-requirement-0", AbstractButton.class).isPresent()) {
+            find("inspector-remove-requirement-0", AbstractButton.class).doClick();
+        }
+        find("inspector-add-requirement", AbstractButton.class).doClick();
+
+        assertThat(plan().inEdges().stream()
+                        .filter(e -> e.id().equals(edge))
+                        .flatMap(e -> e.requirements().stream())
+                        .map(RequirementWords::of))
+                .containsExactly("No Task");
     }
 
     private List<String> words() {
