@@ -2,9 +2,12 @@ package org.sami.domain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -15,7 +18,6 @@ import org.sami.spn.edit.EditHistory;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.edit.PlanBuilder;
-import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.LayoutPoint;
@@ -24,6 +26,8 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.WaitFor;
+import org.sami.spn.pattern.PatternSpot;
+import org.sami.spn.pattern.Patterns;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.testing.PlayedTeam;
 import org.sami.spn.value.GeoPoint;
@@ -94,11 +98,17 @@ class GatheringTest {
                 .id();
         done(AddEvent.usual("p", "ProxyGotoPoint", new EventTarget.OnVertex(go), Mode.NOMINAL, LIBRARY)
                 .withSequence(sequence));
+        Set<String> ends = new LinkedHashSet<>();
         plan().places().stream()
-                .filter(p -> plan().inEdges().stream().noneMatch(e -> e.place().equals(p.id())))
                 .map(Place::id)
-                .toList()
-                .forEach(end -> done(new VertexEdit.SetEnd("p", end, true, false)));
+                .filter(p -> plan().inEdges().stream().noneMatch(e -> e.place().equals(p)))
+                .forEach(ends::add);
+        PatternSpot spot = new PatternSpot(history.project(), plan(), ends, Mode.NOMINAL, BOATS.vocabulary(), LIBRARY);
+        done(Patterns.of(LIBRARY).stream()
+                .filter(p -> p.id().equals("until-none-is-left"))
+                .findFirst()
+                .orElseThrow()
+                .edit(spot));
     }
 
     private void add(String answer, String event, Gathering gathering) {
@@ -112,7 +122,7 @@ class GatheringTest {
     private PlayedTeam team(int boats, long seed) {
         return new PlayedTeam(history.project(), BOATS.vocabulary(), boats, seed)
                 .once("AssembleLocationRequest", "AssembleLocationResponse", a -> {
-                    Map<Value, Value> points = new java.util.LinkedHashMap<>();
+                    Map<Value, Value> points = new LinkedHashMap<>();
                     a.proxies().forEach(p -> points.put(new ProxyValue(p), new GeoPoint(43.6, -79.4, 0)));
                     return Map.of("points", new MapValue(points));
                 })
@@ -163,7 +173,7 @@ class GatheringTest {
     void eachLeavesAndAllGoOnWhenNobodyIsUnderWay(long seed) {
         draw(Gathering.EACH_THEN_TOGETHER);
         String together = plan().transitions().stream()
-                .filter(t -> t.inputs().isEmpty())
+                .filter(t -> t.name().equals("Nobody is under way"))
                 .findFirst()
                 .orElseThrow()
                 .id();
@@ -184,7 +194,7 @@ class GatheringTest {
         assertThat(each.inEdgesOf(arrived).get(0).requirements()).hasSize(1);
         PlayedTeam team = team(3, 1);
         assertThat(team.run("p")).contains(Outcome.ENDED);
-        assertThat(team.fired(arrived)).as("the first arrival enters the end").isEqualTo(1);
+        assertThat(team.fired(arrived)).isEqualTo(3);
 
         done(new ChangeWaiting("p", arrived, WaitFor.ALL, LIBRARY));
         assertThat(plan().inEdgesOf(arrived).get(0).requirements()).hasSize(2);

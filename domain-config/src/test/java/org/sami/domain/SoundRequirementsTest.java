@@ -66,8 +66,7 @@ class SoundRequirementsTest {
 
     @Test
     void relevantIsNotProposedWhereNoInputEventNamesAnybody() {
-        Plan plan = tasks()
-                .in("work", "arrived")
+        Plan plan = tasks().in("work", "arrived")
                 .out("arrived", "done", OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.RELEVANT))
                 .in("done", "finished")
                 .out("finished", "all-done")
@@ -80,8 +79,7 @@ class SoundRequirementsTest {
 
     @Test
     void secondEdgeIsOfferedThatNobodyIsLeftThere() {
-        Plan plan = tasks()
-                .in("work", "arrived", InRequirement.allRelevant())
+        Plan plan = tasks().in("work", "arrived", InRequirement.allRelevant())
                 .out("arrived", "done", OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.RELEVANT))
                 .in("done", "finished", InRequirement.of(TokenKind.ANY_TASK, Match.AT_LEAST, 1))
                 .in("work", "finished")
@@ -101,8 +99,7 @@ class SoundRequirementsTest {
 
     @Test
     void whatStandsThereIsNotProposedAgain() {
-        Plan plan = tasks()
-                .in("work", "arrived", InRequirement.allRelevant())
+        Plan plan = tasks().in("work", "arrived", InRequirement.allRelevant())
                 .out("arrived", "done", OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.RELEVANT))
                 .build();
 

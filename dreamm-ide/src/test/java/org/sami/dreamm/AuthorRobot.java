@@ -98,6 +98,11 @@ final class AuthorRobot implements AutoCloseable {
                 event, p -> p.outputs().stream().anyMatch(o -> o.type().equals(event)));
     }
 
+    /** The place of a name. */
+    String named(String name) {
+        return placeWhere("the name " + name, p -> p.name().equals(name));
+    }
+
     /** The transition with an input event of a type. */
     String transition(String event) {
         return plan().transitions().stream()
@@ -244,6 +249,10 @@ final class AuthorRobot implements AutoCloseable {
     /** Adds what the palette finds by some words to what is selected, and shows all of the net. */
     void add(String words, String label) {
         mark(words, label);
+        addMarked(label);
+    }
+
+    private void addMarked(String label) {
         String before = text();
         robot.press(KeyEvent.VK_ENTER);
         robot.until(
@@ -251,6 +260,66 @@ final class AuthorRobot implements AutoCloseable {
                 () -> !before.equals(new ProjectWriter(document().vocabulary())
                         .text(document().project())));
         showAll();
+    }
+
+    /** The same with another sequence than the one that is offered first. */
+    void add(String words, String label, String sequence) {
+        mark(words, label);
+        robot.click("wizard-sequence-" + sequence);
+        addMarked(label);
+    }
+
+    /** Adds something to the place behind an answer. */
+    void addBehind(String answer, String words, String label) {
+        click(behind(answer));
+        add(words, label);
+    }
+
+    /** The same with another sequence. */
+    void addBehind(String answer, String words, String label, String sequence) {
+        click(behind(answer));
+        add(words, label, sequence);
+    }
+
+    /** Lets a pattern show what it would draw on what is selected, and draws it. */
+    void pattern(int key) {
+        robot.press(key, KeyEvent.VK_ALT, KeyEvent.VK_SHIFT);
+        robot.untilShown("pattern-draw");
+        String before = text();
+        robot.click("pattern-draw");
+        robot.until(
+                "the pattern is drawn",
+                () -> !before.equals(new ProjectWriter(document().vocabulary())
+                        .text(document().project())));
+        showAll();
+    }
+
+    /** Lets an answer lead elsewhere than to the place that came with it. */
+    void lead(String answer, String place, int dx, int dy) {
+        String from = transition(answer);
+        click(behind(answer));
+        robot.press(KeyEvent.VK_DELETE);
+        robot.until(
+                "the place is gone",
+                () -> window.context()
+                        .editor()
+                        .plan()
+                        .orElseThrow()
+                        .outEdgesOf(from)
+                        .isEmpty());
+        move(from, dx, dy); // its edge would lie on others
+        connect(from, place);
+        robot.click("inspector-propose-requirement-0");
+        robot.until(
+                "the edge asks for something",
+                () -> !window.context()
+                        .editor()
+                        .plan()
+                        .orElseThrow()
+                        .outEdgesOf(from)
+                        .get(0)
+                        .requirements()
+                        .isEmpty());
     }
 
     /** Finds an item of the palette by typing. */

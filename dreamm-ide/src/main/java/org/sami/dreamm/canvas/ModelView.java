@@ -8,12 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.NetOverlay;
+import org.sami.dreamm.context.NetPreview;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.profile.ProfileIds;
@@ -21,6 +23,7 @@ import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.Plan;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.SemanticColor;
@@ -160,6 +163,7 @@ public final class ModelView extends JPanel implements NetDropTarget {
                 transitions.forEach(view::fired);
             }
         });
+        context.preview().addListener(this::showPreview);
         context.additions().addAddedListener(view::revealWhole);
         view.addNetListener(new NetListener() {
             @Override
@@ -222,6 +226,20 @@ public final class ModelView extends JPanel implements NetDropTarget {
         view.select(context.editor().selection());
     }
 
+    /** Shows the plan as it would be after an edit that the author thinks about, or as it is. */
+    private void showPreview() {
+        Optional<NetPreview.Shown> preview = context.preview().shown();
+        view.setChanges(preview.map(NetPreview.Shown::changes).orElse(Map.of()));
+        if (preview.isEmpty()) {
+            showPlan();
+            return;
+        }
+        actions.endWriting();
+        Plan planned = preview.get().plan();
+        view.show(planned, context.vocabulary(), net.drawn(planned));
+        view.revealWhole(preview.get().changes().keySet());
+    }
+
     private String emptyText() {
         return "This plan is empty. The palette has what to add: mark it and press Enter, or drag it here. "
                 + key("net-add-place") + " adds a blank place, " + key("net-add-transition") + " a transition.";
@@ -244,6 +262,15 @@ public final class ModelView extends JPanel implements NetDropTarget {
                         .filter(command -> !command.isHidden())
                         .ifPresent(command -> menu.add(item(command)));
             }
+        }
+        JMenu patterns = new JMenu("Patterns");
+        patterns.setName("net-menu-patterns");
+        context.commands().all().stream()
+                .filter(command -> command.id().startsWith("pattern-") && !command.isHidden())
+                .forEach(command -> patterns.add(item(command)));
+        if (patterns.getItemCount() > 0) {
+            menu.addSeparator();
+            menu.add(patterns);
         }
         return menu;
     }

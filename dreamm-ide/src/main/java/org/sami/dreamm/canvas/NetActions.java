@@ -129,8 +129,20 @@ final class NetActions {
 
     void connect(String from, String to) {
         if (whyNotEdit("net-connect").isEmpty()) {
-            apply(edits.connect(from, to, mode()));
+            Set<String> before = edges();
+            if (apply(edits.connect(from, to, mode()))) {
+                Set<String> drawn = edges();
+                drawn.removeAll(before);
+                context.editor().select(drawn); // what it asks for is chosen next
+            }
         }
+    }
+
+    private Set<String> edges() {
+        Set<String> ids = new LinkedHashSet<>();
+        net.plan().inEdges().forEach(e -> ids.add(e.id()));
+        net.plan().outEdges().forEach(e -> ids.add(e.id()));
+        return ids;
     }
 
     void append(String from, double x, double y) {

@@ -39,13 +39,22 @@ final class ShownNet {
     }
 
     private NetDrawing draw() {
-        Double scale = scales.get(plan.id());
-        NetDrawing drawn = NetLayout.edited(
-                plan, vocabulary, measure, detail, scale == null ? OptionalDouble.empty() : OptionalDouble.of(scale));
+        NetDrawing drawn = drawn(plan);
         if (!plan.places().isEmpty() || !plan.transitions().isEmpty()) {
             scales.put(plan.id(), drawn.scale());
         }
         return drawn;
+    }
+
+    /** A version of the plan as it would be drawn in this one's place. */
+    NetDrawing drawn(Plan version) {
+        Double scale = scales.get(version.id());
+        return NetLayout.edited(
+                version,
+                vocabulary,
+                measure,
+                detail,
+                scale == null ? OptionalDouble.empty() : OptionalDouble.of(scale));
     }
 
     /** What is shown where no plan is open. */

@@ -30,6 +30,7 @@ public final class DreammContext implements AutoCloseable {
     private final Notices notices = new Notices();
     private final Questions questions = new Questions();
     private final NetOverlay overlay = new NetOverlay();
+    private final NetPreview preview = new NetPreview();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
     private final ValueEditors values;
     private final Additions additions;
@@ -89,6 +90,11 @@ public final class DreammContext implements AutoCloseable {
     /** What lies over the net while a plan is tried. */
     public NetOverlay overlay() {
         return overlay;
+    }
+
+    /** What the open plan would be after an edit that the author thinks about. */
+    public NetPreview preview() {
+        return preview;
     }
 
     /** The status line: what was done, and why something was not. */

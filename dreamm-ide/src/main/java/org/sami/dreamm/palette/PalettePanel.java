@@ -28,7 +28,7 @@ public final class PalettePanel extends JPanel {
         super(new MigLayout(
                 "insets " + Spacing.NORMAL + ", gap 0 8, wrap 1, fill",
                 "[grow, fill]",
-                "[72:pref:, grow, fill][24:pref:]"));
+                "[72:pref:, grow, fill, shrinkprio 200][24:pref:, shrinkprio 50]"));
         this.context = context;
         this.edits = new PaletteEdits(context);
         this.list = new PaletteList(context, "palette", item -> true, this::add);
@@ -43,6 +43,7 @@ public final class PalettePanel extends JPanel {
             list.enableDrag();
         }
         list.whenSelected(this::refresh);
+        strip.whenConfirmed(() -> list.selected().ifPresent(this::add));
         context.additions().addListener(() -> {
             list.fill();
             refresh();

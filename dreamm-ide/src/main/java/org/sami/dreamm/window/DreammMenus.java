@@ -95,6 +95,10 @@ final class DreammMenus {
                 "net-show-requirements",
                 "net-show-tokens"));
         bar.add(menus.menu(
+                "Patterns",
+                'A',
+                commands.ids().stream().filter(id -> id.startsWith("pattern-")).toArray(String[]::new)));
+        bar.add(menus.menu(
                 "Try",
                 'T',
                 "try-start",

@@ -8,6 +8,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.palette.PalettePanel;
 import org.sami.dreamm.palette.PaletteSteps;
+import org.sami.dreamm.pattern.PatternCommands;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.tree.MissionTreePanel;
 import org.sami.ui.dock.Arrangement;
@@ -55,6 +56,7 @@ final class DreammPanels {
     DreammPanels(DreammContext context, RunParts run) {
         ModelView net = new ModelView(context);
         net.setAppendChoices(new PaletteSteps(context));
+        PatternCommands.addTo(context);
         List<DockPanel> every = List.of(
                 new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
                 new DockPanel("model-view", "Model view", "net", net),

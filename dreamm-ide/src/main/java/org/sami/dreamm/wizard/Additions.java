@@ -137,21 +137,24 @@ public final class Additions {
     public Preview preview(Edit edit) {
         EditResult result = edit.apply(document.project(), document.vocabulary());
         if (result instanceof EditResult.Refused refused) {
-            return new Preview(Optional.empty(), Optional.of(refused.message()));
+            return new Preview(Optional.empty(), Optional.empty(), Optional.of(refused.message()));
         }
         Optional<Plan> before = editor.plan();
-        Optional<PlanChange> change = before.flatMap(plan ->
-                result.project().flatMap(p -> p.plan(plan.id())).map(changed -> PlanChange.between(plan, changed)));
-        return new Preview(change, Optional.empty());
+        Optional<Plan> planned = before.flatMap(plan -> result.project().flatMap(p -> p.plan(plan.id())));
+        return new Preview(
+                before.flatMap(plan -> planned.map(changed -> PlanChange.between(plan, changed))),
+                planned,
+                Optional.empty());
     }
 
     /**
      * What an edit would make.
      *
      * @param change empty where it is refused
+     * @param planned the open plan as it would be; empty where the edit is refused
      * @param refusal why; empty where it is not refused
      */
-    public record Preview(Optional<PlanChange> change, Optional<String> refusal) {}
+    public record Preview(Optional<PlanChange> change, Optional<Plan> planned, Optional<String> refusal) {}
 
     /** Makes an edit of the open plan and selects the vertex that it adds first, or that it adds something to. */
     public EditResult add(Edit edit) {

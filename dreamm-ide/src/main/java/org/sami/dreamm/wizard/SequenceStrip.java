@@ -1,13 +1,16 @@
 package org.sami.dreamm.wizard;
 
+import java.awt.event.ActionEvent;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import javax.swing.AbstractAction;
 import javax.swing.ButtonGroup;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.Edit;
@@ -56,6 +59,17 @@ public final class SequenceStrip extends JPanel {
         add(choices, "wmin 0");
         add(reading, "wmin 0");
         add(preview, "wmin 0");
+    }
+
+    /** Adds what is shown when Enter is pressed at a choice of the strip. */
+    public void whenConfirmed(Runnable confirmed) {
+        getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "add");
+        getActionMap().put("add", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                confirmed.run();
+            }
+        });
     }
 
     @Override

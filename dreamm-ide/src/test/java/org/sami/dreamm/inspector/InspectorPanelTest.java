@@ -286,7 +286,8 @@ class InspectorPanelTest {
                 .orElseThrow()
                 .id();
         context.editor().select(List.of(edge));
-        while (Layout.find(panel, "inspector-remove-requirement-0", AbstractButton.class).isPresent()) {
+        while (Layout.find(panel, "inspector-remove-requirement-0", AbstractButton.class)
+                .isPresent()) {
             find("inspector-remove-requirement-0", AbstractButton.class).doClick();
         }
         find("inspector-add-requirement", AbstractButton.class).doClick();

@@ -102,7 +102,8 @@ public final class AuthoringReader {
             unknown(m, "event", name, vocabulary.events().keySet());
         }
         if (m.has("manual")) {
-            return m.object("manual").flatMap(part -> manual(part, event));
+            boolean pattern = m.flag("pattern", false);
+            return m.object("manual").flatMap(part -> manual(part, event, pattern));
         }
         String help = m.text("help", "");
         return event.flatMap(e -> e.direction() == Direction.OUTPUT
@@ -132,7 +133,7 @@ public final class AuthoringReader {
                 m.flag("movesGeneric", true));
     }
 
-    private Optional<Sequence> manual(JsonObjectReader part, Optional<EventType> event) {
+    private Optional<Sequence> manual(JsonObjectReader part, Optional<EventType> event, boolean pattern) {
         Plan plan = new PlanReader(new PlanParts(vocabulary, problems), part, List.of(), new Names(problems)).read();
         if (event.isEmpty()) {
             return Optional.empty();
@@ -153,7 +154,7 @@ public final class AuthoringReader {
                             + (anchors.isEmpty() ? "none" : String.join(", ", anchors)));
             return Optional.empty();
         }
-        return Optional.of(new Sequence.Manual(type, plan, anchors.iterator().next()));
+        return Optional.of(new Sequence.Manual(type, plan, anchors.iterator().next(), pattern));
     }
 
     /** Names of events of the vocabulary, of one direction where that is given. */

@@ -33,11 +33,18 @@ import org.sami.spn.model.WaitFor;
  */
 public record Meeting(
         String here, Set<String> empty, TokenKind kind, String name, String behind, boolean end, Mode mode) {
-    /** Draws it into a plan. */
+    /** Draws it into a plan, with a new place behind it. */
     public Plan drawn(Plan plan) {
+        String place = new FreshIds(plan).take(FreshIds.ofWords(behind));
+        List<Place> places = new ArrayList<>(plan.places());
+        places.add(new Place(place, behind, false, end, false, mode, List.of(), List.of(), List.of()));
+        return drawn(plan.withPlaces(places), place);
+    }
+
+    /** Draws it into a plan, into a place that is there. */
+    public Plan drawn(Plan plan, String place) {
         FreshIds ids = new FreshIds(plan);
         String transition = ids.take(FreshIds.ofWords(name));
-        String place = ids.take(FreshIds.ofWords(behind));
         List<InEdge> in = new ArrayList<>(plan.inEdges());
         in.add(edge(ids, here, transition, InRequirement.of(kind, Match.AT_LEAST, 1)));
         empty.forEach(p -> in.add(edge(ids, p, transition, InRequirement.of(kind, Match.ZERO, 0))));
@@ -51,15 +58,7 @@ public record Meeting(
                 true));
         List<Transition> transitions = new ArrayList<>(plan.transitions());
         transitions.add(new Transition(transition, name, mode, WaitFor.EACH, List.of()));
-        List<Place> places = new ArrayList<>(plan.places());
-        places.add(new Place(place, behind, false, end, false, mode, List.of(), List.of(), List.of()));
-        return laidOut(
-                plan.withPlaces(places)
-                        .withTransitions(transitions)
-                        .withInEdges(in)
-                        .withOutEdges(out),
-                transition,
-                place);
+        return laidOut(plan.withTransitions(transitions).withInEdges(in).withOutEdges(out), transition, place);
     }
 
     private InEdge edge(FreshIds ids, String from, String transition, InRequirement requirement) {
@@ -70,7 +69,9 @@ public record Meeting(
         Map<String, LayoutPoint> layout = new LinkedHashMap<>(plan.layout());
         FreeSpace.behind(plan, here).ifPresent(at -> {
             layout.put(transition, at);
-            FreeSpace.behind(plan.withLayout(layout), transition).ifPresent(next -> layout.put(place, next));
+            if (!layout.containsKey(place)) {
+                FreeSpace.behind(plan.withLayout(layout), transition).ifPresent(next -> layout.put(place, next));
+            }
         });
         return plan.withLayout(layout);
     }

@@ -136,8 +136,9 @@ public sealed interface Sequence {
      *
      * @param part what is drawn; its name and description are the sequence's
      * @param anchor id of the vertex in it that holds the event
+     * @param pattern whether it is offered as a pattern around a selected vertex as well
      */
-    record Manual(String event, Plan part, String anchor) implements Sequence {
+    record Manual(String event, Plan part, String anchor, boolean pattern) implements Sequence {
         public Manual {
             Objects.requireNonNull(event, "event");
             Objects.requireNonNull(part, "part");

@@ -40,6 +40,7 @@ public final class PlayedTeam {
     private final Random random;
     private final Map<String, Answering> answers = new LinkedHashMap<>();
     private final Map<String, Function<Decision, Answer>> decisions = new LinkedHashMap<>();
+    private final Map<String, Function<Activation, List<String>>> robots = new LinkedHashMap<>();
     private final List<Activation> asked = new ArrayList<>();
     private final List<Runnable> waiting = new ArrayList<>();
     private final Map<String, List<TaskId>> queues = new LinkedHashMap<>();
@@ -71,6 +72,12 @@ public final class PlayedTeam {
     public PlayedTeam once(String output, String input, Function<Activation, Map<String, Value>> values) {
         answers.put(output, new Answering(input, true, values));
         return this;
+    }
+
+    /** Some robots answer, each by itself. */
+    public PlayedTeam some(String output, String input, Function<Activation, List<String>> who) {
+        robots.put(output, who);
+        return each(output, input);
     }
 
     /** The operator answers a question of a type so; other questions as autonomy would. */
@@ -199,11 +206,18 @@ public final class PlayedTeam {
         }
         if (answering.one()) {
             Map<String, Value> values = answering.values().apply(activation);
-            List<String> robots = activation.tokens().stream()
+            List<String> named = activation.tokens().stream()
                     .filter(Token.Proxy.class::isInstance)
                     .map(t -> ((Token.Proxy) t).proxy())
                     .toList();
-            waiting.add(() -> received(answering.type(), activation, robots, activation.tasks(), values));
+            waiting.add(() -> received(answering.type(), activation, named, activation.tasks(), values));
+            return;
+        }
+        Function<Activation, List<String>> who = robots.get(activation.type());
+        if (who != null) {
+            who.apply(activation)
+                    .forEach(robot -> waiting.add(
+                            () -> received(answering.type(), activation, List.of(robot), List.of(), Map.of())));
             return;
         }
         for (Token token : activation.tokens()) {

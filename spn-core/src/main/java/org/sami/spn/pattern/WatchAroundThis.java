@@ -1,0 +1,102 @@
+package org.sami.spn.pattern;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.edit.Edit;
+import org.sami.spn.edit.FreshIds;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.wiring.ComingTokens;
+import org.sami.spn.wizard.AddEvent;
+import org.sami.spn.wizard.EventTarget;
+import org.sami.spn.wizard.Sequence;
+
+/**
+ * A watch that a domain draws around a place, such as one for low batteries: robots leave the place when something happens, and come back.
+ * Whoever waits until nobody is left in the place waits for those as well who are away (thesis 7.0.3).
+ */
+final class WatchAroundThis implements Pattern {
+    private final Sequence.Manual sequence;
+
+    WatchAroundThis(Sequence.Manual sequence) {
+        this.sequence = sequence;
+    }
+
+    @Override
+    public String id() {
+        return sequence.id();
+    }
+
+    @Override
+    public String title() {
+        return sequence.name();
+    }
+
+    @Override
+    public String help() {
+        return "Select a place where robots work. " + sequence.help();
+    }
+
+    @Override
+    public Optional<String> refusal(PatternSpot spot) {
+        List<Place> places = spot.places();
+        if (places.size() != 1) {
+            return Optional.of("Select one place where robots work");
+        }
+        Place place = places.get(0);
+        if (place.end()) {
+            return Optional.of("The mission ends in " + PatternSpot.name(place));
+        }
+        if (!spot.coming().comes(ComingTokens.Kind.PROXY, place.id())) {
+            return Optional.of("No robots come to " + PatternSpot.name(place));
+        }
+        return place.outputs().stream().anyMatch(o -> o.type().equals(sequence.event()))
+                ? Optional.of(PatternSpot.name(place) + " is watched already")
+                : Optional.empty();
+    }
+
+    @Override
+    public Edit edit(PatternSpot spot) {
+        Place place = spot.places().get(0);
+        AddEvent watch = AddEvent.usual(
+                        spot.plan().id(),
+                        sequence.event(),
+                        new EventTarget.OnVertex(place.id()),
+                        spot.mode(),
+                        spot.library())
+                .withSequence(sequence.id());
+        return new PatternEdit(
+                spot.plan().id(),
+                title() + ": " + PatternSpot.name(place),
+                (plan, context) -> alsoAway(plan, watch.change(plan, context), place.id()));
+    }
+
+    /** Adds to each transition that waits until no robot is left in the place that none is away either. */
+    private Plan alsoAway(Plan before, Plan watched, String place) {
+        List<InEdge> edges = new ArrayList<>(watched.inEdges());
+        FreshIds ids = new FreshIds(watched);
+        for (InEdge edge : before.inEdges()) {
+            boolean inhibits = edge.place().equals(place)
+                    && edge.requirements().stream()
+                            .anyMatch(r -> r.match() == Match.ZERO && r.kind() == TokenKind.ANY_PROXY);
+            for (Place away : watched.places()) {
+                if (inhibits && before.place(away.id()).isEmpty()) {
+                    edges.add(new InEdge(
+                            ids.take(away.id() + "-" + edge.transition()),
+                            away.id(),
+                            edge.transition(),
+                            edge.mode(),
+                            edge.requirements().stream()
+                                    .filter(r -> r.match() == Match.ZERO && r.kind() == TokenKind.ANY_PROXY)
+                                    .toList(),
+                            true));
+                }
+            }
+        }
+        return watched.withInEdges(edges);
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * Patterns: ways in which plans are often drawn, offered on a selection of vertices, made as one edit. Each is a class that says where it can
+ * stand and what it draws. No window.
+ */
+package org.sami.spn.pattern;
