@@ -117,6 +117,18 @@ final class TeamMistakes {
                 "retry",
                 PANORAMA.redirect("retry.again", "retry", "locations", "take all task")));
         all.add(of(
+                "loop back to the work that is done",
+                "panorama",
+                "W-GOES-ROUND",
+                "go",
+                PANORAMA.redirect("rested.complete", "rested", "go", "take all relevant")));
+        all.add(of(
+                "\"all finished\" forgets those who wait",
+                "panorama",
+                "W-PLACE-FORGOTTEN",
+                "waiting",
+                PANORAMA.remove("waiting.all-finished")));
+        all.add(of(
                 "loop back to where tasks are made",
                 "panorama",
                 "W-TASKS-MADE-AGAIN",

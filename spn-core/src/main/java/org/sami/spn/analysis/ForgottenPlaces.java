@@ -25,8 +25,9 @@ import org.sami.spn.model.Transition;
 
 /**
  * A transition that goes on when nobody is left in some places looks at all of them: at those from which robots or tasks come one after
- * the other into the place where they gather, and, where it ends the mission, at those that lead back to the places that it looks at. A
- * place is looked at as well where another one counts who is in it (thesis 7.0.3).
+ * the other into the place where they gather, and, where it ends the mission, at those that lead to the places that it looks at and to
+ * which a way leads back, or which robots or tasks leave one by one. A place is looked at as well where another one counts who is in it
+ * (thesis 7.0.3).
  */
 final class ForgottenPlaces implements PlanCheck {
     private static final Set<Kind> NAMED = EnumSet.of(Kind.PROXY, Kind.TASK);
@@ -89,18 +90,24 @@ final class ForgottenPlaces implements PlanCheck {
     /** Places to which a way leads from those that the transition looks at, and from which one leads back to them. */
     private static void addBehind(
             PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
-        Set<String> after = reached(plan, watched, kinds);
+        Set<String> after = plan.flow().reached(watched, kinds, any -> true);
         Set<String> before = leadingTo(plan, watched, kinds);
         for (Place place : plan.plan().places()) {
             if (!watched.contains(place.id())
                     && !place.end()
-                    && after.contains(place.id())
+                    && (after.contains(place.id()) || leavesSingly(plan, place))
                     && before.contains(place.id())
                     && meets(plan.flow().at(place), kinds)
                     && !isCounted(plan, t, place, kinds)) {
                 forgotten.add(place);
             }
         }
+    }
+
+    /** Whether robots or tasks leave a place one after the other. */
+    private static boolean leavesSingly(PlanContext plan, Place place) {
+        return plan.outTransitions(place).stream()
+                .anyMatch(t -> SingleAnswers.from(plan, t).contains(place));
     }
 
     /** The places from which tokens of some kinds may come to others. */
@@ -119,27 +126,6 @@ final class ForgottenPlaces implements PlanCheck {
             }
         }
         return before;
-    }
-
-    /** The places to which tokens of some kinds may come from others, those left out unless a way leads back. */
-    private static Set<String> reached(PlanContext plan, Set<String> from, Set<Kind> kinds) {
-        Set<String> reached = new HashSet<>();
-        Deque<String> open = new ArrayDeque<>(from);
-        while (!open.isEmpty()) {
-            String place = open.pop();
-            for (Transition t : plan.place(place).map(plan::outTransitions).orElse(List.of())) {
-                boolean leaves = plan.inEdges(t).stream()
-                        .filter(e -> e.place().equals(place))
-                        .flatMap(e -> e.requirements().stream())
-                        .noneMatch(ForgottenPlaces::isAbsence);
-                for (OutEdge edge : leaves ? plan.outEdges(t) : List.<OutEdge>of()) {
-                    if (meets(plan.flow().along(edge), kinds) && reached.add(edge.place())) {
-                        open.push(edge.place());
-                    }
-                }
-            }
-        }
-        return reached;
     }
 
     /** Whether whoever enters a place is counted in another one that the transition asks to be empty. */

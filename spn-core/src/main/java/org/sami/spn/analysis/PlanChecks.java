@@ -77,7 +77,8 @@ public final class PlanChecks {
             new TwoCommands(),
             new TwoTakers(),
             new HealthyLedAway(),
-            new TasksMadeAgain());
+            new TasksMadeAgain(),
+            new EndlessRounds());
 
     /** Checks whose findings do not follow from other faults of the document. */
     private static final List<PlanCheck> INDEPENDENT = List.of(new StartPlace());

@@ -29,10 +29,16 @@ final class SingleAnswers {
         for (InEdge edge : plan.inEdges(t)) {
             plan.place(edge.place())
                     .filter(place -> isRelevant(edge))
-                    .filter(place -> plan.outputsOf(place).stream().anyMatch(o -> answersEach(o, input)))
+                    .filter(place ->
+                            isNews(input) || plan.outputsOf(place).stream().anyMatch(o -> answersEach(o, input)))
                     .ifPresent(places::add);
         }
         return places;
+    }
+
+    /** Whether an event comes of each by itself, without having been asked for. */
+    private static boolean isNews(PlacedInput input) {
+        return input.type().flags().contains(EventFlag.NEWS) && input.type().tokens() != TokenNeed.NONE;
     }
 
     private static boolean isRelevant(InEdge edge) {
@@ -41,9 +47,7 @@ final class SingleAnswers {
 
     private static boolean answersEach(PlacedOutput output, PlacedInput input) {
         Set<EventFlag> flags = output.type().flags();
-        boolean each = flags.contains(EventFlag.COMMAND)
-                || output.type().role() == EventRole.PROXY_TIMER
-                || input.type().flags().contains(EventFlag.NEWS);
+        boolean each = flags.contains(EventFlag.COMMAND) || output.type().role() == EventRole.PROXY_TIMER;
         boolean names = input.type().tokens() != TokenNeed.NONE || input.type().role() == EventRole.PROXY_TIMER_EXPIRED;
         return each && names && output.type().answers().contains(input.type().name());
     }

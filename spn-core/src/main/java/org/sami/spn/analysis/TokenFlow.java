@@ -4,9 +4,11 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.EnumSet;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -132,6 +134,28 @@ final class TokenFlow {
             }
         }
         return named;
+    }
+
+    /** The places to which tokens of some kinds may come from others by some transitions; those left out unless a way leads back. */
+    Set<String> reached(Set<String> from, Set<Kind> kinds, Predicate<Transition> by) {
+        Set<String> reached = new HashSet<>();
+        Deque<String> open = new ArrayDeque<>(from);
+        while (!open.isEmpty()) {
+            String place = open.pop();
+            for (Transition t : plan.place(place).map(plan::outTransitions).orElse(List.of())) {
+                boolean leaves = by.test(t)
+                        && plan.inEdges(t).stream()
+                                .filter(e -> e.place().equals(place))
+                                .flatMap(e -> e.requirements().stream())
+                                .noneMatch(ForgottenPlaces::isAbsence);
+                for (OutEdge edge : leaves ? plan.outEdges(t) : List.<OutEdge>of()) {
+                    if (along(edge).stream().anyMatch(kinds::contains) && reached.add(edge.place())) {
+                        open.push(edge.place());
+                    }
+                }
+            }
+        }
+        return reached;
     }
 
     /** The kinds of tokens that a requirement speaks of; of relevant ones those that have a name. */

@@ -125,7 +125,21 @@ final class TeamCheckCases {
         cases.add(PlanCheckCases.of("W-HEALTHY-LED-AWAY", well("go"), well("watch")));
         cases.add(PlanCheckCases.of("W-TASKS-MADE-AGAIN", again("start"), again("later")));
         cases.add(PlanCheckCases.of("W-TASKS-MADE-AGAIN", again("make"), again("later")));
+        cases.add(PlanCheckCases.of("W-GOES-ROUND", round("go"), round("end")));
         return cases;
+    }
+
+    /** Tasks are to drive and to fetch, and are led to a place when that is done; those that cannot fetch are over. */
+    private static NetBuilder round(String place) {
+        return begin().task("T", "Measure", Map.of())
+                .output("go", "Drive", SPEED, Map.of())
+                .output("go", "Fetch")
+                .transition("driven", "Driven")
+                .in("go", "driven", "relevant all")
+                .out("driven", place, "take all relevant")
+                .transition("nothing", "NotFetched")
+                .in("go", "nothing", "relevant all")
+                .out("nothing", "end", "take all relevant");
     }
 
     /** Robots are watched where they drive or in another place, and led to the end when they are well. */
