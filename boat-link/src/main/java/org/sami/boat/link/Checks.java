@@ -59,6 +59,28 @@ final class Checks {
         return value;
     }
 
+    /** The id of a boat or a client, which people read: without control characters, and without characters that turn the direction of what follows. */
+    static String name(String name, String value) {
+        return optionalName(name, id(name, value));
+    }
+
+    /** A {@link #name} that may be empty, which then stands for none. */
+    static String optionalName(String name, String value) {
+        optionalId(name, value);
+        for (int i = 0; i < value.length(); i++) {
+            char letter = value.charAt(i);
+            int type = Character.getType(letter);
+            if (Character.isISOControl(letter)
+                    || type == Character.FORMAT
+                    || type == Character.LINE_SEPARATOR
+                    || type == Character.PARAGRAPH_SEPARATOR) {
+                throw new BadValueException(
+                        name, String.format("U+%04X is a control character, at index %d", (int) letter, i));
+            }
+        }
+        return value;
+    }
+
     /** An id that may be empty, which then stands for none. */
     static String optionalId(String name, String value) {
         Objects.requireNonNull(value, name);

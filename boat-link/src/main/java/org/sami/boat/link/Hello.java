@@ -19,8 +19,8 @@ public final class Hello extends LinkMessage {
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public Hello(String boatId, String clientId, Role role, double telemetryHz, String auth) {
-        this.boatId = Checks.optionalId("boat", boatId);
-        this.clientId = Checks.id("client", clientId);
+        this.boatId = Checks.optionalName("boat", boatId);
+        this.clientId = Checks.name("client", clientId);
         this.role = Objects.requireNonNull(role, "role");
         this.telemetryHz = Checks.range("telemetryHz", telemetryHz, 0, 50);
         this.auth = Checks.text("auth", auth);

@@ -13,6 +13,7 @@ public final class SettingsReport extends LinkMessage {
     static final String TYPE = "settings";
     private static final String HOME = "home";
     private static final String ERROR = "error";
+    private static final String STOPPED_BY = "stoppedBy";
 
     private final Gains heading;
     private final Gains speed;
@@ -20,18 +21,14 @@ public final class SettingsReport extends LinkMessage {
     private final LostLinkAction lostLinkAction;
     private final Optional<Waypoint> home;
     private final Optional<TrackingError> error;
+    private final String stoppedBy;
 
     /** That of a boat which tells neither its home nor its errors, as older ones do not. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
         this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty(), Optional.empty());
     }
 
-    /**
-     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
-     *
-     * @param home where the boat returns to, at the speed at which it does
-     * @param error how far it may be beside its lines, if it knows
-     */
+    /** That of a boat whose fleet stop is not latched, or which does not tell by whom, as older ones do not. */
     public SettingsReport(
             Gains heading,
             Gains speed,
@@ -39,6 +36,24 @@ public final class SettingsReport extends LinkMessage {
             LostLinkAction lostLinkAction,
             Optional<Waypoint> home,
             Optional<TrackingError> error) {
+        this(heading, speed, velocityMultiplier, lostLinkAction, home, error, "");
+    }
+
+    /**
+     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
+     *
+     * @param home where the boat returns to, at the speed at which it does
+     * @param error how far it may be beside its lines, if it knows
+     * @param stoppedBy the client that has latched the fleet stop; empty where it is not latched, or not known by whom
+     */
+    public SettingsReport(
+            Gains heading,
+            Gains speed,
+            double velocityMultiplier,
+            LostLinkAction lostLinkAction,
+            Optional<Waypoint> home,
+            Optional<TrackingError> error,
+            String stoppedBy) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
@@ -46,6 +61,7 @@ public final class SettingsReport extends LinkMessage {
         this.lostLinkAction = Objects.requireNonNull(lostLinkAction, "lostLinkAction");
         this.home = Objects.requireNonNull(home, "home");
         this.error = Objects.requireNonNull(error, "error");
+        this.stoppedBy = Checks.optionalName(STOPPED_BY, stoppedBy);
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -55,7 +71,8 @@ public final class SettingsReport extends LinkMessage {
                 in.number("multiplier"),
                 in.word("action", LostLinkAction.class),
                 in.has(HOME) ? Optional.of(WaypointRows.readRow(in.array(HOME), "/" + HOME)) : Optional.empty(),
-                in.has(ERROR) ? Optional.of(TrackingError.read(in.object(ERROR))) : Optional.empty());
+                in.has(ERROR) ? Optional.of(TrackingError.read(in.object(ERROR))) : Optional.empty(),
+                in.textOrEmpty(STOPPED_BY));
     }
 
     /** Gains of a control loop. */
@@ -83,6 +100,11 @@ public final class SettingsReport extends LinkMessage {
         return error;
     }
 
+    /** The client that has latched the fleet stop; empty where it is not latched, or not known by whom. */
+    public String stoppedBy() {
+        return stoppedBy;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -106,6 +128,9 @@ public final class SettingsReport extends LinkMessage {
             out.writeObjectFieldStart(ERROR);
             error.get().write(out);
             out.writeEndObject();
+        }
+        if (!stoppedBy.isEmpty()) {
+            out.writeStringField(STOPPED_BY, stoppedBy);
         }
     }
 }

@@ -22,7 +22,7 @@ public final class Welcome extends LinkMessage {
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public Welcome(String boatId, String bootId, Role role, String term, String auth, boolean takesTraffic) {
-        this.boatId = Checks.id("boat", boatId);
+        this.boatId = Checks.name("boat", boatId);
         this.bootId = Checks.id("boot", bootId);
         this.role = Objects.requireNonNull(role, "role");
         this.term = Checks.text("newTerm", term);

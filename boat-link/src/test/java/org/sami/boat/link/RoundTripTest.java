@@ -69,6 +69,14 @@ class RoundTripTest {
                         LostLinkAction.HOLD,
                         Optional.of(new Waypoint(45.4, -10.9, 1)),
                         Optional.of(new TrackingError(1.57, 0.24))),
+                new SettingsReport(
+                        new Gains(1.2, 0, 0),
+                        new Gains(0.3, 0, 0),
+                        1,
+                        LostLinkAction.HOLD,
+                        Optional.empty(),
+                        Optional.empty(),
+                        "base2"),
                 new SetWaysHome("c", "l", List.of(List.of(), List.of(List.of()), List.of(path, path.subList(0, 1)))),
                 new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12));
     }

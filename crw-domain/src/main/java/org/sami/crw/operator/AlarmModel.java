@@ -233,6 +233,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
         return switch (alarm.kind()) {
             case TWO_BOATS_WITH_ONE_ID, ONE_BOAT_AT_TWO_ADDRESSES -> Kind.DUPLICATE_ID;
             case ANOTHER_BOAT, OTHER_VERSION -> Kind.LINK_FAULT;
+            case EVER_NEW_BOATS -> Kind.LINK_FLOOD;
         };
     }
 

@@ -41,7 +41,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
     // ---- on the owner's thread
 
     void seen(BoatSnapshot boat) {
-        if (boats.put(boat.boat(), boat.stop()) != boat.stop()) {
+        if (!boat.stop().equals(boats.put(boat.boat(), boat.stop()))) {
             change();
         }
     }
@@ -79,8 +79,11 @@ public final class FleetStopModel extends Model<FleetStopState> {
 
     @Override
     FleetStopState take() {
-        List<String> here = of(StopLatch.HERE);
-        List<String> elsewhere = of(StopLatch.ELSEWHERE);
+        List<String> here = of(StopLatch.Where.HERE);
+        List<String> elsewhere = of(StopLatch.Where.ELSEWHERE);
+        Map<String, String> by = new TreeMap<>(NaturalOrder.INSTANCE);
+        elsewhere.forEach(boat -> by.put(boat, boats.get(boat).by()));
+        by.values().removeIf(String::isEmpty);
         boolean latched = everyBoat || !here.isEmpty() || !elsewhere.isEmpty();
         if (!latched) {
             sinceMillis = 0;
@@ -88,7 +91,8 @@ public final class FleetStopModel extends Model<FleetStopState> {
             sinceMillis = Math.max(1, nowMillis.getAsLong());
         }
         return latched
-                ? new FleetStopState(everyBoat, here, elsewhere, of(StopLatch.NONE), neverAnswered(), sinceMillis)
+                ? new FleetStopState(
+                        everyBoat, here, elsewhere, by, of(StopLatch.Where.NOWHERE), neverAnswered(), sinceMillis)
                 : FleetStopState.NONE;
     }
 
@@ -96,10 +100,10 @@ public final class FleetStopModel extends Model<FleetStopState> {
         return unreached.stream().filter(name -> !boats.containsKey(name)).toList();
     }
 
-    private List<String> of(StopLatch latch) {
+    private List<String> of(StopLatch.Where where) {
         List<String> found = new ArrayList<>();
         boats.forEach((boat, stop) -> {
-            if (stop == latch) {
+            if (stop.where() == where) {
                 found.add(boat);
             }
         });

@@ -44,6 +44,8 @@ final class BoatCondition {
     /** Whether it was sent from here, since this base started. */
     boolean stoppedFromHere;
 
+    String stoppedBy = ""; // the client that latched the fleet stop, as the boat says
+
     /** Why the boat refused the link last; empty if it did not. */
     String refusal = "";
 
@@ -90,7 +92,9 @@ final class BoatCondition {
             return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
         } else if (fleetStopped) {
             return Obstacle.because(
-                    Cause.FLEET_STOPPED, "the fleet stop is latched" + (stoppedFromHere ? "" : ", not from here"));
+                    Cause.FLEET_STOPPED,
+                    "the fleet stop is latched"
+                            + (stoppedFromHere ? "" : stoppedBy.isEmpty() ? ", not from here" : " by " + stoppedBy));
         } else if (takenOver) {
             return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
         } else if (unconfirmedRestart) {

@@ -102,6 +102,7 @@ final class BoatMessages {
         } else if (message instanceof PanoramaReport report) {
             driver.taken(report);
         } else if (message instanceof SettingsReport report) {
+            condition.stoppedBy = report.stoppedBy();
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
             settings.reported(report);

@@ -365,7 +365,7 @@ public final class BoatProxy {
         if (!condition.fleetStopped) {
             return StopLatch.NONE;
         }
-        return condition.stoppedFromHere ? StopLatch.HERE : StopLatch.ELSEWHERE;
+        return condition.stoppedFromHere ? StopLatch.HERE : StopLatch.elsewhere(condition.stoppedBy);
     }
 
     /** Whether the boat has still to acknowledge a fleet stop or the release of one. */

@@ -5,11 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.operator.boat.FleetStopState;
@@ -93,6 +97,27 @@ class FleetStopModelTest {
         does(anna, BoatMode.STOPPED);
         assertThat(state()).isEqualTo(FleetStopState.NONE);
         assertThat(faults()).isEmpty();
+    }
+
+    @Test
+    void baseThatLatchedAStopIsNamedWhereTheBoatSaysIt() {
+        Gains gains = new Gains(1, 0, 0);
+        says(
+                anna,
+                new SettingsReport(
+                        gains, gains, 1, LostLinkAction.HOLD, Optional.empty(), Optional.empty(), "committee-boat"));
+        does(anna, BoatMode.FLEET_STOP);
+        does(bert, BoatMode.STOPPED);
+
+        assertThat(state().words()).isEqualTo("Stopped by committee-boat: anna; it does not move before the release");
+        assertThat(state().advice())
+                .startsWith("committee-boat stopped it, another base, or this one before it started anew: ask there");
+        assertThat(models.fleet().boat("anna").orElseThrow().why().text())
+                .startsWith("anna does not move: the fleet stop is latched by committee-boat");
+
+        does(bert, BoatMode.FLEET_STOP);
+        assertThat(state().words())
+                .isEqualTo("FLEET STOP, not from here: 2 of 2 boats are stopped; nothing moves before the release");
     }
 
     @Test

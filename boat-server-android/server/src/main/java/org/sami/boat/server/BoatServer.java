@@ -104,7 +104,7 @@ public final class BoatServer {
         boolean moving = command instanceof StartWaypoints || command instanceof TakePanorama;
         boolean lasting = !moving && !isStoppingOnly(command);
         if (answer instanceof Ack && lasting && !CommandTransfer.isOne(command)) {
-            executor.execute(command);
+            executor.execute(clientId, command);
         }
     }
 
@@ -344,7 +344,7 @@ public final class BoatServer {
 
     private void execute(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
         Progress before = modes.track().progress();
-        LinkMessage answer = executor.execute(command);
+        LinkMessage answer = executor.execute(session.clientId(), command);
         ledger.record(session.clientId(), command, answer);
         if (CommandExecutor.isMoving(command) && answer instanceof Ack) {
             movedBy = session.clientId();
@@ -352,7 +352,7 @@ public final class BoatServer {
         session.executed(frame);
         log.answered(nowMs, session.clientId(), command, answer);
         session.send(answer, nowMs);
-        if (CommandExecutor.isSetting(command)) {
+        if (CommandExecutor.isSetting(command) || CommandExecutor.isLatch(command)) {
             broadcast(executor.settings(), nowMs);
         }
         if (!modes.track().isAt(before)) {

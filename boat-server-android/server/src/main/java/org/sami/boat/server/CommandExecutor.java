@@ -26,6 +26,7 @@ import org.sami.boat.link.UploadWaypoints;
 final class CommandExecutor {
     private final ServerConfig config;
     private final ModeControl modes;
+    private String stoppedBy = ""; // while the fleet stop is latched
     private LostLinkAction lostLinkAction;
 
     CommandExecutor(ServerConfig config, ModeControl modes) {
@@ -45,6 +46,11 @@ final class CommandExecutor {
                 || command instanceof SetLostLinkAction;
     }
 
+    /** Whether a command latches the fleet stop or releases it: by whom it is latched is told with the settings. */
+    static boolean isLatch(CommandMessage command) {
+        return command instanceof FleetStop || command instanceof FleetRelease;
+    }
+
     /** Whether a command sets a boat in motion, or ends what keeps it from moving. */
     static boolean isMoving(CommandMessage command) {
         return command instanceof StartWaypoints
@@ -61,10 +67,16 @@ final class CommandExecutor {
                 modes.velocityMultiplier(),
                 lostLinkAction,
                 Optional.of(modes.home().origin(config.returnSpeedMps())),
-                config.trackingError());
+                config.trackingError(),
+                isFleetStopped() ? stoppedBy : "");
     }
 
-    LinkMessage execute(CommandMessage command) {
+    /**
+     * Executes a command.
+     *
+     * @param clientId who sent it; empty if that is not known
+     */
+    LinkMessage execute(String clientId, CommandMessage command) {
         if (command instanceof UploadWaypoints) {
             return upload((UploadWaypoints) command);
         } else if (command instanceof StartWaypoints) {
@@ -78,6 +90,7 @@ final class CommandExecutor {
         } else if (command instanceof TakePanorama) {
             return panorama((TakePanorama) command);
         } else if (command instanceof FleetStop) {
+            stoppedBy = isFleetStopped() ? stoppedBy : clientId;
             modes.fleetStop();
         } else if (command instanceof FleetRelease) {
             release();

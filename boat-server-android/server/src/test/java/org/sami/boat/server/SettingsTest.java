@@ -8,6 +8,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.FleetRelease;
+import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
@@ -66,6 +68,27 @@ class SettingsTest {
         assertThat(newest(bench.client(Role.OBSERVER, 1)))
                 .usingRecursiveComparison()
                 .isEqualTo(inForce);
+    }
+
+    @Test
+    void whoLatchedTheFleetStopIsToldToEverybodyUntilTheRelease() {
+        Client client = bench.commander();
+        Client observer = bench.client(Role.OBSERVER, 1);
+        assertThat(newest(observer).stoppedBy()).isEmpty();
+
+        assertThat(client.say(new FleetStop("f"))).hasExactlyElementsOfTypes(Ack.class, SettingsReport.class);
+
+        assertThat(newest(observer).stoppedBy()).isEqualTo(client.session.clientId());
+        assertThat(newest(bench.client(Role.OBSERVER, 1)).stoppedBy()).isEqualTo(client.session.clientId());
+        client.say(new FleetRelease("r"));
+        assertThat(newest(observer).stoppedBy()).isEmpty();
+    }
+
+    @Test
+    void whoLatchedTheFleetStopIsKnownAfterARestart() {
+        bench.server.restore("base2", new FleetStop("f"), new Ack("f"));
+
+        assertThat(newest(bench.client(Role.OBSERVER, 1)).stoppedBy()).isEqualTo("base2");
     }
 
     @Test

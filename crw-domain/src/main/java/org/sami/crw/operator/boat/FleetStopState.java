@@ -1,7 +1,11 @@
 package org.sami.crw.operator.boat;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * How the fleet stop stands. Stopped boats do not move before they are released, whatever they are told.
@@ -9,6 +13,7 @@ import java.util.List;
  * @param everyBoat whether this base stopped the whole fleet, and whoever joins it
  * @param here boats that are stopped from this base
  * @param elsewhere boats that another base stopped, or this one before it started anew
+ * @param by the clients that stopped those, by boat, where the boats say it
  * @param free the other boats
  * @param unreached those that have never answered, by their names or addresses
  * @param sinceMillis when the first of them was stopped, on the session's clock; 0 where none is
@@ -17,15 +22,18 @@ public record FleetStopState(
         boolean everyBoat,
         List<String> here,
         List<String> elsewhere,
+        Map<String, String> by,
         List<String> free,
         List<String> unreached,
         long sinceMillis) {
     /** Nobody is stopped. */
-    public static final FleetStopState NONE = new FleetStopState(false, List.of(), List.of(), List.of(), List.of(), 0);
+    public static final FleetStopState NONE =
+            new FleetStopState(false, List.of(), List.of(), Map.of(), List.of(), List.of(), 0);
 
     public FleetStopState {
         here = List.copyOf(here);
         elsewhere = List.copyOf(elsewhere);
+        by = Collections.unmodifiableMap(new LinkedHashMap<>(by));
         free = List.copyOf(free);
         unreached = List.copyOf(unreached);
     }
@@ -51,14 +59,14 @@ public record FleetStopState(
 
     /**
      * Such as {@code FLEET STOP: 3 of 4 boats are stopped; nothing moves before the release; dora has not said so}; empty text where nobody is stopped. A stop that
-     * was not sent from here is called so: the link does not say who latched it.
+     * was not sent from here is called so, with who latched it where the boats say that.
      */
     public String words() {
         if (!isLatched()) {
             return "";
         }
         boolean notFromHere = here.isEmpty() && !everyBoat;
-        String whence = notFromHere ? ", not from here" : "";
+        String whence = !notFromHere ? "" : areAllNamed() ? " by " + clients() : ", not from here";
         if (!isOfFleet()) {
             List<String> who = new ArrayList<>(here);
             who.addAll(elsewhere);
@@ -80,13 +88,29 @@ public record FleetStopState(
     }
 
     private String notFromHere() {
-        return elsewhere.isEmpty() ? "" : "; " + String.join(", ", elsewhere) + " not from here";
+        List<String> unnamed =
+                elsewhere.stream().filter(boat -> !by.containsKey(boat)).toList();
+        StringBuilder words = new StringBuilder();
+        by.forEach(
+                (boat, client) -> words.append("; ").append(boat).append(" by ").append(client));
+        if (!unnamed.isEmpty()) {
+            words.append("; ").append(String.join(", ", unnamed)).append(" not from here");
+        }
+        return words.toString();
+    }
+
+    private boolean areAllNamed() {
+        return !elsewhere.isEmpty() && by.keySet().containsAll(elsewhere);
+    }
+
+    private String clients() {
+        return by.values().stream().distinct().collect(Collectors.joining(" and "));
     }
 
     /** What the operator can do about it: one sentence without a full stop at its end. */
     public String advice() {
-        String ask =
-                elsewhere.isEmpty() ? "" : "Another base stopped it, or this one before it started anew: ask there; ";
+        String who = areAllNamed() ? clients() + " stopped it, another base" : "Another base stopped it";
+        String ask = elsewhere.isEmpty() ? "" : who + ", or this one before it started anew: ask there; ";
         String release = "when all is clear, release it in two steps; commands wait until then";
         return ask.isEmpty() ? Character.toUpperCase(release.charAt(0)) + release.substring(1) : ask + release;
     }

@@ -1,11 +1,40 @@
 package org.sami.crw.proxy.status;
 
-/** Whether a boat's motors are stopped until somebody releases them, and who had that done. */
-public enum StopLatch {
+import java.util.Objects;
+
+/**
+ * Whether a boat's motors are stopped until somebody releases them, and who had that done.
+ *
+ * @param by the client that had it done, as the boat says; empty where that is this base, or the boat does not say it
+ */
+public record StopLatch(Where where, String by) {
     /** They are not. */
-    NONE,
+    public static final StopLatch NONE = new StopLatch(Where.NOWHERE, "");
+
     /** This base did. */
-    HERE,
-    /** Another base did, or this one before it started anew. */
-    ELSEWHERE
+    public static final StopLatch HERE = new StopLatch(Where.HERE, "");
+
+    /** Who had it done. */
+    public enum Where {
+        /** Nobody. */
+        NOWHERE,
+        /** This base. */
+        HERE,
+        /** Another base, or this one before it started anew. */
+        ELSEWHERE
+    }
+
+    public StopLatch {
+        Objects.requireNonNull(where, "where");
+        Objects.requireNonNull(by, "by");
+    }
+
+    /**
+     * Another base did, or this one before it started anew.
+     *
+     * @param client as the boat names it; empty where it does not
+     */
+    public static StopLatch elsewhere(String client) {
+        return new StopLatch(Where.ELSEWHERE, client);
+    }
 }

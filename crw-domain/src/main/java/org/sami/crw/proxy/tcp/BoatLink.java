@@ -8,6 +8,7 @@ import org.sami.boat.link.Hello;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatProxy;
@@ -51,13 +52,21 @@ final class BoatLink implements FrameSink {
         /** Another link carried the boat, and whether it still does will be seen soon. */
         WAITS,
         /** Another link carries the boat. */
-        REFUSED
+        REFUSED,
+        /** So many boats have answered at this address that no further name is taken. */
+        TOO_MANY
     }
+
+    private static final int MOST_NEW_BOATS =
+            8; // a phone is put into another hull, an address is given to another phone
+    private static final double NEW_BOATS_A_SECOND = 1 / 600.0;
 
     private final InetSocketAddress address;
     private final TcpBaseConfig config;
     private final Base base;
     private final Backoff backoff;
+    private final RateLimit newBoats = new RateLimit(NEW_BOATS_A_SECOND, MOST_NEW_BOATS);
+    private long refusedBoats;
     private Optional<BoatProxy> proxy = Optional.empty();
     private Optional<BoatConnection> connection = Optional.empty();
     private Optional<Found> found = Optional.empty();
@@ -96,6 +105,18 @@ final class BoatLink implements FrameSink {
     /** When a frame came last, in ms of the base's clock. */
     long lastHeardMs() {
         return lastHeardMs;
+    }
+
+    /** Whether a boat is taken here that no address had before: not, where boats come under ever new names. What is not taken is counted. */
+    boolean takesNewBoat(long nowMs) {
+        boolean taken = newBoats.take(nowMs);
+        refusedBoats += taken ? 0 : 1;
+        return taken;
+    }
+
+    /** How many boats were not taken because they came under ever new names. */
+    long refusedBoats() {
+        return refusedBoats;
     }
 
     /** From now on it carries the frames of that proxy, which says hello over it. */
@@ -238,8 +259,12 @@ final class BoatLink implements FrameSink {
     }
 
     private void claim(Found claimed) {
-        if (base.claimed(this, claimed) == Claim.REFUSED) {
+        Claim claim = base.claimed(this, claimed);
+        if (claim == Claim.REFUSED) {
             refuse("refused: " + claimed.welcome().boatId() + " is reached by another link");
+        } else if (claim == Claim.TOO_MANY) {
+            refuse("refused: boats answer there under ever new names, now as "
+                    + claimed.welcome().boatId());
         }
     }
 

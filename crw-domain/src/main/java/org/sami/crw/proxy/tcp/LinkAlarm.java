@@ -20,6 +20,8 @@ public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, Str
         /** Another boat answers where one was known; it is a boat of its own from now on. */
         ANOTHER_BOAT,
         /** What answers speaks another version of the link; it gets no command. */
-        OTHER_VERSION
+        OTHER_VERSION,
+        /** Boats answer at one address under ever new names; further ones are not taken. */
+        EVER_NEW_BOATS
     }
 }

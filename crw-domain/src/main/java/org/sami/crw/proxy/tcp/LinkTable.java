@@ -182,7 +182,10 @@ final class LinkTable {
         public BoatLink.Claim claimed(BoatLink link, BoatLink.Found found) {
             String boatId = found.welcome().boatId();
             BoatLink carrier = carriers.get(boatId);
-            if (carrier == null) {
+            if (carrier == null && isNew(boatId) && !link.takesNewBoat(nowMs)) {
+                tooMany(link);
+                return BoatLink.Claim.TOO_MANY;
+            } else if (carrier == null) {
                 adopt(link, boatId);
             } else if (carrier.isOpen() && carrier.lastHeardMs() > found.sinceMs()) {
                 alarm(carrier, link, found.welcome());
@@ -267,6 +270,22 @@ final class LinkTable {
                             link.address(),
                             "two boats are named " + welcome.boatId() + ", at " + both + "; the second is refused");
             tell(alarm);
+        }
+
+        private boolean isNew(String boatId) {
+            return proxies.find(boatId).isEmpty() && !removed.containsKey(boatId);
+        }
+
+        /** Told of the first, and whenever they have become twice as many. */
+        private void tooMany(BoatLink link) {
+            long refused = link.refusedBoats();
+            if (Long.bitCount(refused) == 1) {
+                String text = "boats answer at " + words(link) + " under ever new names; " + refused
+                        + (refused == 1 ? " was" : " were") + " not taken";
+                LinkTable.this.tell(
+                        "an alarm",
+                        () -> listener.onAlarm(new LinkAlarm(LinkAlarm.Kind.EVER_NEW_BOATS, "", link.address(), text)));
+            }
         }
 
         private void tell(LinkAlarm alarm) {
