@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
@@ -12,13 +13,15 @@ import org.sami.crw.judgement.JudgedBoat;
 import org.sami.crw.judgement.JudgedQuestion;
 import org.sami.crw.judgement.Judgement;
 import org.sami.crw.judgement.QuestionReader;
+import org.sami.crw.judgement.StartReader;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.value.Value;
 
-/** Judges drafts of answers by what engine and boats are now; computed beside both. From any thread. */
+/** Judges drafts of answers, and values that are to be set, by what engine and boats are now; computed beside both. From any thread. */
 final class JudgedAnswers {
     private final Fleet fleet;
     private final SessionParts parts;
@@ -38,6 +41,21 @@ final class JudgedAnswers {
                 .of(parts.host.query(view -> QuestionReader.read(decision, view)))
                 .thenCompose(read -> read.map(question -> judge(question, draft))
                         .orElse(CompletableFuture.completedFuture(Judgement.NOTHING)));
+    }
+
+    /** What is to be said of values with which a mission of a plan is to start. */
+    CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
+        return parts.replies
+                .of(parts.host.query(view -> StartReader.plan(plan, values.keySet(), view)))
+                .thenCompose(read -> read.map(question -> judge(question, DraftAnswer.of(values)))
+                        .orElse(CompletableFuture.completedFuture(Judgement.NOTHING)));
+    }
+
+    /** What is to be said of a value that a global is to have. */
+    CompletionStage<Judgement> judgeGlobal(String name, Value value) {
+        return parts.replies
+                .of(parts.host.query(view -> StartReader.global(name, view)))
+                .thenCompose(question -> judge(question, DraftAnswer.of(Map.of(name, value))));
     }
 
     private CompletionStage<Judgement> judge(JudgedQuestion question, DraftAnswer draft) {

@@ -387,6 +387,20 @@ public final class Session implements AutoCloseable {
     }
 
     /**
+     * Judges values with which a mission of a plan is to start, as answers are.
+     *
+     * @param values by the names of parameters, as {@link #start} takes them
+     */
+    public CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
+        return answers.judgeStart(plan, values);
+    }
+
+    /** Judges a value that a global is to have: what of it cannot be, and where boats are not to enter. */
+    public CompletionStage<Judgement> judgeGlobal(String name, Value value) {
+        return answers.judgeGlobal(name, value);
+    }
+
+    /**
      * The paths of the boats that wait for the answer to a decision about their ways; empty where it is about something else, or is answered.
      */
     public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {

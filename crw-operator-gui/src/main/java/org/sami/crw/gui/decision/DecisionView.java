@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.OfferedOption;
+import org.sami.crw.gui.value.JudgedDraft;
 import org.sami.crw.judgement.DraftAnswer;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.component.ComponentChoice;

@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.value.JudgementView;
 import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.component.ComponentChoice;
@@ -58,7 +59,7 @@ public final class DecisionsPanel extends JPanel {
     private final WaitingList waiting;
     private final DecisionCommands commands;
     private final DecisionPen pen;
-    private final JudgementView judgement = new JudgementView();
+    private final JudgementView judgement = new JudgementView("decision");
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
     private final AnswerGiving giving;
@@ -403,10 +404,8 @@ public final class DecisionsPanel extends JPanel {
         current.filter(view -> !shown.isOver()).ifPresent(view -> view.editor().choose(option));
     }
 
-    /** Leaves the shown decision: what was filled in is forgotten, and the most urgent one is shown again. */
+    /** Leaves the shown decision: what was filled in is kept, and the most urgent one is shown again. */
     void leave() {
-        current.ifPresent(view -> views.remove(view.decision().id()));
-        current = Optional.empty();
         shown.follow();
         refresh();
     }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -15,7 +16,10 @@ import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.value.JudgedDraft;
 import org.sami.crw.gui.value.SidesPanel;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.model.VariableSpec;
@@ -60,7 +64,7 @@ final class GlobalsPanel extends JPanel {
     private record Row(VariableSpec global, String value, boolean differs) {}
 
     /** The global that is edited. */
-    private record Edited(VariableSpec global, ValueEditor editor, Optional<Value> shown) {}
+    private record Edited(VariableSpec global, ValueEditor editor, Optional<Value> shown, JudgedDraft judged) {}
 
     GlobalsPanel(OperatorContext context, ValueEditors editors, LoadedProject file) {
         super(new BorderLayout());
@@ -161,19 +165,26 @@ final class GlobalsPanel extends JPanel {
         edited.ifPresent(one -> {
             Optional<Value> value = now.value(one.global());
             if (!value.equals(one.shown()) && !one.editor().isTouched()) {
-                edited = Optional.of(new Edited(one.global(), one.editor(), value));
+                edited = Optional.of(new Edited(one.global(), one.editor(), value, one.judged()));
                 value.ifPresent(one.editor()::show);
             }
-            tell(now, one.global(), one.editor());
+            tell(now, one.global(), one.editor(), one.judged());
         });
     }
 
-    private void tell(GlobalsState now, VariableSpec global, ValueEditor editor) {
+    private void tell(GlobalsState now, VariableSpec global, ValueEditor editor, JudgedDraft judged) {
         String text = global.name() + ". " + now.readBy(global);
         if (!about.getText().equals(text)) {
             about.setText(text);
         }
-        String wrong = editor.isTouched() ? editor.entry().reason().orElse("") : "";
+        judged.look();
+        Judgement said = judged.judgement();
+        Optional<String> refused = editor.entry().reason().or(said::refusal);
+        String wrong = !editor.isTouched()
+                ? ""
+                : refused.orElseGet(
+                        () -> said.doubts().stream().map(words -> "△ " + words).collect(Collectors.joining("\n")));
+        problem.setColor(refused.isPresent() ? SemanticColor.CRITICAL : SemanticColor.WARNING);
         problem.setText(wrong);
         problem.setVisible(!wrong.isEmpty());
     }
@@ -191,17 +202,36 @@ final class GlobalsPanel extends JPanel {
         Optional<Value> value = state.get().value(global);
         value.ifPresent(editor::show);
         editor.setEditable(context.whyNotAct().isEmpty());
+        JudgedDraft judged = judged(global, editor);
         editor.addListener(() -> {
-            state.ifPresent(now -> tell(now, global, editor));
+            state.ifPresent(now -> tell(now, global, editor, judged));
             set.refresh();
         });
-        edited = Optional.of(new Edited(global, editor, value));
+        edited = Optional.of(new Edited(global, editor, value, judged));
         body.removeAll();
         body.add(editor.component());
         body.revalidate();
         body.repaint();
-        tell(state.get(), global, editor);
+        tell(state.get(), global, editor, judged);
         refreshCommands();
+    }
+
+    /** What is to be said of a value before it is set; in a replay nothing is set. */
+    private JudgedDraft judged(VariableSpec global, ValueEditor editor) {
+        return new JudgedDraft(
+                () -> editor.isTouched()
+                        ? editor.entry()
+                                .value()
+                                .map(value -> DraftAnswer.of(Map.of(global.name(), value)))
+                                .orElse(DraftAnswer.EMPTY)
+                        : DraftAnswer.EMPTY,
+                draft -> context.session()
+                        .judgeGlobal(global.name(), draft.values().get(global.name())),
+                () -> {
+                    edited.filter(one -> one.editor() == editor)
+                            .ifPresent(one -> state.ifPresent(now -> tell(now, global, editor, one.judged())));
+                    set.refresh();
+                });
     }
 
     private void refreshCommands() {
@@ -219,7 +249,7 @@ final class GlobalsPanel extends JPanel {
         }
         return one.editor().entry().value().equals(one.shown())
                 ? Optional.of(one.global().name() + " has this value already")
-                : Optional.empty();
+                : one.judged().isCurrent() ? one.judged().judgement().refusal() : Optional.empty();
     }
 
     private void set() {
@@ -230,7 +260,7 @@ final class GlobalsPanel extends JPanel {
         context.tell(done, one.global().name() + " is " + EngineText.value(value) + " now");
         done.thenRun(() -> {
             if (edited.map(Edited::editor).equals(Optional.of(one.editor()))) {
-                edited = Optional.of(new Edited(one.global(), one.editor(), Optional.of(value)));
+                edited = Optional.of(new Edited(one.global(), one.editor(), Optional.of(value), one.judged()));
                 one.editor().show(value);
             }
             reload();

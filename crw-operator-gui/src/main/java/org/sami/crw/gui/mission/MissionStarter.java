@@ -62,8 +62,14 @@ public final class MissionStarter {
                 .filter(name -> !globals.contains(name) && !globals.contains(name.replaceFirst("^@", "")))
                 .toList();
         WindowSheet sheet = WindowSheet.in(over);
-        ParametersForm form =
-                new ParametersForm(parameters, names, editors, last(parameters, plan, names), preview, values -> {
+        ParametersForm form = new ParametersForm(
+                parameters,
+                names,
+                editors,
+                last(parameters, plan, names),
+                values -> context.session().judgeStart(plan.id(), values),
+                preview,
+                values -> {
                     sheet.close();
                     names.forEach(name -> settings.keep(
                             key(plan, name), values.containsKey(name) ? parameters.text(name, values.get(name)) : ""));

@@ -6,13 +6,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.value.JudgedDraft;
+import org.sami.crw.gui.value.JudgementView;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.Command;
@@ -22,7 +28,10 @@ import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.ValueField;
 
-/** The values with which a mission of a plan can start, each with the editor of its type; what is left out is asked as the mission goes. */
+/**
+ * The values with which a mission of a plan can start, each with the editor of its type; what is left out is asked as the mission goes. They are judged while
+ * they are given, as answers are. On the event thread.
+ */
 final class ParametersForm extends JPanel {
     private static final int WIDTH = 560;
     private static final int HEIGHT = 420;
@@ -30,6 +39,10 @@ final class ParametersForm extends JPanel {
 
     private final List<ParameterRow> rows = new ArrayList<>();
     private final JLabel wrong = new JLabel(" ");
+    private final JudgementView judgement = new JudgementView("mission-values");
+    private final JudgedDraft judged;
+    private final Consumer<Map<String, Value>> started;
+    private boolean pressed;
     private final JButton start = new JButton("Start mission");
     private final Consumer<List<Value>> changed;
 
@@ -38,6 +51,7 @@ final class ParametersForm extends JPanel {
      *
      * @param names the parameters that are offered, those that are not locked
      * @param last the values of the last time, by name
+     * @param judge says what is to be said of values, by name, before the mission starts with them; on the event thread
      * @param changed is given the values that are ticked and complete, after each change
      * @param started is given the values, by name
      */
@@ -46,11 +60,14 @@ final class ParametersForm extends JPanel {
             List<String> names,
             ValueEditors editors,
             Map<String, Value> last,
+            Function<Map<String, Value>, CompletionStage<Judgement>> judge,
             Consumer<List<Value>> changed,
             Consumer<Map<String, Value>> started) {
-        super(new MigLayout("insets 0, wrap 2", "[grow, fill][]", "[grow, fill][]"));
+        super(new MigLayout("insets 0, wrap 2, hidemode 3", "[grow, fill][]", "[grow, fill][][]"));
         setName("mission-values");
         this.changed = changed;
+        this.started = started;
+        judged = new JudgedDraft(() -> DraftAnswer.of(values()), draft -> judge.apply(draft.values()), this::rejudged);
         JPanel column = new JPanel(new MigLayout("insets 0, gap 4 8, fillx, wrap 1", "[grow,fill]"));
         for (Parameters.Description each : parameters.describe()) {
             if (each.editable() && names.contains(each.name())) {
@@ -73,10 +90,11 @@ final class ParametersForm extends JPanel {
         LookColors.foreground(wrong, SemanticColor.CRITICAL);
         wrong.setName("mission-values-wrong");
         start.setName("mission-values-start");
-        start.addActionListener(e -> started.accept(values()));
+        start.addActionListener(e -> press());
         getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "start");
         getActionMap().put("start", new Command("mission-values-enter", "Start mission", start::doClick));
         add(scrolled(column), "span");
+        add(judgement, "span, wmin 0");
         add(wrong, "wmin 0");
         add(start, "hmin 40");
         check();
@@ -102,12 +120,44 @@ final class ParametersForm extends JPanel {
     }
 
     private void check() {
-        Optional<String> fault =
-                rows.stream().map(ParameterRow::wrong).flatMap(Optional::stream).findFirst();
+        pressed = false;
+        changed.accept(List.copyOf(values().values()));
+        judged.look();
+        tell();
+    }
+
+    private void rejudged() {
+        boolean given = pressed && judged.isCurrent();
+        tell();
+        if (given) {
+            pressed = false;
+            if (start.isEnabled() && judged.judgement().doubts().isEmpty()) {
+                started.accept(values());
+            }
+        }
+    }
+
+    /** Starts with what is judged; with what is not judged yet once it is, unless something is to be minded. */
+    private void press() {
+        if (judged.isCurrent()) {
+            started.accept(values());
+        } else {
+            pressed = true;
+            judged.look();
+        }
+    }
+
+    private void tell() {
+        Optional<String> fault = rows.stream()
+                .map(ParameterRow::wrong)
+                .flatMap(Optional::stream)
+                .findFirst()
+                .or(() -> judged.isCurrent() ? judged.judgement().refusal() : Optional.empty());
         wrong.setText(fault.map(text -> "▲ " + text).orElse(" "));
         wrong.setToolTipText(fault.orElse(null));
-        changed.accept(List.copyOf(values().values()));
+        judgement.show(judged.judgement());
         start.setEnabled(fault.isEmpty());
         start.setToolTipText(fault.orElse("Start the mission with these values (Enter)"));
+        revalidate();
     }
 }

@@ -101,8 +101,8 @@ class DecisionsPanelTest {
 
             world.key("leave");
             assertThat(world.enabled("decision-answer"))
-                    .as("what was done to it is forgotten")
-                    .isTrue();
+                    .as("nothing is lost by leaving it")
+                    .isFalse();
         }
     }
 

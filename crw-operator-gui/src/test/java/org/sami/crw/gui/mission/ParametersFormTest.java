@@ -6,11 +6,14 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.json.DomainLibrary;
@@ -38,6 +41,52 @@ class ParametersFormTest {
 
     private final Map<String, Value> started = new HashMap<>();
     private final AtomicReference<List<Value>> previewed = new AtomicReference<>(List.of());
+
+    private final AtomicReference<Function<Map<String, Value>, Judgement>> judge =
+            new AtomicReference<>(values -> Judgement.NOTHING);
+
+    private static Judgement says(Judgement.Kind kind, String words) {
+        return new Judgement(List.of(new Judgement.Remark(kind, words)));
+    }
+
+    @Test
+    void whatIsRefusedStartsNothingAndIsSaidAsLongAsItStands() {
+        onEventThread(() -> {
+            judge.set(values -> values.containsValue(new RealValue(0))
+                    ? says(Judgement.Kind.REFUSAL, "0.1 to 10,000 m lie between lanes, not 0")
+                    : Judgement.NOTHING);
+            ParametersForm form = form(Map.of());
+            find(form, "value-start-spacing-given", JCheckBox.class).doClick(0);
+            find(form, "value-start-spacing-text", JTextComponent.class).setText("0");
+
+            assertThat(find(form, "mission-values-wrong", JLabel.class).getText())
+                    .isEqualTo("▲ 0.1 to 10,000 m lie between lanes, not 0");
+            assertThat(form.startButton().isEnabled()).isFalse();
+
+            find(form, "value-start-spacing-text", JTextComponent.class).setText("5");
+            assertThat(find(form, "mission-values-wrong", JLabel.class).getText())
+                    .isBlank();
+            form.startButton().doClick(0);
+            assertThat(started).isEqualTo(Map.of("@spacing", new RealValue(5)));
+            return null;
+        });
+    }
+
+    @Test
+    void whatIsToBeMindedIsSaidAndStartsAllTheSame() {
+        onEventThread(() -> {
+            judge.set(values -> says(Judgement.Kind.DOUBT, "34 % of the area is outside the fence"));
+            ParametersForm form = form(Map.of());
+            find(form, "value-start-spacing-given", JCheckBox.class).doClick(0);
+            find(form, "value-start-spacing-text", JTextComponent.class).setText("5");
+
+            assertThat(find(form, "mission-values-doubts", JTextComponent.class).getText())
+                    .isEqualTo("△ 34 % of the area is outside the fence");
+            form.startButton().doClick(0);
+            assertThat(started).isNotEmpty();
+            return null;
+        });
+    }
 
     @Test
     void whatIsNotTickedIsNotGiven() {
@@ -108,7 +157,13 @@ class ParametersFormTest {
                 new ComponentChoice(LIBRARY.components(), LIBRARY.vocabulary().types()),
                 new ValueContext(LIBRARY.vocabulary().types(), NamedThings.NONE, MapMaker.PLAIN));
         return new ParametersForm(
-                PARAMETERS, List.of("@area", "@spacing"), editors, last, previewed::set, started::putAll);
+                PARAMETERS,
+                List.of("@area", "@spacing"),
+                editors,
+                last,
+                values -> CompletableFuture.completedFuture(judge.get().apply(values)),
+                previewed::set,
+                started::putAll);
     }
 
     private static <T extends java.awt.Component> T find(ParametersForm form, String name, Class<T> type) {

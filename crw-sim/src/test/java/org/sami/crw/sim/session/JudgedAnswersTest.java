@@ -89,6 +89,46 @@ class JudgedAnswersTest {
         }
     }
 
+    @Test
+    void valuesOfAStartAreJudgedAsAnswersAre() throws Exception {
+        try (TestSession world = new TestSession(folder)) {
+            Session session = world.opened(TestSession.library("add-simulated-boats"));
+            session.begin();
+
+            assertThat(get(session.judgeStart(
+                                    "add-simulated-boats", Map.of("make.numberToCreate", new IntegerValue(99_999))))
+                            .refusal())
+                    .contains("1 to 250 simulated boats are added at once, not 99,999");
+            assertThat(get(session.judgeStart("add-simulated-boats", Map.of())).remarks())
+                    .isEmpty();
+        }
+        try (TestSession world = new TestSession(folder)) {
+            Session session = world.opened(TestSession.library("explore-area"));
+            session.begin();
+            get(session.fleet().addSimulated("anna", TestSession.PIER, 1));
+            Await.until("anna says where it is", () -> hasPosition(session, "anna"));
+            get(session.setFence(box(-100, -100, 500, 500)));
+
+            Judgement judged = get(session.judgeStart("explore-area", Map.of("@area", box(200, 0, 600, 300))));
+
+            assertThat(judged.doubts()).anyMatch(words -> words.startsWith("25 % of the area is outside the fence"));
+        }
+    }
+
+    @Test
+    void aGlobalPlaceOutsideTheFenceIsSaidBeforeItIsSet() throws Exception {
+        try (TestSession world = new TestSession(folder)) {
+            Session session = world.opened(TestSession.library("explore-area"));
+            session.begin();
+            get(session.setFence(box(-100, -100, 500, 500)));
+
+            Judgement judged = get(session.judgeGlobal("@home", at(0, -120)));
+
+            assertThat(judged.doubts()).containsExactly("The place lies 20.0 m outside the fence");
+            assertThat(judged.costs()).isEmpty();
+        }
+    }
+
     private static Judgement judge(Session session, Decision decision, Map<String, Value> values) throws Exception {
         return get(session.judge(decision, DraftAnswer.of(values)));
     }

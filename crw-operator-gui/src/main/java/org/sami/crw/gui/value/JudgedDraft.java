@@ -1,4 +1,4 @@
-package org.sami.crw.gui.decision;
+package org.sami.crw.gui.value;
 
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
@@ -7,10 +7,10 @@ import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.judgement.Judgement;
 
 /**
- * What is to be said of an answer as it is filled in now: judged beside the event thread, one draft at a time, and anew every few seconds, as boats move. On the
+ * What is to be said of an answer, or of other values, as they are filled in now: judged beside the event thread, one draft at a time, and anew every few seconds, as boats move. On the
  * event thread.
  */
-final class JudgedDraft {
+public final class JudgedDraft {
     private static final long ANEW_NANOS = 3_000_000_000L;
 
     private final Supplier<DraftAnswer> draft;
@@ -29,7 +29,7 @@ final class JudgedDraft {
      * @param judge judges; its results arrive on the event thread
      * @param changed is told when something else is to be said
      */
-    JudgedDraft(
+    public JudgedDraft(
             Supplier<DraftAnswer> draft, Function<DraftAnswer, CompletionStage<Judgement>> judge, Runnable changed) {
         this.draft = draft;
         this.judge = judge;
@@ -37,7 +37,7 @@ final class JudgedDraft {
     }
 
     /** Has the present draft judged, unless it is so already. */
-    void look() {
+    public void look() {
         DraftAnswer now = draft.get();
         boolean old = !now.equals(DraftAnswer.EMPTY) && System.nanoTime() - askedNanos > ANEW_NANOS;
         if (underWay || (now.equals(asked) && !old)) {
@@ -60,12 +60,12 @@ final class JudgedDraft {
     }
 
     /** Whether what is said is about what is filled in now. */
-    boolean isCurrent() {
+    public boolean isCurrent() {
         return draft.get().equals(answered);
     }
 
     /** What was said last; of what was filled in meanwhile nothing is said yet. */
-    Judgement judgement() {
+    public Judgement judgement() {
         return judgement;
     }
 }

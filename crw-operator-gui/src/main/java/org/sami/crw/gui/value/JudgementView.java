@@ -1,4 +1,4 @@
-package org.sami.crw.gui.decision;
+package org.sami.crw.gui.value;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,23 +11,28 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
-/** What is to be minded of the answer that is filled in, and what it takes; in a low panel as one line whose tooltip has all of it. */
-final class JudgementView extends JPanel {
+/** What is to be minded of what is filled in, and what it takes; in a low panel as one line whose tooltip has all of it. */
+public final class JudgementView extends JPanel {
     private final WrappedText doubts = new WrappedText("");
     private final WrappedText costs = new WrappedText("");
     private final JLabel line = new JLabel();
     private Judgement shown = Judgement.NOTHING;
     private boolean low;
 
-    JudgementView() {
+    /**
+     * Shows nothing yet.
+     *
+     * @param name with which the names of its parts begin
+     */
+    public JudgementView(String name) {
         super(new MigLayout("novisualpadding, insets 0, gap 4 2, fillx, hidemode 3, wrap 1", "[grow,fill]"));
         setOpaque(false);
-        setName("decision-judgement");
-        doubts.setName("decision-doubts");
+        setName(name + "-judgement");
+        doubts.setName(name + "-doubts");
         doubts.setColor(SemanticColor.WARNING);
-        costs.setName("decision-costs");
+        costs.setName(name + "-costs");
         costs.setColor(SemanticColor.MUTED);
-        line.setName("decision-judgement-line");
+        line.setName(name + "-judgement-line");
         add(doubts, "wmin 60");
         add(costs, "wmin 60");
         add(line, "wmin 0");
@@ -35,7 +40,7 @@ final class JudgementView extends JPanel {
     }
 
     /** Shows a judgement; why an answer is refused stands at the answer. */
-    void show(Judgement judgement) {
+    public void show(Judgement judgement) {
         if (!judgement.equals(shown)) {
             shown = judgement;
             doubts.setText(String.join("\n", marked(judgement.doubts())));
@@ -53,7 +58,7 @@ final class JudgementView extends JPanel {
     }
 
     /** In a low panel there is one line. */
-    void setLow(boolean low) {
+    public void setLow(boolean low) {
         if (this.low != low) {
             this.low = low;
             arrange();
