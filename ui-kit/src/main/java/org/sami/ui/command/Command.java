@@ -29,6 +29,7 @@ public final class Command extends AbstractAction {
     private Optional<String> locked = Optional.empty();
     private boolean hidden;
     private boolean always;
+    private boolean once;
 
     /**
      * A command that can always be run and has no key.
@@ -115,6 +116,15 @@ public final class Command extends AbstractAction {
         return this;
     }
 
+    /**
+     * Its key that is struck again at once, without another one between, or held until it repeats, is taken for one press: for what is followed by something
+     * else that the second press would be taken for.
+     */
+    public Command once() {
+        once = true;
+        return this;
+    }
+
     /** Takes it from the window's person: it is in no menu and no search, and no key runs it. */
     void hide() {
         hidden = true;
@@ -158,6 +168,10 @@ public final class Command extends AbstractAction {
                 .map(KeyStroke::getKeyCode)
                 .filter(code -> code == KeyEvent.VK_SPACE || (code >= KeyEvent.VK_COMMA && code <= KeyEvent.VK_Z))
                 .isPresent();
+    }
+
+    boolean isOnce() {
+        return once;
     }
 
     boolean isAlways() {

@@ -2,6 +2,7 @@ package org.sami.ui.command;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
+import java.awt.event.MouseEvent;
 import javax.swing.JButton;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
@@ -11,6 +12,8 @@ import org.sami.ui.look.Spacing;
 /** A button for a command: named by its id, as large as a wet finger needs. */
 public final class CommandButton extends JButton {
     private static final int ICON = 20;
+
+    private boolean confirms;
 
     /** A button with icon and title. */
     public CommandButton(Command command) {
@@ -45,6 +48,23 @@ public final class CommandButton extends JButton {
         button.setIcon(Icons.of(icon, ICON, SemanticColor.ON_ACCENT));
         button.setDisabledIcon(Icons.of(icon, ICON, SemanticColor.DISABLED));
         return button;
+    }
+
+    /**
+     * A button that confirms what another one has asked, or leaves it: it takes no second click of a double click, whose first one was meant for
+     * what was under the pointer before.
+     */
+    public static CommandButton confirming(Command command) {
+        CommandButton button = new CommandButton(command);
+        button.confirms = true;
+        return button;
+    }
+
+    @Override
+    protected void processMouseEvent(MouseEvent e) {
+        if (!confirms || e.getClickCount() < 2) {
+            super.processMouseEvent(e);
+        }
     }
 
     /** Without its words it keeps them as its name for those who do not see it. */

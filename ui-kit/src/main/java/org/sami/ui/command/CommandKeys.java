@@ -20,6 +20,9 @@ public final class CommandKeys implements AutoCloseable {
     private final Consumer<String> refused;
     private final KeyEventDispatcher before = this::beforeComponents;
     private final KeyEventPostProcessor after = this::afterComponents;
+    private final OnePress press = new OnePress();
+    private Optional<KeyStroke> last = Optional.empty();
+    private boolean again; // the key that is struck now is the one before, struck at once
 
     private CommandKeys(CommandRegistry commands, Consumer<String> refused) {
         this.commands = commands;
@@ -45,6 +48,12 @@ public final class CommandKeys implements AutoCloseable {
     }
 
     private boolean beforeComponents(KeyEvent event) {
+        if (isStruck(event)) {
+            KeyStroke stroke = KeyStroke.getKeyStrokeForEvent(event);
+            boolean same = last.equals(Optional.of(stroke));
+            again = !press.isOwn() && same;
+            last = Optional.of(stroke);
+        }
         Optional<Command> command = commandOf(event).filter(Command::isAlways);
         command.ifPresent(this::run);
         return command.isPresent();
@@ -66,8 +75,19 @@ public final class CommandKeys implements AutoCloseable {
         }
         boolean typing = event.getComponent() instanceof JTextComponent;
         Optional<Command> command = commandOf(event).filter(one -> !typing || !one.isTyped());
-        command.ifPresent(this::run);
+        command.filter(one -> !one.isOnce() || !again).ifPresent(this::run);
         return command.isPresent();
+    }
+
+    /** Whether a key goes down that does not only change what others mean. */
+    private static boolean isStruck(KeyEvent event) {
+        int key = event.getKeyCode();
+        return event.getID() == KeyEvent.KEY_PRESSED
+                && key != KeyEvent.VK_ALT
+                && key != KeyEvent.VK_CONTROL
+                && key != KeyEvent.VK_SHIFT
+                && key != KeyEvent.VK_META
+                && key != KeyEvent.VK_ALT_GRAPH;
     }
 
     private Optional<Command> commandOf(KeyEvent event) {

@@ -18,6 +18,7 @@ final class DecisionCommands {
         answer = registry.add(new Command("decision-answer", "Answer", panel::answer)
                 .withKey("alt ENTER")
                 .withIcon("check")
+                .once() // the next decision is shown by then
                 .unless(panel::whyNot));
         refuse = registry.add(new Command("decision-refuse", "None of these", panel::refuse)
                 .withKey("alt BACK_SPACE")

@@ -55,8 +55,8 @@ final class EndingPanel extends JPanel {
         setName("mission-ending");
         title.setName("mission-ending-title");
         lines.setName("mission-ending-lines");
-        confirm = new CommandButton(commands.get("mission-end-confirm"));
-        CommandButton leave = new CommandButton(commands.get("mission-end-leave"));
+        confirm = CommandButton.confirming(commands.get("mission-end-confirm"));
+        CommandButton leave = CommandButton.confirming(commands.get("mission-end-leave"));
         add(title, "wmin 60");
         add(confirm);
         add(leave);

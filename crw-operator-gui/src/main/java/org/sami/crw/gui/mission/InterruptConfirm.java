@@ -36,10 +36,10 @@ final class InterruptConfirm extends JPanel {
                         .withIcon("close")
                         .unless(this::whyNot));
         text.setName("interrupt-confirmation-text");
-        leave = new CommandButton(leaving);
+        leave = CommandButton.confirming(leaving);
         add(text, "span, growx, wmin 60");
         add(leave);
-        add(new CommandButton(confirm));
+        add(CommandButton.confirming(confirm));
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "confirm");
         getActionMap().put("leave", leaving);

@@ -21,6 +21,7 @@ import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
+import org.sami.ui.command.OnePress;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
@@ -47,6 +48,7 @@ public final class PlansPanel extends JPanel {
     private final CommandButton startBeside;
     private final CommandButton startWithBeside;
     private final RowTable<PlanTree.Line> table;
+    private final OnePress begins = new OnePress();
     private final Command start;
     private Optional<Project> project = Optional.empty();
     private Runnable shower = () -> {};
@@ -221,7 +223,9 @@ public final class PlansPanel extends JPanel {
     private void startSelected() {
         chosen().ifPresent(plan -> {
             if (table.isSelectionSeen()) {
-                starter.start(plan);
+                if (begins.isOwn()) {
+                    starter.start(plan);
+                }
             } else {
                 show(plan);
             }

@@ -80,7 +80,7 @@ public final class StatusStrip extends JPanel {
         setName("status-strip");
         stop = new CommandButton(fleetStop.stop());
         release = new CommandButton(fleetStop.release());
-        confirm = new CommandButton(fleetStop.confirm());
+        confirm = CommandButton.confirming(fleetStop.confirm());
         alarms.setFocusable(false);
         alarms.setName("alarms-count");
         alarms.addActionListener(showAlarms);
@@ -103,9 +103,9 @@ public final class StatusStrip extends JPanel {
         add(alarms, "h 40!");
         JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][][]", "[]"));
         stops.setOpaque(false);
-        stops.add(release);
-        stops.add(confirm);
-        stops.add(stop, "h 44!");
+        stops.add(release, "cell 0 0"); // each in its own: the stop stays where it is as the others come and go
+        stops.add(confirm, "cell 1 0");
+        stops.add(stop, "cell 2 0, h 44!");
         add(stops, "shrink 0"); // it is never cut
         fleetStop.onChange(this::refresh);
         style();
