@@ -12,6 +12,7 @@ import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -42,6 +43,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private final Arrangements offered;
     private final Runnable adapting = this::adapt;
     private Optional<Arrangement> fitted = Optional.empty();
+    private Optional<String> trouble = Optional.empty();
 
     /**
      * An area in a frame. Its arrangement is made by {@link #arrange}, once the frame has its size.
@@ -114,24 +116,34 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Optional<String> fault = LayoutFile.fault(remembered);
         try {
             if (fault.isPresent()) {
-                LOG.log(
-                        System.Logger.Level.WARNING,
-                        "the arrangement of panels in {0} is not read, the first one is taken: {1}",
-                        remembered,
-                        fault.get());
-                reset();
+                refuse(fault.get());
             } else {
                 AppState.restore();
             }
         } catch (DockingLayoutException unfit) {
-            LOG.log(
-                    System.Logger.Level.WARNING,
-                    "the arrangement of panels is not readable, the first one is taken",
-                    unfit);
-            reset();
+            refuse("it is no arrangement of these panels: " + unfit.getMessage());
         }
         AppState.setAutoPersist(true);
         adapt();
+    }
+
+    /** Takes the program's arrangement in place of a file that is not read, which is kept under another name. */
+    private void refuse(String why) {
+        String kept;
+        try {
+            kept = "it was set aside as " + LayoutFile.setAside(remembered).getFileName();
+        } catch (IOException fault) {
+            kept = "it could not be set aside: " + fault.getMessage();
+        }
+        trouble = Optional.of(
+                "the arrangement of panels in " + remembered.toAbsolutePath() + " is not used, " + why + "; " + kept);
+        LOG.log(System.Logger.Level.WARNING, trouble.get());
+        reset();
+    }
+
+    /** Why the remembered arrangement was not used, and where its file is now, one sentence without a full stop; empty where it was, or there was none. */
+    public Optional<String> trouble() {
+        return trouble;
     }
 
     /** Arranges the panels as the program wants it. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Optional;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
@@ -16,6 +17,7 @@ import javax.xml.stream.XMLStreamReader;
  */
 final class LayoutFile {
     private static final long MOST_BYTES = 1 << 20;
+    private static final int MOST_SET_ASIDE = 9;
 
     private LayoutFile() {}
 
@@ -33,6 +35,18 @@ final class LayoutFile {
             }
         } catch (IOException | XMLStreamException unreadable) {
             return Optional.of("it is no XML: " + unreadable.getMessage());
+        }
+    }
+
+    /** Keeps a file that is not used under a name that none has yet; gives that. */
+    static Path setAside(Path file) throws IOException {
+        for (int i = 1; ; i++) {
+            Path aside = file.resolveSibling(file.getFileName() + ".damaged" + (i == 1 ? "" : "-" + i));
+            if (i == MOST_SET_ASIDE) {
+                return Files.move(file, aside, StandardCopyOption.REPLACE_EXISTING);
+            } else if (!Files.exists(aside)) {
+                return Files.move(file, aside);
+            }
         }
     }
 

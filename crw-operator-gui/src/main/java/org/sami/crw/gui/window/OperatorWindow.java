@@ -19,9 +19,12 @@ import org.sami.crw.gui.status.FaultCommands;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
+import org.sami.crw.operator.health.HealthFault;
+import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
@@ -54,7 +57,7 @@ public final class OperatorWindow {
      *
      * @param project file of the project with which the session began; empty = it came with the program
      * @param data is closed with the window, as the session is
-     * @param ended is told when all is closed: 0, or 4 where something could not be, or the session had broken
+     * @param ended is told when all is closed: 0, or 4 where something could not be, the session had broken or missions stood still for its journal
      */
     public OperatorWindow(
             Session session, Optional<Path> project, DataDirectory data, WindowSettings settings, IntConsumer ended) {
@@ -108,8 +111,20 @@ public final class OperatorWindow {
     public void open() {
         FrameSize.show(frame);
         dock.arrange();
+        dock.trouble().ifPresent(this::reportArrangement);
         panels.focusFirst();
         refresh.start();
+    }
+
+    private void reportArrangement(String trouble) {
+        session.models()
+                .health()
+                .report(HealthFault.of(
+                        HealthKind.FILE,
+                        data.arrangement().getFileName().toString(),
+                        Priority.LOW,
+                        trouble,
+                        "The panels lie as at first; arrange them anew"));
     }
 
     /** Says in the title what conditions were named for the session. */
@@ -172,7 +187,8 @@ public final class OperatorWindow {
         dock.close();
         panels.close();
         frame.dispose();
-        boolean failed = session.faults().failure().isPresent();
+        boolean failed = session.faults().failure().isPresent()
+                || session.models().health().snapshot().missionsStandStill(); // waiting for its journal
         boolean unfinished = failed || hasUnfinished();
         new Thread(() -> leave(boats, unfinished, failed), "closing the session").start();
     }

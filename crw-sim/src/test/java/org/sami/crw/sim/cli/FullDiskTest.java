@@ -24,6 +24,8 @@ class FullDiskTest {
     private static final List<String> MISSION =
             List.of("run", "clv", "--boats", "3", "--locations", "8", "--speed", "max", "--json");
 
+    private static final int MISSIONS = 200;
+
     private static String undisturbed;
 
     @TempDir
@@ -65,6 +67,40 @@ class FullDiskTest {
             }
         }
         assertThat(interrupted).as("runs that were interrupted under way").isGreaterThan(1);
+    }
+
+    /** The console's session has a script, so nobody is there to make room. */
+    @Test
+    void consoleWhoseJournalMayGrowNoMoreSaysSoAndEndsWithExitCode4() throws Exception {
+        assertThat(Path.of("/bin/bash"))
+                .as("the shell whose ulimit is the limit")
+                .exists();
+        List<String> commands = new ArrayList<>(List.of("add anna 45.4,10.9", "wait boats 1 within 60"));
+        for (int i = 0; i < MISSIONS; i++) {
+            commands.add("start clv");
+            commands.add("abort all");
+        }
+        commands.add("health");
+        commands.add("quit");
+        Path script = Files.write(folder.resolve("script"), commands);
+        Path library = folder.resolve("libsqlitejdbc.so");
+        assertThat(unpacked(library)).as("SQLite's library for this machine").isTrue();
+        Path journal = folder.resolve("console.journal");
+        ProcessBuilder limited = CrwProcess.command(
+                folder, List.of("session", "--script", script.toString(), "--journal", journal.toString()));
+        limited.command().addAll(0, List.of("/bin/bash", "-c", "ulimit -f 900; exec \"$@\"", "bash"));
+        limited.environment()
+                .put(
+                        "JAVA_OPTS",
+                        "-Dorg.sqlite.lib.path=" + folder + " -Dorg.sqlite.lib.name=" + library.getFileName());
+
+        Said said = run(limited);
+
+        assertThat(said.exitCode()).as(said.text()).isEqualTo(4);
+        assertThat(said.text())
+                .contains("nothing is taken in while the journal cannot be written")
+                .contains("missions stand still: the journal failed")
+                .contains("boats that were under way for missions hold their places");
     }
 
     /** A real disk of a few hundred KiB: root alone can mount one. */

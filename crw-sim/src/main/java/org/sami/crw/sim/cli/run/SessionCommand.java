@@ -214,8 +214,9 @@ public final class SessionCommand implements Callable<Integer> {
             addresses.forEach(session.fleet()::connect);
             session.begin();
             int faults = end.run();
+            boolean stoodStill = session.models().health().snapshot().missionsStandStill(); // waiting for its journal
             session.leave().forEach(lines::print);
-            if (session.faults().failure().isPresent()) {
+            if (stoodStill || session.faults().failure().isPresent()) {
                 return ExitCode.FAILED;
             }
             return faults == 0 ? ExitCode.OK : WITH_FAULTS;
