@@ -1,11 +1,7 @@
 package org.sami.crw.gui;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,11 +24,6 @@ import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.spn.json.ProjectReader;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.model.MissionTreeNode;
-import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
@@ -51,7 +42,6 @@ public final class BusySituation implements AutoCloseable {
     public static final int DECISIONS = 14;
     public static final int MESSAGES = 50;
 
-    private static final String BEACH = "/org/sami/domain/crw/deployments/katara-beach.json";
     private static final List<Priority> PRIORITIES = List.of(Priority.values());
     private static final GeoArea BAY = new GeoArea(
             List.of(
@@ -78,8 +68,7 @@ public final class BusySituation implements AutoCloseable {
      */
     public BusySituation(Path folder, Theme theme, int percent) throws Exception {
         fleet = new LoopbackFleet(boats());
-        Path project = folder.resolve("busy.json");
-        new ProjectWriter(SessionWorld.LIBRARY.vocabulary()).write(project(), project);
+        Path project = OpenedWindow.writeBeachWithLibrary(folder.resolve("busy.json"));
         StartOptions options = new StartOptions(
                 fleet.addresses(), Optional.of(project), Optional.of(theme), Optional.of(percent), Optional.of(false));
         window = WindowStart.open(options, DataDirectory.open(folder.resolve("data")), ended::complete);
@@ -141,35 +130,6 @@ public final class BusySituation implements AutoCloseable {
                         ? fault.subject().split(" ")[0]
                         : fault.kind().name())
                 .collect(Collectors.toSet());
-    }
-
-    /** The beach's project with all plans of the library. */
-    private static Project project() {
-        Project beach;
-        try (InputStream text = BusySituation.class.getResourceAsStream(BEACH)) {
-            beach = new ProjectReader(SessionWorld.LIBRARY.vocabulary())
-                    .readAndCheck(new String(text.readAllBytes(), StandardCharsets.UTF_8))
-                    .orThrow();
-        } catch (IOException fault) {
-            throw new UncheckedIOException(fault);
-        }
-        Project library = SessionWorld.LIBRARY.combined();
-        List<Plan> plans = new ArrayList<>(beach.plans());
-        library.plans().stream().filter(plan -> beach.plan(plan.id()).isEmpty()).forEach(plans::add);
-        List<MissionTreeNode> tree = new ArrayList<>(beach.missionTree());
-        library.missionTree().forEach(node -> without(node, beach).ifPresent(tree::add));
-        return beach.withPlans(plans).withMissionTree(tree);
-    }
-
-    /** A node of the library's tree without the plans that the beach has. */
-    private static Optional<MissionTreeNode> without(MissionTreeNode node, Project beach) {
-        if (node.plan().flatMap(beach::plan).isPresent()) {
-            return Optional.empty();
-        }
-        MissionTreeNode rest = node.withChildren(node.children().stream()
-                .flatMap(child -> without(child, beach).stream())
-                .toList());
-        return rest.plan().isEmpty() && rest.children().isEmpty() ? Optional.empty() : Optional.of(rest);
     }
 
     private void fill() throws Exception {

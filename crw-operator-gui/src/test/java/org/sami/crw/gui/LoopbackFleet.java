@@ -18,8 +18,9 @@ import org.sami.spn.value.GeoPoint;
  * Simulated boats in this process, in rows of five along the quay of Katara Beach, each behind a loopback socket; each can be ended by
  * itself.
  */
-final class LoopbackFleet implements AutoCloseable {
-    static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
+public final class LoopbackFleet implements AutoCloseable {
+    /** Where the first one lies. */
+    public static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
 
     private static final double APART_DEG = 0.0002; // 22 m
     private static final int IN_A_ROW = 5;
@@ -27,7 +28,7 @@ final class LoopbackFleet implements AutoCloseable {
     private final Map<String, BoatOnTcp> boats = new LinkedHashMap<>();
 
     /** Launches one boat a name. */
-    LoopbackFleet(List<String> names) throws IOException {
+    public LoopbackFleet(List<String> names) throws IOException {
         for (String name : names) {
             launch(name, name);
         }
@@ -51,17 +52,17 @@ final class LoopbackFleet implements AutoCloseable {
     }
 
     /** Where they are connected to. */
-    List<BoatAddress> addresses() {
+    public List<BoatAddress> addresses() {
         return boats.values().stream().map(LoopbackFleet::address).toList();
     }
 
     /** Launches a second boat with the name of one that is there; gives its address. */
-    BoatAddress launchTwin(String name) throws IOException {
+    public BoatAddress launchTwin(String name) throws IOException {
         return launch(name + " again", name);
     }
 
     /** Ends a boat: nothing comes from it any longer. */
-    void end(String name) throws IOException {
+    public void end(String name) throws IOException {
         boats.get(name).close();
     }
 

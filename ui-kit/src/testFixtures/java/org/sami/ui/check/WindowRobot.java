@@ -39,6 +39,7 @@ public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
     private static final int PATIENCE_S = 60;
     private static final int STEPS = 8;
+    private static final int TWICE_WITHIN_MS = 120; // as a hand does
 
     private final Robot robot;
 
@@ -178,6 +179,30 @@ public final class WindowRobot {
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     }
 
+    /** Clicks twice at a place of a component, as fast as a hand does that means one click. */
+    public void doubleClickAt(Component component, int x, int y) {
+        Point at = ask(component::getLocationOnScreen);
+        robot.mouseMove(at.x + x, at.y + y);
+        robot.setAutoWaitForIdle(false); // the second press does not wait for what the first one does
+        for (int i = 0; i < 2; i++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            robot.delay(TWICE_WITHIN_MS);
+        }
+        robot.setAutoWaitForIdle(true);
+        robot.waitForIdle();
+    }
+
+    /** Presses a key twice, as fast as a hand does that means once. */
+    public void pressTwice(int key, int... held) {
+        robot.setAutoWaitForIdle(false);
+        strike(key, held);
+        robot.delay(TWICE_WITHIN_MS);
+        strike(key, held);
+        robot.setAutoWaitForIdle(true);
+        robot.waitForIdle();
+    }
+
     /** The middle of the row of a table whose first column says this. */
     public Point rowAt(JTable table, String first) {
         until("a row " + first, () -> rowOf(table, first) >= 0);
@@ -211,6 +236,12 @@ public final class WindowRobot {
     /** Presses a key with others held: {@code press(VK_G, VK_CONTROL)}. */
     public void press(int key, int... held) {
         robot.setAutoWaitForIdle(false); // what a key does may take long, and a held key repeats
+        strike(key, held);
+        robot.setAutoWaitForIdle(true);
+        robot.waitForIdle();
+    }
+
+    private void strike(int key, int... held) {
         for (int each : held) {
             robot.keyPress(each);
         }
@@ -219,21 +250,28 @@ public final class WindowRobot {
         for (int i = held.length - 1; i >= 0; i--) {
             robot.keyRelease(held[i]);
         }
+    }
+
+    /** Types letters, digits, spaces, and what stands in addresses and in the names of files; a line's end is the Enter key. */
+    public void type(String text) {
+        robot.setAutoWaitForIdle(false); // keys are taken in their order
+        text.chars().forEach(this::strikeLetter);
         robot.setAutoWaitForIdle(true);
         robot.waitForIdle();
     }
 
-    /** Types letters, digits, spaces, and what stands in the names of files. */
-    public void type(String text) {
-        text.chars().forEach(letter -> {
-            if (Character.isUpperCase(letter)) {
-                press(KeyEvent.getExtendedKeyCodeForChar(Character.toLowerCase(letter)), KeyEvent.VK_SHIFT);
-            } else if (letter == '_') {
-                press(KeyEvent.VK_MINUS, KeyEvent.VK_SHIFT);
-            } else {
-                press(KeyEvent.getExtendedKeyCodeForChar(letter));
-            }
-        });
+    private void strikeLetter(int letter) {
+        if (Character.isUpperCase(letter)) {
+            strike(KeyEvent.getExtendedKeyCodeForChar(Character.toLowerCase(letter)), KeyEvent.VK_SHIFT);
+        } else if (letter == '_') {
+            strike(KeyEvent.VK_MINUS, KeyEvent.VK_SHIFT);
+        } else if (letter == ':') {
+            strike(KeyEvent.VK_SEMICOLON, KeyEvent.VK_SHIFT);
+        } else if (letter == '\n') {
+            strike(KeyEvent.VK_ENTER);
+        } else {
+            strike(KeyEvent.getExtendedKeyCodeForChar(letter));
+        }
     }
 
     /** Turns the wheel, over the scroll bar as maps and lists have their own use for it, until the middle of a component is in sight. */

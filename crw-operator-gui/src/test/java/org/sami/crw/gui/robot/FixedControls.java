@@ -1,0 +1,56 @@
+package org.sami.crw.gui.robot;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Rectangle;
+import java.util.Map;
+import java.util.TreeMap;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.dock.DockPanel;
+
+/** Where in a window that lies which must not move: the fleet stop, the row of health, and every panel. */
+final class FixedControls {
+    private static final String STOP = "fleet-stop";
+
+    private final JFrame frame;
+
+    FixedControls(JFrame frame) {
+        this.frame = frame;
+    }
+
+    /** Where they lie now, by their names. */
+    Map<String, Rectangle> places() {
+        return WindowRobot.ask(() -> {
+            Map<String, Rectangle> places = new TreeMap<>();
+            add(frame.getRootPane(), places);
+            return places;
+        });
+    }
+
+    private void add(Container root, Map<String, Rectangle> places) {
+        for (Component child : root.getComponents()) {
+            boolean fixed = STOP.equals(child.getName()) || "health-row".equals(child.getName());
+            if (child.isShowing() && (fixed || child instanceof DockPanel)) {
+                places.put(
+                        child.getName(), SwingUtilities.convertRectangle(root, child.getBounds(), frame.getRootPane()));
+            }
+            if (child instanceof Container inner && !(child instanceof DockPanel)) {
+                add(inner, places);
+            }
+        }
+    }
+
+    /** What the pointer would meet on the fleet stop: it, unless something covers it. */
+    String underTheStop() {
+        return WindowRobot.ask(() -> {
+            Component stop = Layout.find(frame, STOP, Component.class).orElseThrow();
+            Rectangle at = SwingUtilities.convertRectangle(stop.getParent(), stop.getBounds(), frame.getLayeredPane());
+            Component met = SwingUtilities.getDeepestComponentAt(
+                    frame.getLayeredPane(), (int) at.getCenterX(), (int) at.getCenterY());
+            return met == null ? "nothing" : String.valueOf(met.getName());
+        });
+    }
+}
