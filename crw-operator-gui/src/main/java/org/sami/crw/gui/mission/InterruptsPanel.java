@@ -80,6 +80,7 @@ public final class InterruptsPanel extends JPanel {
         List<InterruptPlaces.Group> groups = places.show(choices);
         commands.show();
         press.look(choices);
+        rows.keySet().retainAll(choices.stream().map(InterruptsPanel::key).toList());
         List<Object> order = new ArrayList<>();
         for (InterruptPlaces.Group group : groups) {
             order.add(group.isRoom() ? "room " + group.rows() : group.mission() + " " + group.rows());
@@ -89,7 +90,6 @@ public final class InterruptsPanel extends JPanel {
                         .show(choice, commands.keyText(choice), commands.withdrawKey());
             });
         }
-        rows.keySet().retainAll(choices.stream().map(InterruptsPanel::key).toList());
         if (!order.equals(arranged) || column.getComponentCount() == 0) {
             arranged = order;
             arrange(groups);

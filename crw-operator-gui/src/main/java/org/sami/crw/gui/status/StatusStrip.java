@@ -101,11 +101,11 @@ public final class StatusStrip extends JPanel {
         add(notice, "wmin 0, shrinkprio 300, gapright 8");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
-        JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][][]", "[]"));
+        JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "[][][]", "[]"));
         stops.setOpaque(false);
-        stops.add(release, "cell 0 0"); // each in its own: the stop stays where it is as the others come and go
-        stops.add(confirm, "cell 1 0");
-        stops.add(stop, "cell 2 0, h 44!");
+        stops.add(release, "gapright 8"); // gaps that go with them: the stop stays where it is
+        stops.add(confirm, "gapright 8");
+        stops.add(stop, "h 44!");
         add(stops, "shrink 0"); // it is never cut
         fleetStop.onChange(this::refresh);
         style();

@@ -2,7 +2,6 @@ package org.sami.crw.gui.robot;
 
 import static java.awt.event.KeyEvent.VK_ALT;
 import static java.awt.event.KeyEvent.VK_CONTROL;
-import static java.awt.event.KeyEvent.VK_ESCAPE;
 import static java.awt.event.KeyEvent.VK_F1;
 import static java.awt.event.KeyEvent.VK_G;
 import static java.awt.event.KeyEvent.VK_HOME;
@@ -16,15 +15,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
-import org.sami.crw.gui.OpenedWindow;
+import org.sami.crw.gui.EscapedWindow;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.session.Session;
+import org.sami.spn.testing.JavaProcess;
 
 /** What operators do wrong with panels, sheets and files. */
 final class PanelMistakes {
@@ -127,10 +126,16 @@ final class PanelMistakes {
         unfinished(data);
         String named = Files.readString(data.resolve("open-session"));
         for (int i = 0; i < 2; i++) {
-            CompletableFuture<Integer> ended = OpenedWindow.ask(data);
-            world.robot.untilFocused("resume-go-on");
-            world.robot.press(VK_ESCAPE);
-            assertThat(ended.get(20, TimeUnit.SECONDS)).isZero();
+            Process program = JavaProcess.builder(world.folder, EscapedWindow.class, data.toString())
+                    .redirectErrorStream(true)
+                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            try {
+                assertThat(program.waitFor(60, TimeUnit.SECONDS)).isTrue();
+                assertThat(program.exitValue()).isZero();
+            } finally {
+                program.destroyForcibly();
+            }
             assertThat(Files.readString(data.resolve("open-session"))).isEqualTo(named);
         }
     }
