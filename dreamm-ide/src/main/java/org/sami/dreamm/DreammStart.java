@@ -40,6 +40,7 @@ final class DreammStart {
             settings.keepLook();
             DreammContext context =
                     new DreammContext(first.source(), first.domain(), first.document(), options.profile());
+            context.maps().remember(settings.text("map-last"), text -> settings.keep("map-last", text));
             first.plan().ifPresent(context.editor()::open);
             DreammWindow made = new DreammWindow(context, recovery, data, settings, ended);
             if (made.unknownInProfile().isPresent()) {

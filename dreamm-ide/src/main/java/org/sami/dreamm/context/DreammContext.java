@@ -14,7 +14,6 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.spn.wiring.Wires;
 import org.sami.ui.command.CommandRegistry;
-import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueContext;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.window.Notices;
@@ -32,6 +31,7 @@ public final class DreammContext implements AutoCloseable {
     private final NetOverlay overlay = new NetOverlay();
     private final NetPreview preview = new NetPreview();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
+    private final ProjectMaps maps;
     private final ValueEditors values;
     private final Additions additions;
 
@@ -52,9 +52,10 @@ public final class DreammContext implements AutoCloseable {
         this.profile = Objects.requireNonNull(profile, "profile");
         editor = new EditorState(document);
         commands = new CommandRegistry(profile);
+        maps = new ProjectMaps(document);
         values = new ValueEditors(
                 new ComponentChoice(domain.components(), domain.vocabulary().types()),
-                new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), MapMaker.PLAIN));
+                new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), maps));
         additions = new Additions(document, editor, domain.authoring(), wires(profile), this::apply);
     }
 
@@ -132,6 +133,11 @@ public final class DreammContext implements AutoCloseable {
         return values;
     }
 
+    /** Makes maps of values, which open where the project's water is. */
+    public ProjectMaps maps() {
+        return maps;
+    }
+
     /** Adds events and vertices to the open plan. */
     public Additions additions() {
         return additions;
@@ -172,6 +178,7 @@ public final class DreammContext implements AutoCloseable {
     /** Ends what works beside the event thread. */
     @Override
     public void close() {
+        maps.keepLast();
         background.close();
     }
 }

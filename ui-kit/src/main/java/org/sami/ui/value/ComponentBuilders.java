@@ -33,7 +33,7 @@ public final class ComponentBuilders {
         all.put("DurationField", (request, context) -> new TextEditor(request.field(), new DurationText()));
         all.put("YesNoButtons", (request, context) -> new YesNoEditor(request.field()));
         all.put("ChoiceList", ComponentBuilders::choiceList);
-        all.put("ProxyList", (request, context) -> named(request, context, NamedThings::proxies));
+        all.put("ProxyList", ComponentBuilders::robots);
         all.put("TaskList", (request, context) -> named(request, context, NamedThings::tasks));
         all.put("VariableList", (request, context) -> named(request, context, NamedThings::variables));
         all.put("PlanList", (request, context) -> named(request, context, NamedThings::plans));
@@ -106,6 +106,17 @@ public final class ComponentBuilders {
         return chooser(request, context, constants, list);
     }
 
+    /** Robots are chosen from those that are known; where others can be named, they are typed as well. */
+    private static ValueEditor robots(ComponentRequest request, ValueContext context) {
+        NamedThings names = context.names();
+        if (request.offer().isPresent() || !names.takesOtherRobots()) {
+            return named(request, context, NamedThings::proxies);
+        }
+        return request.field().type() instanceof ValueType.ListOf
+                ? new RepeatedEditor(request.field(), part -> new RobotNameEditor(part, names.proxies()))
+                : new RobotNameEditor(request.field(), names.proxies());
+    }
+
     private static ValueEditor named(
             ComponentRequest request, ValueContext context, Function<NamedThings, List<ChoiceRow>> known) {
         boolean list = request.field().type() instanceof ValueType.ListOf;
@@ -132,8 +143,7 @@ public final class ComponentBuilders {
         }
         return form.get()
                 .shape()
-                .<ValueEditor>map(shape -> new PlaceEditor(
-                        request.field(), shape, form.get(), context.maps().make()))
+                .<ValueEditor>map(shape -> new PlaceEditor(request.field(), shape, form.get(), context.maps()))
                 .orElseGet(() -> new TextEditor(request.field(), form.get()));
     }
 

@@ -10,4 +10,12 @@ public interface MapMaker {
 
     /** A map that shows what is known around, such as where robots are; called on the event thread. */
     MapView make();
+
+    /** How high a map in a form is at first, in logical pixels. */
+    default int height() {
+        return 240;
+    }
+
+    /** Somebody has made a map in a form higher or lower. */
+    default void keepHeight(int height) {}
 }

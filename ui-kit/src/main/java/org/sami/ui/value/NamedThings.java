@@ -15,6 +15,11 @@ public interface NamedThings {
         return List.of();
     }
 
+    /** Whether robots can be named that are not known here, as in a plan that is written before they are met. */
+    default boolean takesOtherRobots() {
+        return false;
+    }
+
     /** Tasks, as values of type task. */
     default List<ChoiceRow> tasks() {
         return List.of();

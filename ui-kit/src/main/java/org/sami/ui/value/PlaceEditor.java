@@ -1,5 +1,6 @@
 package org.sami.ui.value;
 
+import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -24,23 +25,33 @@ final class PlaceEditor extends ValueEditor {
 
     private final GeoSketch sketch;
     private final TextEditor text;
+    private static final int LEAST = 130;
+
     private final MapView map;
+    private final MapMaker maps;
+    private final JPanel mapSide = new JPanel(new BorderLayout());
     private final JPanel panel = new Sides();
     private final PlacesOnMap places;
     private boolean editable = true;
     private boolean following;
     private List<GeoPoint> drawn = List.of();
 
-    PlaceEditor(ValueField field, GeoShape shape, PlacesText form, MapView map) {
+    PlaceEditor(ValueField field, GeoShape shape, PlacesText form, MapMaker maps) {
         super(field);
-        this.map = map;
+        this.maps = maps;
+        this.map = maps.make();
         sketch = new GeoSketch(shape);
         text = new TextEditor(field, form);
         panel.setOpaque(false);
         map.setName(field.componentName("map"));
         map.canvas().setName(field.componentName("canvas"));
         map.setInForm(true);
-        panel.add(map, "h 130:240:, wmin 120, grow");
+        MapGrip grip = new MapGrip(map::getHeight, this::resize);
+        grip.setName(field.componentName("map-height"));
+        mapSide.setOpaque(false);
+        mapSide.add(map);
+        mapSide.add(grip, BorderLayout.SOUTH);
+        panel.add(mapSide, high(maps.height()));
         panel.add(text.component(), "wmin 120, aligny top");
         places = new PlacesOnMap(map, field.componentName("places"), robot -> new IdentityMark(0));
         sketch.addListener(this::drew);
@@ -69,6 +80,18 @@ final class PlaceEditor extends ValueEditor {
             }
             super.doLayout();
         }
+    }
+
+    private static String high(int height) {
+        return "h " + LEAST + ":" + height + ":, wmin 120, grow";
+    }
+
+    /** Makes the map so many pixels high, and those that come after it. */
+    private void resize(int height) {
+        int now = Math.max(LEAST, Math.round(height * 100f / Look.scalePercent()));
+        maps.keepHeight(now);
+        ((MigLayout) panel.getLayout()).setComponentConstraints(mapSide, high(now));
+        panel.revalidate();
     }
 
     @Override
@@ -143,6 +166,7 @@ final class PlaceEditor extends ValueEditor {
     public void useOwnMap(boolean shown) {
         if (map.isVisible() != shown) {
             map.setVisible(shown);
+            mapSide.setVisible(shown);
             panel.revalidate();
             if (shown) {
                 map.fitAll();
