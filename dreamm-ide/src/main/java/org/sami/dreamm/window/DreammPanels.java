@@ -59,7 +59,8 @@ final class DreammPanels {
         PatternCommands.addTo(context);
         List<DockPanel> every = List.of(
                 new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
-                new DockPanel("model-view", "Model view", "net", net),
+                new DockPanel("model-view", "Model view", "net", net)
+                        .withFocusOn(net.net().canvas()),
                 new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
                 new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context, run.live())),
                 new DockPanel("issues", "Issues", "alarm", run.issues()),

@@ -61,6 +61,13 @@ public final class DreammWindow {
         dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
         ViewCommands view = new ViewCommands(context.commands(), frame, settings);
         view.addPanels(dock);
+        if (context.profile().shows("panel-model-view")) {
+            context.commands()
+                    .add(new Command(
+                                    "panels-fold", "Fold the panels to the edge, or not", () -> dock.toggleFolded("model-view"))
+                            .withKey("F11")
+                            .withIcon("fit"));
+        }
         context.commands()
                 .add(new Command("end", "Close DREAMM", this::leave)
                         .withKey("ctrl Q")

@@ -7,13 +7,15 @@ import io.github.andrewauclair.moderndocking.app.DockingState;
 import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
 import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
 import io.github.andrewauclair.moderndocking.settings.Settings;
-import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,8 +42,12 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private final Map<String, DockPanel> panels = new LinkedHashMap<>();
     private final JFrame frame;
     private final Path remembered;
+    private final Map<String, String> keys = new HashMap<>();
     private final Arrangements offered;
     private final Runnable adapting = this::adapt;
+    private final RootDockingPanel root;
+    private final FoldedPanels folded;
+    private Optional<DockPanel> alone = Optional.empty();
     private Optional<Arrangement> fitted = Optional.empty();
     private Optional<String> trouble = Optional.empty();
 
@@ -52,7 +58,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
      * @param remembered the file of the arrangement
      */
     public DockArea(JFrame frame, List<DockPanel> panels, Arrangements offered, Path remembered) {
-        super(new BorderLayout());
+        super(null);
         this.frame = frame;
         this.remembered = remembered;
         setName("dock-area");
@@ -61,7 +67,8 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Settings.setDefaultTabPreference(DockableTabPreference.TOP);
         Settings.setActiveHighlighterEnabled(false);
         Docking.initialize(frame);
-        RootDockingPanel root = new RootDockingPanel(frame);
+        root = new RootDockingPanel(frame);
+        folded = new FoldedPanels(this, this::unfold, () -> alone.ifPresent(DockArea::focus), panel -> keys.getOrDefault(panel.getPersistentID(), ""));
         add(root);
         SplitProportions.keep(root);
         TabWidths.keep(root);
@@ -146,8 +153,82 @@ public final class DockArea extends JPanel implements AutoCloseable {
         return trouble;
     }
 
+    // ---- Folding
+
+    /** Gives a panel all the room and folds the others to the edge, or puts them back; a panel that is open over the edge is folded first. */
+    public void toggleFolded(String panel) {
+        if (alone.isPresent()) {
+            unfold();
+        } else {
+            fold(panels.get(panel));
+        }
+    }
+
+    private void fold(DockPanel panel) {
+        AppState.setAutoPersist(false); // the arrangement that is kept is that beside one another
+        Docking.display(panel);
+        Docking.maximize(panel);
+        alone = Optional.of(panel);
+        folded.fold(panels.values().stream().filter(each -> each != panel).toList());
+        revalidate();
+        repaint();
+        focus(panel);
+    }
+
+    private void unfold() {
+        alone.ifPresent(panel -> {
+            folded.unfold();
+            alone = Optional.empty();
+            Docking.minimize(panel);
+            AppState.setAutoPersist(true);
+            adapt();
+            revalidate();
+            repaint();
+            focus(panel);
+        });
+    }
+
+    /** The panel that has all the room; empty where panels lie beside one another. */
+    public Optional<String> alone() {
+        return alone.map(DockPanel::getPersistentID);
+    }
+
+    /** Says by which key a panel is shown, for the strip of folded ones. */
+    public void setKey(String panel, String key) {
+        keys.put(panel, key);
+    }
+
+    private static void focus(DockPanel shown) {
+        shown.focus()
+                .map(Component.class::cast)
+                .or(() -> Optional.ofNullable(FIRST_IN.getFirstComponent(shown.content())))
+                .ifPresent(Component::requestFocusInWindow);
+    }
+
+    @Override
+    public void doLayout() {
+        Rectangle all = new Rectangle(getSize());
+        root.setBounds(alone.isPresent() ? folded.layOut(all) : all);
+    }
+
+    @Override
+    public boolean isOptimizedDrawingEnabled() {
+        return alone.isEmpty(); // an open panel lies over the large one
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return root.getPreferredSize();
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return root.getMinimumSize();
+    }
+
     /** Arranges the panels as the program wants it. */
     public void reset() {
+        unfold();
         fitted = Optional.of(fitting());
         DockingState.restoreApplicationLayout(fitting().layout());
     }
@@ -155,8 +236,17 @@ public final class DockArea extends JPanel implements AutoCloseable {
     /** Brings a panel to the front, back into the window if it was closed, and the keyboard's focus to the first thing in it. */
     public void show(String panel) {
         DockPanel shown = panels.get(panel);
-        Docking.display(shown);
-        Optional.ofNullable(FIRST_IN.getFirstComponent(shown)).ifPresent(Component::requestFocusInWindow);
+        if (folded.has(shown)) {
+            folded.show(shown);
+            focus(shown);
+            return;
+        }
+        if (alone.isPresent()) {
+            folded.close();
+        } else {
+            Docking.display(shown);
+        }
+        focus(shown);
     }
 
     /** The panels, in order. */
@@ -167,6 +257,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     /** Keeps the arrangement, and gives up the process's docking. */
     @Override
     public void close() {
+        unfold();
         Look.removeListener(adapting);
         AppState.persist();
         AppState.setAutoPersist(false);

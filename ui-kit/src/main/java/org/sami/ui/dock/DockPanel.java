@@ -6,6 +6,7 @@ import io.github.andrewauclair.moderndocking.ui.HeaderController;
 import io.github.andrewauclair.moderndocking.ui.HeaderModel;
 import java.awt.BorderLayout;
 import java.util.Objects;
+import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -18,6 +19,8 @@ public final class DockPanel extends JPanel implements Dockable {
     private final String id;
     private final String title;
     private final String icon;
+    private final JComponent content;
+    private Optional<JComponent> first = Optional.empty();
     private boolean waiting;
 
     /**
@@ -33,7 +36,30 @@ public final class DockPanel extends JPanel implements Dockable {
         this.icon = Objects.requireNonNull(icon, "icon");
         setName(id);
         getAccessibleContext().setAccessibleName(title);
+        this.content = content;
         add(content);
+    }
+
+    /** Gives the keyboard's focus to a part of it when it is shown, instead of to the first thing in it that takes it. */
+    public DockPanel withFocusOn(JComponent part) {
+        first = Optional.of(part);
+        return this;
+    }
+
+    /** What gets the keyboard's focus when it is shown; empty where that is the first thing in it that takes it. */
+    Optional<JComponent> focus() {
+        return first;
+    }
+
+    /** What it shows, for whoever shows it elsewhere for a while. */
+    JComponent content() {
+        return content;
+    }
+
+    /** Shows again what was shown elsewhere. */
+    void takeBack() {
+        add(content);
+        revalidate();
     }
 
     /** What stands above it. */

@@ -64,6 +64,7 @@ public final class ViewCommands {
             String id = panel.getPersistentID();
             add(new Command("panel-" + id, "Show " + panel.title(), () -> dock.show(id))
                     .withKey((number > DIGITS ? "alt shift " : "alt ") + number % DIGITS));
+            dock.setKey(id, commands.get("panel-" + id).keyText());
             number++;
         }
         add(new Command("panels-reset", "Put all panels back", dock::reset)

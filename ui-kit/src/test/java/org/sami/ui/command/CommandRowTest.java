@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.ui.check.Layout;
 
 class CommandRowTest {
     private final List<CommandButton> buttons = Stream.of("Go to a place", "Hold all of them", "Return home now")
@@ -49,6 +51,25 @@ class CommandRowTest {
         layOut(1000);
 
         assertThat(buttons).allSatisfy(button -> assertThat(button.getText()).isNotEmpty());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {60, 90, 120})
+    void whatHasNoRoomIsInTheMenuOfALastButton(int width) {
+        buttons.forEach(row::leaveOut);
+        layOut(width);
+
+        JButton more = Layout.find(row, "more-commands", JButton.class).orElseThrow();
+        assertThat(more.isVisible()).isTrue();
+        assertThat(more.getWidth()).isPositive();
+        assertThat(more.getX() + more.getWidth()).isLessThanOrEqualTo(width);
+        long leftOut = buttons.stream().filter(button -> button.getWidth() == 0).count();
+        assertThat(leftOut).isPositive();
+        assertThat(row.menu().getComponentCount()).isEqualTo((int) leftOut);
+
+        layOut(1000);
+        assertThat(more.isVisible()).isFalse();
+        assertThat(row.menu().getComponentCount()).isZero();
     }
 
     private void layOut(int width) {

@@ -1,0 +1,57 @@
+package org.sami.dreamm;
+
+import static java.awt.event.KeyEvent.VK_2;
+import static java.awt.event.KeyEvent.VK_4;
+import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_ESCAPE;
+import static java.awt.event.KeyEvent.VK_F11;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.nio.file.Path;
+import java.util.Optional;
+import javax.swing.JComponent;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.dreamm.profile.Profile;
+import org.sami.ui.check.WindowRobot;
+
+/** The net alone in the window, with the panels folded to its edge, by keys. */
+@Tag("window")
+class FoldedWindowTest {
+    private static Dimension size(JComponent canvas) {
+        return WindowRobot.ask(canvas::getSize);
+    }
+
+    @Test
+    void foldedPanelsGiveTheNetMoreThanTwiceTheRoomAndOpenOverItsEdge(@TempDir Path data) throws Exception {
+        try (AuthorRobot author = AuthorRobot.open(data, Optional.of("clv"), Optional.empty(), Profile.ALL)) {
+            WindowRobot robot = author.robot;
+            JComponent canvas = author.net().canvas();
+
+            robot.press(VK_4, VK_ALT);
+            robot.until("the inspector has the focus", () -> !canvas.isFocusOwner());
+            robot.press(VK_2, VK_ALT);
+            robot.until("the canvas has the focus", canvas::isFocusOwner);
+
+            Dimension before = size(canvas);
+            robot.press(VK_F11);
+            robot.until("the net has more room", () -> (long) canvas.getWidth() * canvas.getHeight()
+                    > 2L * before.width * before.height);
+            robot.until("the canvas has the focus", canvas::isFocusOwner);
+            Dimension folded = size(canvas);
+
+            robot.press(VK_4, VK_ALT);
+            robot.untilShown("inspector-panel");
+            assertThat(size(canvas)).as("nothing moves as a panel opens over the edge").isEqualTo(folded);
+            robot.untilFocused("plan-name");
+            robot.press(VK_ESCAPE);
+            robot.until("the canvas has the focus again", canvas::isFocusOwner);
+
+            robot.press(VK_F11);
+            robot.until("the panels are back", () -> canvas.getSize().equals(before));
+            robot.untilShown("inspector-panel");
+        }
+    }
+}
