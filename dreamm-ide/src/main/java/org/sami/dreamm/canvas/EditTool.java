@@ -92,6 +92,7 @@ final class EditTool implements NetTool {
         }
         last = Optional.of(pointer);
         actions.endWriting();
+        actions.leaveChain();
         fromX = pointer.x();
         fromY = pointer.y();
         moved = false;

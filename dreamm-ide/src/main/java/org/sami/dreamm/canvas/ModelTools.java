@@ -47,9 +47,10 @@ final class ModelTools {
                 }
             });
         }
-        for (String id : LEFT) {
-            row.left(CommandButton.iconOnly(context.commands().get(id)));
-        }
+        List<CommandButton> making = Stream.of(LEFT)
+                .map(id -> CommandButton.iconOnly(context.commands().get(id)))
+                .toList();
+        making.forEach(row::left);
         List<CommandButton> withRoom = Stream.of(LEFT_WITH_ROOM)
                 .map(id -> CommandButton.iconOnly(context.commands().get(id)))
                 .toList();
@@ -58,6 +59,7 @@ final class ModelTools {
             context.commands().find(id).ifPresent(command -> row.spare(CommandButton.iconOnly(command)));
         }
         withRoom.forEach(row::leaveOut);
+        making.forEach(row::leaveOut);
         return row;
     }
 }

@@ -197,6 +197,11 @@ final class NetActions {
 
     // ---- Names and notes
 
+    /** What is added next goes to what is selected. */
+    void leaveChain() {
+        context.additions().leaveChain();
+    }
+
     void endWriting() {
         writing.end();
     }

@@ -1,25 +1,50 @@
 package org.sami.dreamm.inspector;
 
 import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.spn.edit.Fix;
 import org.sami.spn.finding.Finding;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.WrappedText;
 
-/** The findings about what is selected, with a button for each fix that they offer. */
-final class FindingRows extends Form {
+/** The findings about what is selected, with a button for each fix that they offer beside them. */
+final class FindingRows extends JPanel {
     FindingRows(DreammContext context, List<Finding> findings) {
+        super(new MigLayout(
+                "novisualpadding, insets 0, gap 8 4, fillx, wrap 2, hidemode 3", "[grow, fill][shrink 50]", "[top]"));
         setName("inspector-findings");
-        for (Finding finding : findings) {
-            if (!context.profile().shows(ProfileIds.finding(finding.code()))) {
-                continue;
-            }
-            note(
-                    (finding.isError() ? "▲ " : "△ ") + finding.message(),
-                    finding.isError() ? SemanticColor.CRITICAL : SemanticColor.WARNING);
-            finding.fixes()
-                    .forEach(fix -> wide(button(
-                            "Fix: " + fix.label(), "inspector-fix", fix.label(), () -> context.apply(fix.edit()))));
+        setOpaque(false);
+        List<Finding> shown = findings.stream()
+                .filter(finding -> context.profile().shows(ProfileIds.finding(finding.code())))
+                .toList();
+        if (shown.isEmpty()) {
+            add(note("No issue here.", SemanticColor.MUTED), "span 2, wmin 0");
         }
+        for (Finding finding : shown) {
+            String sign = finding.isError() ? "▲ " : "△ ";
+            SemanticColor color = finding.isError() ? SemanticColor.CRITICAL : SemanticColor.WARNING;
+            boolean alone = finding.fixes().isEmpty();
+            add(note(sign + finding.message(), color), alone ? "span 2, wmin 0" : "wmin 0");
+            if (!alone) {
+                JPanel fixes = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 4, wrap 1", "[fill]"));
+                fixes.setOpaque(false);
+                finding.fixes().forEach(fix -> fixes.add(button(context, fix), "hmin 28"));
+                add(fixes, "wmax 45%");
+            }
+        }
+    }
+
+    private static WrappedText note(String text, SemanticColor color) {
+        WrappedText note = new WrappedText(text);
+        note.setColor(color);
+        return note;
+    }
+
+    private static JComponent button(DreammContext context, Fix fix) {
+        return Form.button("Fix: " + fix.label(), "inspector-fix", fix.label(), () -> context.apply(fix.edit()));
     }
 }

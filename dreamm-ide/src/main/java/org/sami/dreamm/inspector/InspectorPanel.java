@@ -4,6 +4,7 @@ import java.awt.Point;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -29,12 +30,17 @@ import org.sami.ui.look.Spacing;
 
 /** Editors of what is selected, one below the other; of the plan where nothing is selected. The focus stays where it is over an edit. */
 public final class InspectorPanel extends JPanel {
+    /** Two lines of a finding and the button of its fix. */
+    private static final int STRIP = 64;
+
     private final transient DreammContext context;
     private final JLabel title = new JLabel();
     private final ScrolledPanel column =
             new ScrolledPanel(new MigLayout("novisualpadding, insets 0, gap 0 8, wrap 1, fillx", "[grow, fill]"));
     private final JScrollPane scrolled = column.inPane();
-    private final JPanel found = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 1, fillx", "[grow, fill]"));
+    private final ScrolledPanel found =
+            new ScrolledPanel(new MigLayout("novisualpadding, insets 4 0 0 0, wrap 1, fillx", "[grow, fill]"));
+    private final JScrollPane strip = found.inPane();
     private final transient LiveFindings live;
     private transient List<Finding> shownFindings = List.of();
     private transient Optional<String> shownPlan = Optional.empty();
@@ -50,7 +56,7 @@ public final class InspectorPanel extends JPanel {
         super(new MigLayout(
                 "novisualpadding, insets " + Spacing.NORMAL + ", gap 0 4, wrap 1, fill",
                 "[grow, fill]",
-                "[][grow, fill]"));
+                "[][grow, fill][]"));
         this.context = context;
         this.live = live;
         setName("inspector-panel");
@@ -59,6 +65,9 @@ public final class InspectorPanel extends JPanel {
         found.setOpaque(false);
         add(title, "wmin 0");
         add(scrolled, "wmin 0, hmin 0");
+        strip.setName("inspector-strip");
+        LookColors.border(strip, () -> BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
+        add(strip, "wmin 0, h " + STRIP + "!, hidemode 3"); // as high with findings as without, so that nothing moves as they come
         context.document().addListener(change -> rebuild());
         live.addListener(this::findingsChanged);
         context.editor().addListener(new EditorListener() {
@@ -123,11 +132,12 @@ public final class InspectorPanel extends JPanel {
             title.setText("Plan " + plan.title());
             title.setToolTipText(title.getText());
             column.add(new PlanSection(context, plan));
+            strip.setVisible(false);
             return;
         }
-        title.setText(selected.title(plan));
-        title.setToolTipText(selected.title(plan));
-        column.add(found);
+        strip.setVisible(selected.vertices() + selected.edges() > 0);
+        title.setText(selected.title(plan, context.vocabulary()));
+        title.setToolTipText(selected.title(plan, context.vocabulary()));
         showFindings();
         if (selected.vertices() + selected.edges() == 0) {
             column.add(new FrameSection(context, plan, selected.frames()));
@@ -148,12 +158,10 @@ public final class InspectorPanel extends JPanel {
         }
     }
 
-    /** Findings come a moment after the edit that they are about: what the author works at stays where it is. */
+    /** Findings come a moment after the edit that they are about, into a strip of their own: nothing else moves. */
     private void findingsChanged() {
         if (!selectedFindings().equals(shownFindings)) {
-            ScrollAnchor anchor = ScrollAnchor.of(scrolled);
             showFindings();
-            anchor.restore();
         }
     }
 

@@ -10,6 +10,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.profile.ProfileGuard;
+import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.RenameVariable;
 import org.sami.spn.edit.TaskEdit;
@@ -173,14 +174,23 @@ final class PlanSection extends Form {
         }
         List<String> words = new ArrayList<>(uses.stream()
                 .limit(MOST_USES)
-                .map(u -> (u.plan().equals(plan.id()) || u.plan().isEmpty() ? "" : u.plan() + ": ")
-                        + (u.element().isEmpty() ? "" : u.element() + ", ")
-                        + u.where())
+                .map(this::words)
                 .toList());
         if (uses.size() > MOST_USES) {
             words.add("and " + (uses.size() - MOST_USES) + " more");
         }
         return "Used: " + String.join("; ", words);
+    }
+
+    private String words(Usage use) {
+        Optional<Plan> in = context.document().plan(use.plan());
+        String element = in.flatMap(p -> new ElementNames(p, context.vocabulary()).of(use.element()))
+                .map(name -> name + ", ")
+                .orElse("");
+        String other = in.filter(p -> !p.id().equals(plan.id()))
+                .map(p -> p.title() + ": ")
+                .orElse("");
+        return other + element + use.where();
     }
 
     private List<ValueType> types() {

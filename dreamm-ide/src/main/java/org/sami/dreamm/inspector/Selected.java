@@ -3,12 +3,14 @@ package org.sami.dreamm.inspector;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
+import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.net.NetScene;
 
 /**
@@ -101,7 +103,8 @@ record Selected(
     }
 
     /** A title in words. */
-    String title(Plan plan) {
+    String title(Plan plan, Vocabulary vocabulary) {
+        ElementNames names = new ElementNames(plan, vocabulary);
         if (vertices() + edges() == 0 && frames.size() == 1) {
             String title = plan.frames().get(frames.iterator().next()).title();
             return title.isBlank() ? "Frame" : "Frame " + title;
@@ -111,33 +114,15 @@ record Selected(
         }
         if (vertices() == 1 && edges() == 0) {
             return places.isEmpty()
-                    ? "Transition "
-                            + name(transitions.get(0).name(), transitions.get(0).id())
-                    : "Place " + name(places.get(0).name(), places.get(0).id());
+                    ? "Transition " + ElementNames.of(transitions.get(0), vocabulary)
+                    : "Place " + ElementNames.of(places.get(0), vocabulary);
         }
         if (vertices() == 0 && edges() == 1) {
-            return inEdges.isEmpty()
-                    ? called(plan, outEdges.get(0).transition()) + " → "
-                            + called(plan, outEdges.get(0).place())
-                    : called(plan, inEdges.get(0).place()) + " → "
-                            + called(plan, inEdges.get(0).transition());
+            return names.of(edgeIds().iterator().next()).orElse("Edge");
         }
         return (vertices() > 0 ? count(vertices(), "vertex", "vertices") : "")
                 + (vertices() > 0 && edges() > 0 ? ", " : "")
                 + (edges() > 0 ? count(edges(), "edge", "edges") : "");
-    }
-
-    private static String called(Plan plan, String vertex) {
-        return name(
-                plan.place(vertex)
-                        .map(Place::name)
-                        .or(() -> plan.transition(vertex).map(Transition::name))
-                        .orElse(""),
-                vertex);
-    }
-
-    private static String name(String name, String id) {
-        return name.isBlank() ? "(" + id + ")" : name;
     }
 
     private static String count(int n, String one, String many) {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
+import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.edit.Usage;
 import org.sami.spn.model.FieldSource;
@@ -61,13 +62,18 @@ final class ProjectSearch {
                         project.plan(usage.plan())
                                 .map(plan -> shown(plan, usage.element()))
                                 .orElse(""),
-                        usage.element().isEmpty() ? where(usage) : usage.element(),
-                        usage.where() + (usage.plan().isEmpty() ? "" : " · " + usage.plan())))
+                        project.plan(usage.plan())
+                                .flatMap(plan -> new ElementNames(plan, vocabulary).of(usage.element()))
+                                .orElseGet(() -> usage.element().isEmpty() ? where(usage) : usage.element()),
+                        usage.where()
+                                + project.plan(usage.plan())
+                                        .map(plan -> " · " + PlanTree.name(plan))
+                                        .orElse("")))
                 .toList();
     }
 
-    private static String where(Usage usage) {
-        return usage.plan().isEmpty() ? "The project" : usage.plan();
+    private String where(Usage usage) {
+        return project.plan(usage.plan()).map(PlanTree::name).orElse("The project");
     }
 
     /** The vertex or edge that shows an element: itself, or the vertex of an event or a sub-mission. */
@@ -106,7 +112,7 @@ final class ProjectSearch {
     }
 
     private void place(Plan plan, Place place) {
-        add(plan, place.id(), title(place.name(), place.id()), "place · " + PlanTree.name(plan));
+        add(plan, place.id(), ElementNames.of(place, vocabulary), "place · " + PlanTree.name(plan));
         place.outputs().forEach(event -> {
             StringBuilder detail = new StringBuilder(label(event.type()));
             event.fields()
@@ -115,7 +121,7 @@ final class ProjectSearch {
             add(plan, place.id(), event.type(), rest(detail, event.writes(), event.markups(), plan));
         });
         place.subMissions().forEach(sub -> {
-            StringBuilder detail = new StringBuilder("sub-mission at ").append(title(place.name(), place.id()));
+            StringBuilder detail = new StringBuilder("sub-mission at ").append(ElementNames.of(place, vocabulary));
             sub.variables()
                     .forEach((child, parent) ->
                             detail.append(", ").append(child).append(" from ").append(parent));
@@ -124,7 +130,7 @@ final class ProjectSearch {
     }
 
     private void transition(Plan plan, Transition transition) {
-        add(plan, transition.id(), title(transition.name(), transition.id()), "transition · " + PlanTree.name(plan));
+        add(plan, transition.id(), ElementNames.of(transition, vocabulary), "transition · " + PlanTree.name(plan));
         transition.inputs().forEach(event -> {
             StringBuilder detail = new StringBuilder(label(event.type()));
             event.fields()
@@ -182,10 +188,6 @@ final class ProjectSearch {
                     "variable " + TypeNames.of(v.type()) + initial
                             + (plan.isEmpty() ? " of the project" : " · " + plan)));
         });
-    }
-
-    private static String title(String name, String id) {
-        return name.isEmpty() ? id : name;
     }
 
     private void add(Plan plan, String element, String title, String detail) {

@@ -18,6 +18,7 @@ import org.sami.spn.edit.EditResult;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -49,6 +50,8 @@ public final class Additions {
     private Project beforeNoted;
     private Optional<AddEvent> noted = Optional.empty();
     private Project after;
+    private Optional<String> chainFrom = Optional.empty();
+    private Optional<String> chainEnd = Optional.empty();
 
     /**
      * Additions to the plan that is open in an editor.
@@ -98,12 +101,39 @@ public final class Additions {
 
     /** Where something goes that is added without saying where: onto the selected vertex, else behind it, else into free space. */
     public EventTarget target(boolean ontoPlaces) {
-        Optional<String> vertex = selectedVertex();
+        Optional<String> vertex = next();
         if (vertex.isEmpty()) {
             return new EventTarget.Free(freePoint());
         }
         boolean place = editor.plan().flatMap(p -> p.place(vertex.get())).isPresent();
         return place == ontoPlaces ? new EventTarget.OnVertex(vertex.get()) : new EventTarget.Behind(vertex.get());
+    }
+
+    /**
+     * The vertex at which the next addition goes on: the blank place at the end of what was added last while nothing else has been selected or
+     * clicked since, so that additions follow each other along a chain; else the selected one.
+     */
+    private Optional<String> next() {
+        boolean goesOn = chainFrom.equals(selectedVertex()) && editor.plan().flatMap(p -> chainEnd.flatMap(p::place))
+                .filter(place -> place.outputs().isEmpty() && place.subMissions().isEmpty() && !place.end())
+                .isPresent();
+        return goesOn ? chainEnd : selectedVertex();
+    }
+
+    /** Has the next addition go to what is selected: the author has clicked there. */
+    public void leaveChain() {
+        chainFrom = Optional.empty();
+        chainEnd = Optional.empty();
+    }
+
+    /** The first new place that is blank and from which nothing leads on; empty where an addition ends in none. */
+    private static Optional<String> end(Plan before, Plan now) {
+        return now.places().stream()
+                .filter(place -> before.place(place.id()).isEmpty())
+                .filter(place -> place.outputs().isEmpty() && place.subMissions().isEmpty())
+                .map(Place::id)
+                .filter(id -> now.inEdges().stream().noneMatch(edge -> edge.place().equals(id)))
+                .findFirst();
     }
 
     /** The one vertex that is selected. */
@@ -168,6 +198,8 @@ public final class Additions {
             editor.plan().ifPresent(now -> {
                 select(before.get(), now, edit);
                 tellAdded(before.get(), now);
+                chainEnd = end(before.get(), now);
+                chainFrom = chainEnd.isPresent() ? selectedVertex() : Optional.empty();
             });
             listeners.forEach(Runnable::run);
         }

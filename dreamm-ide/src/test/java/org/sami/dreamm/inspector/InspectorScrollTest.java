@@ -3,13 +3,16 @@ package org.sami.dreamm.inspector;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -103,6 +106,40 @@ class InspectorScrollTest {
                         .getComponentCount()))
                 .isPositive();
         assertThat(seenAt()).isEqualTo(before);
+    }
+
+    @Test
+    void findingsThatComeMoveNothingAtTheTopEither() {
+        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldRow.Source.NOTHING));
+        act(() -> {
+            Layout.find(panel, "inspector-name", JTextField.class).orElseThrow().requestFocusInWindow();
+            ((JScrollPane) panel.getComponent(1)).getViewport().setViewPosition(new Point());
+        });
+        List<Rectangle> before = places();
+
+        check();
+        assertThat(places()).isEqualTo(before);
+        assertThat(EventThread.get(() -> Layout.find(panel, "inspector-findings", JComponent.class)
+                        .orElseThrow()
+                        .getHeight()))
+                .isPositive();
+    }
+
+    private void check() {
+        act(() -> {
+            while (!checking.isEmpty()) {
+                checking.remove(0).run();
+            }
+            panel.validate();
+        });
+    }
+
+    /** Where the name, the last field and all around them are. */
+    private List<Rectangle> places() {
+        return EventThread.get(() -> Stream.of("inspector-name", "inspector-mode", "inspector-add-event")
+                .map(name -> Layout.find(panel, name, JComponent.class).orElseThrow())
+                .map(field -> SwingUtilities.convertRectangle(field.getParent(), field.getBounds(), panel))
+                .toList());
     }
 
     @Test

@@ -260,14 +260,27 @@ final class PlanContext {
         return pointer + "/outEdges/" + edgeIndex.get(edge.id());
     }
 
-    /** A place as messages speak of it. */
+    /** A place as messages speak of it: by its name, or what it does where the author gave none. */
     static String name(Place place) {
-        return "place \"" + (place.name().isEmpty() ? place.id() : place.name()) + "\"";
+        if (!place.name().isBlank()) {
+            return "place \"" + place.name() + "\"";
+        }
+        return place.outputs().stream()
+                .findFirst()
+                .map(event -> "place of " + event.type())
+                .or(() -> place.subMissions().stream().findFirst().map(sub -> "place of the sub-mission " + sub.plan()))
+                .orElse(place.start() ? "unnamed start" : place.end() ? "unnamed end" : "unnamed place");
     }
 
-    /** A transition as messages speak of it. */
+    /** A transition as messages speak of it: by its name, or what it waits for where the author gave none. */
     static String name(Transition transition) {
-        return "transition \"" + (transition.name().isEmpty() ? transition.id() : transition.name()) + "\"";
+        if (!transition.name().isBlank()) {
+            return "transition \"" + transition.name() + "\"";
+        }
+        return transition.inputs().stream()
+                .findFirst()
+                .map(event -> "transition of " + event.type())
+                .orElse("unnamed transition");
     }
 
     /** A place as messages speak of it, by its id. */
