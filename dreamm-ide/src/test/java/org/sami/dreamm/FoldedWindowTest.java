@@ -37,21 +37,26 @@ class FoldedWindowTest {
 
             Dimension before = size(canvas);
             robot.press(VK_F11);
-            robot.until("the net has more room", () -> (long) canvas.getWidth() * canvas.getHeight()
-                    > 2L * before.width * before.height);
+            robot.until(
+                    "the net has more room",
+                    () -> (long) canvas.getWidth() * canvas.getHeight() > 2L * before.width * before.height);
             robot.until("the canvas has the focus", canvas::isFocusOwner);
             Dimension folded = size(canvas);
 
             robot.press(VK_4, VK_ALT);
             robot.untilShown("inspector-panel");
-            assertThat(size(canvas)).as("nothing moves as a panel opens over the edge").isEqualTo(folded);
+            assertThat(size(canvas))
+                    .as("nothing moves as a panel opens over the edge")
+                    .isEqualTo(folded);
             robot.untilFocused("plan-name");
             robot.press(VK_ESCAPE);
             robot.until("the canvas has the focus again", canvas::isFocusOwner);
 
             robot.press(VK_F11);
-            robot.until("the panels are back", () -> Math.abs(canvas.getWidth() - before.width) < 12
-                    && Math.abs(canvas.getHeight() - before.height) < 12);
+            robot.until(
+                    "the panels are back",
+                    () -> Math.abs(canvas.getWidth() - before.width) < 12
+                            && Math.abs(canvas.getHeight() - before.height) < 12);
             robot.untilShown("inspector-panel");
         }
     }

@@ -67,7 +67,10 @@ public final class InspectorPanel extends JPanel {
         add(scrolled, "wmin 0, hmin 0");
         strip.setName("inspector-strip");
         LookColors.border(strip, () -> BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
-        add(strip, "wmin 0, h " + STRIP + "!, hidemode 3"); // as high with findings as without, so that nothing moves as they come
+        add(
+                strip,
+                "wmin 0, h " + STRIP
+                        + "!, hidemode 3"); // as high with findings as without, so that nothing moves as they come
         context.document().addListener(change -> rebuild());
         live.addListener(this::findingsChanged);
         context.editor().addListener(new EditorListener() {

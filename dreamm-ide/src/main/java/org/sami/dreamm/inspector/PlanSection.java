@@ -172,10 +172,8 @@ final class PlanSection extends Form {
         if (uses.isEmpty()) {
             return "Not used.";
         }
-        List<String> words = new ArrayList<>(uses.stream()
-                .limit(MOST_USES)
-                .map(this::words)
-                .toList());
+        List<String> words =
+                new ArrayList<>(uses.stream().limit(MOST_USES).map(this::words).toList());
         if (uses.size() > MOST_USES) {
             words.add("and " + (uses.size() - MOST_USES) + " more");
         }

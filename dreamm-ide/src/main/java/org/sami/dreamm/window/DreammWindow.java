@@ -64,7 +64,9 @@ public final class DreammWindow {
         if (context.profile().shows("panel-model-view")) {
             context.commands()
                     .add(new Command(
-                                    "panels-fold", "Fold the panels to the edge, or not", () -> dock.toggleFolded("model-view"))
+                                    "panels-fold",
+                                    "Fold the panels to the edge, or not",
+                                    () -> dock.toggleFolded("model-view"))
                             .withKey("F11")
                             .withIcon("fit"));
         }

@@ -114,9 +114,12 @@ public final class Additions {
      * clicked since, so that additions follow each other along a chain; else the selected one.
      */
     private Optional<String> next() {
-        boolean goesOn = chainFrom.equals(selectedVertex()) && editor.plan().flatMap(p -> chainEnd.flatMap(p::place))
-                .filter(place -> place.outputs().isEmpty() && place.subMissions().isEmpty() && !place.end())
-                .isPresent();
+        boolean goesOn = chainFrom.equals(selectedVertex())
+                && editor.plan()
+                        .flatMap(p -> chainEnd.flatMap(p::place))
+                        .filter(place ->
+                                place.outputs().isEmpty() && place.subMissions().isEmpty() && !place.end())
+                        .isPresent();
         return goesOn ? chainEnd : selectedVertex();
     }
 
@@ -130,9 +133,11 @@ public final class Additions {
     private static Optional<String> end(Plan before, Plan now) {
         return now.places().stream()
                 .filter(place -> before.place(place.id()).isEmpty())
-                .filter(place -> place.outputs().isEmpty() && place.subMissions().isEmpty())
+                .filter(place ->
+                        place.outputs().isEmpty() && place.subMissions().isEmpty())
                 .map(Place::id)
-                .filter(id -> now.inEdges().stream().noneMatch(edge -> edge.place().equals(id)))
+                .filter(id ->
+                        now.inEdges().stream().noneMatch(edge -> edge.place().equals(id)))
                 .findFirst();
     }
 

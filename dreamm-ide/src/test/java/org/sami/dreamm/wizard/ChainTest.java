@@ -42,8 +42,8 @@ class ChainTest {
 
     private void add(String event) {
         Additions additions = context.additions();
-        assertThat(additions.add(AddEvent.usual(
-                        "p", event, additions.target(true), additions.mode(), additions.library())))
+        assertThat(additions.add(
+                        AddEvent.usual("p", event, additions.target(true), additions.mode(), additions.library())))
                 .isInstanceOf(EditResult.Done.class);
     }
 

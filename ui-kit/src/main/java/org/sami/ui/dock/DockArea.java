@@ -68,7 +68,11 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Settings.setActiveHighlighterEnabled(false);
         Docking.initialize(frame);
         root = new RootDockingPanel(frame);
-        folded = new FoldedPanels(this, this::unfold, () -> alone.ifPresent(DockArea::focus), panel -> keys.getOrDefault(panel.getPersistentID(), ""));
+        folded = new FoldedPanels(
+                this,
+                this::unfold,
+                () -> alone.ifPresent(DockArea::focus),
+                panel -> keys.getOrDefault(panel.getPersistentID(), ""));
         add(root);
         SplitProportions.keep(root);
         TabWidths.keep(root);

@@ -1,7 +1,6 @@
 package org.sami.ui.dock;
 
 import java.awt.BorderLayout;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
@@ -66,8 +65,7 @@ final class FoldedPanels {
         head.add(title, "wmin 0");
         head.add(close, "w 36!, h 36!");
         open.add(head, BorderLayout.NORTH);
-        open.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-                .put(KeyStroke.getKeyStroke("ESCAPE"), "fold");
+        open.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ESCAPE"), "fold");
         open.getActionMap().put("fold", new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent e) {
