@@ -114,6 +114,9 @@ class InspectorScrollTest {
         act(() -> {
             Layout.find(panel, "inspector-name", JTextField.class).orElseThrow().requestFocusInWindow();
             ((JScrollPane) panel.getComponent(1)).getViewport().setViewPosition(new Point());
+            for (int i = 0; i < 4; i++) {
+                panel.validate(); // a text that wraps says its height only after it has a width
+            }
         });
         List<Rectangle> before = places();
 
