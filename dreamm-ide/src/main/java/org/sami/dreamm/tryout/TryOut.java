@@ -197,15 +197,23 @@ public final class TryOut {
         }
         Turns.Turn turn = now.next(locations, mockOperator, mockRobots);
         if (turn.step().isPresent()) {
-            TestStep step = turn.step().get().step();
-            String why = turn.remark().isEmpty() ? "" : " (" + turn.remark() + ")";
-            return done(StepWords.of(step) + why, stepper -> stepper.take(step))
-                    .refusal()
-                    .isEmpty();
+            return stepOn(turn.step().get().step(), turn.remark());
         }
         message = turn.remark();
         tell();
         return false;
+    }
+
+    private boolean stepOn(TestStep step, String remark) {
+        String why = remark.isEmpty() ? "" : " (" + remark.substring(0, remark.indexOf(';')) + ")";
+        boolean taken = done(StepWords.of(step) + why, stepper -> stepper.take(step))
+                .refusal()
+                .isEmpty();
+        if (taken && !remark.isEmpty()) {
+            message = remark + ": " + message;
+            tell();
+        }
+        return taken;
     }
 
     /** Takes so many steps back. */

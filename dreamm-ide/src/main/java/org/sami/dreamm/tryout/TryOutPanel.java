@@ -39,11 +39,13 @@ import org.sami.ui.table.RowTable;
  * Tries the open plan: what can happen now, what one of it needs, and what was done. The tokens are on the net. On the event thread.
  */
 public final class TryOutPanel extends JPanel {
-    private static final int ALL_WORDS = 840;
+    private static final int ALL_WORDS = 960;
+    private static final int SHORT_WORDS = 810;
     private static final int FEWEST_WORDS = 660;
     private static final int TWO_ROWS = 520;
+    private static final int TWO_ROWS_OF_BUTTONS = 620;
     private static final String ROBOTS = "hmin 32";
-    private static final String ROBOTS_BELOW = "newline, span, split 3, " + ROBOTS;
+    private static final String ROBOTS_BELOW = "newline, span, split 4, " + ROBOTS;
     private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
     private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";
     private static final String SMALL_HALVES = "[36%, grow, fill][260:64%, grow, fill]";
@@ -60,7 +62,7 @@ public final class TryOutPanel extends JPanel {
     private final RowTable<PossibleStep> possibleSteps;
     private final Column editorPlace = new Column();
     private final transient MigLayout bars =
-            new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[][]12[][]push", "[]");
+            new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[][]12[][]12[][]push", "[]");
     private final transient MigLayout halves = new MigLayout(HALVES, WIDE_HALVES, "[grow, fill]");
     private final JPanel now = new JPanel(halves);
     private final JPanel one = new JPanel(new BorderLayout());
@@ -77,10 +79,12 @@ public final class TryOutPanel extends JPanel {
     private final JLabel message = new JLabel();
     private final JLabel where = new JLabel();
     private final JSpinner robots;
+    private final JSpinner locations;
     private final JCheckBox operator = new JCheckBox("Operator answers");
     private final JCheckBox answering = new JCheckBox("Robots answer");
     private final JTabbedPane tabs = new JTabbedPane();
     private final JLabel label = new JLabel("Robots");
+    private final JLabel locationsLabel = new JLabel("Locations");
     private final transient CommandButton run;
     private final transient List<CommandButton> worded = new ArrayList<>();
     private transient Optional<PossibleStepEditor> editor = Optional.empty();
@@ -103,6 +107,7 @@ public final class TryOutPanel extends JPanel {
                                 .colored(row -> SemanticColor.MUTED),
                         RowColumn.words("What can happen now", 0, PossibleStep::what)));
         robots = new JSpinner(new SpinnerNumberModel(tryOut.robots(), 0, TryOut.MOST_ROBOTS, 1));
+        locations = new JSpinner(new SpinnerNumberModel(tryOut.locations(), 1, TryOut.MOST_LOCATIONS, 1));
         run = new CommandButton(context.commands().get("try-run"));
         tabs.setName("try-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
@@ -147,6 +152,13 @@ public final class TryOutPanel extends JPanel {
         robots.addChangeListener(e -> tryOut.setRobots((Integer) robots.getValue()));
         bar.add(label);
         bar.add(robots, ROBOTS);
+        locationsLabel.setLabelFor(locations);
+        locationsLabel.setDisplayedMnemonic('l');
+        locations.setName("try-locations");
+        locations.setToolTipText("How many locations the operator gives by himself where some are asked for");
+        locations.addChangeListener(e -> tryOut.setLocations((Integer) locations.getValue()));
+        bar.add(locationsLabel);
+        bar.add(locations, ROBOTS);
         operator.setName("try-operator-answers");
         operator.setToolTipText(
                 "Step and Run let an operator answer that says yes, chooses all and takes what is proposed");
@@ -166,11 +178,14 @@ public final class TryOutPanel extends JPanel {
     public void doLayout() {
         boolean narrow = getWidth() < Look.px(ALL_WORDS);
         boolean small = getWidth() < Look.px(FEWEST_WORDS);
+        boolean brief = getWidth() < Look.px(SHORT_WORDS);
+        boolean twoRows = getWidth() < Look.px(TWO_ROWS_OF_BUTTONS);
         worded.forEach(button -> button.setHideActionText(narrow));
-        label.setVisible(!small);
-        bars.setComponentConstraints(robots, isTight() ? ROBOTS_BELOW : ROBOTS);
-        operator.setText(small ? "Operator" : "Operator answers");
-        answering.setText(small ? "Robots" : "Robots answer");
+        label.setVisible(!brief);
+        locationsLabel.setVisible(!brief);
+        bars.setComponentConstraints(robots, twoRows ? ROBOTS_BELOW : ROBOTS);
+        operator.setText(brief ? "Operator" : "Operator answers");
+        answering.setText(brief ? "Robots" : "Robots answer");
         showRun();
         arrange(small);
         placeMessage(small);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.dreamm.document.ProjectDocument;
@@ -25,16 +26,31 @@ class LibraryRunsTest {
                 .flatMap(project -> project.plans().stream().map(plan -> Map.entry(project, plan)));
     }
 
-    @ParameterizedTest
-    @MethodSource("plans")
-    void everyPlanRunsToItsEnd(Map.Entry<Project, Plan> of) {
-        TryOut tryOut = new TryOut(new ProjectDocument(LIBRARY.vocabulary(), of.getKey(), Optional.empty()));
-        assertThat(tryOut.start(of.getValue().id())).as(tryOut.message()).isTrue();
-
+    private static TryOut runToItsEnd(Project project, String plan) {
+        TryOut tryOut = new TryOut(new ProjectDocument(LIBRARY.vocabulary(), project, Optional.empty()));
+        assertThat(tryOut.start(plan)).as(tryOut.message()).isTrue();
         int steps = 0;
         while (steps < MOST && !tryOut.isOver() && tryOut.stepOn()) {
             steps++;
         }
+        return tryOut;
+    }
+
+    @Test
+    void whatLedOutOfARoundIsSaid() {
+        String plan = "communications-monitoring";
+
+        TryOut tryOut = runToItsEnd(LIBRARY.projectOf(plan).orElseThrow(), plan);
+
+        assertThat(tryOut.message())
+                .isEqualTo("it went round; press end monitoring leads out: fired stop; mission 1 is over: ended");
+        assertThat(tryOut.lines().get(tryOut.steps() - 1).done()).isEqualTo("press end monitoring (it went round)");
+    }
+
+    @ParameterizedTest
+    @MethodSource("plans")
+    void everyPlanRunsToItsEnd(Map.Entry<Project, Plan> of) {
+        TryOut tryOut = runToItsEnd(of.getKey(), of.getValue().id());
 
         assertThat(tryOut.stepper().flatMap(Stepper::outcome))
                 .as("%s: %s\n%s", of.getValue().id(), tryOut.message(), tryOut.lines())

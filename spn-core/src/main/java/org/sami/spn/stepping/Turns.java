@@ -31,7 +31,7 @@ public final class Turns {
     /** After so many steps in which nobody came to where he was not yet, the run goes round. */
     private static final int NOTHING_NEW = 40;
     /** How many steps are tried for a way that leads on: a blink of an eye. */
-    private static final int MOST_TRIED = 1_200;
+    private static final int MOST_TRIED = 600;
 
     private static final Set<Kind> EXPECTED = Set.of(Kind.DECISION, Kind.ANSWER, Kind.TIME);
 

@@ -22,7 +22,7 @@ final class EveryQuestion implements SpaceQuestion {
 
     @Override
     public String title() {
-        return "Everything";
+        return "All deep checks";
     }
 
     @Override
