@@ -93,5 +93,6 @@ public final class PalettePanel extends JPanel {
                 item.map(PaletteItem::help).orElse(""),
                 edit,
                 item.flatMap(i -> edits.refusal(i, edits.target(i))));
+        revalidate(); // the strip has another height, and its scroll pane keeps that to itself
     }
 }
