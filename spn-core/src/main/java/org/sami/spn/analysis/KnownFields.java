@@ -25,6 +25,10 @@ import org.sami.spn.vocabulary.FieldType;
  * asked, and first values of the variables that they read.
  */
 final class KnownFields {
+    private static final double MINUTE_S = 60;
+    private static final double HOUR_S = 3600;
+    private static final double MOST_EXACT = 1e15; // from there on doubles leave whole numbers out
+
     private final PlanContext plan;
     private final List<Known> all = new ArrayList<>();
 
@@ -159,13 +163,23 @@ final class KnownFields {
         return value instanceof IntegerValue whole ? Optional.of((double) whole.value()) : Optional.empty();
     }
 
-    /** A number without needless digits, with the unit of its field: {@code 30 %}, {@code 0.5 s}. */
+    /** A number without needless digits, with the unit of its field: {@code 30 %}, {@code 0.5 s}, {@code 24 h}. */
     static String inWords(double number, FieldType field) {
-        String digits = number == Math.rint(number) && Math.abs(number) < 1e15
+        boolean duration = field.type() == ValueType.Simple.DURATION;
+        if (duration && number >= HOUR_S && number % HOUR_S == 0) {
+            return digits(number / HOUR_S) + " h";
+        }
+        if (duration && number >= MINUTE_S && number % MINUTE_S == 0) {
+            return digits(number / MINUTE_S) + " min";
+        }
+        String unit = duration ? "s" : field.unit();
+        return unit.isEmpty() ? digits(number) : digits(number) + " " + unit;
+    }
+
+    private static String digits(double number) {
+        return number == Math.rint(number) && Math.abs(number) < MOST_EXACT
                 ? String.format(Locale.ROOT, "%,.0f", number)
                 : String.format(Locale.ROOT, "%.6f", number).replaceAll("0+$", "");
-        String unit = field.type() == ValueType.Simple.DURATION ? "s" : field.unit();
-        return unit.isEmpty() ? digits : digits + " " + unit;
     }
 
     /**

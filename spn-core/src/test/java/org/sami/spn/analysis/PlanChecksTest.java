@@ -28,6 +28,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.value.DurationValue;
 
 /** For each code a tiny plan that must be found, and one like it that must pass without that finding. */
 class PlanChecksTest {
@@ -166,6 +167,16 @@ class PlanChecksTest {
                 .containsExactly(Finding.warning(
                                 "W-UNREACHABLE", "/plans/0/places/3", "Nothing leads to the place \"island\"", "island")
                         .inPlan("plan"));
+    }
+
+    @Test
+    void findingAboutAValueSaysWhereItIsAndWhatIsUsual() {
+        Project project = project(ValueCheckCases.watching(Map.of("every", new DurationValue(0)))
+                .build());
+
+        assertThat(PlanChecks.check(project, CheckWords.WORDS))
+                .extracting(Finding::message)
+                .contains("every in Watch at the place \"go\" is 0 s; usual is 0.1 s to 1 h: is it right?");
     }
 
     @Test
