@@ -13,8 +13,12 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
+import org.sami.spn.vocabulary.EventFlag;
 
-/** A mission of several robots or tasks does not end when the first of them is done, while the others are out. */
+/**
+ * A mission of several robots or tasks does not end when the first of them is done, while the others are out. That it ends when the first
+ * fails may be what its author wants.
+ */
 final class EndsWithFirst implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
@@ -22,7 +26,9 @@ final class EndsWithFirst implements PlanCheck {
             List<Place> ends = plan.outPlaces(t).stream()
                     .filter(place -> place.end() && ends(plan, place))
                     .toList();
-            if (!ends.isEmpty() && plan.inEdges(t).stream().noneMatch(EndsWithFirst::waitsForAbsence)) {
+            boolean fails = plan.inputsOf(t).stream()
+                    .anyMatch(input -> input.type().flags().contains(EventFlag.FAILURE));
+            if (!ends.isEmpty() && !fails && plan.inEdges(t).stream().noneMatch(EndsWithFirst::waitsForAbsence)) {
                 check(plan, t, ends.get(0), report);
             }
         }

@@ -95,19 +95,13 @@ final class ForgottenPlaces implements PlanCheck {
         for (Place place : plan.plan().places()) {
             if (!watched.contains(place.id())
                     && !place.end()
-                    && (after.contains(place.id()) || leavesSingly(plan, place))
+                    && (after.contains(place.id()) || SingleAnswers.leave(plan, place))
                     && before.contains(place.id())
                     && meets(plan.flow().at(place), kinds)
                     && !isCounted(plan, t, place, kinds)) {
                 forgotten.add(place);
             }
         }
-    }
-
-    /** Whether robots or tasks leave a place one after the other. */
-    private static boolean leavesSingly(PlanContext plan, Place place) {
-        return plan.outTransitions(place).stream()
-                .anyMatch(t -> SingleAnswers.from(plan, t).contains(place));
     }
 
     /** The places from which tokens of some kinds may come to others. */

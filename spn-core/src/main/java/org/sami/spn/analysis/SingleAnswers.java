@@ -18,22 +18,41 @@ import org.sami.spn.vocabulary.TokenNeed;
 final class SingleAnswers {
     private SingleAnswers() {}
 
-    /** The places from which a transition takes one robot or task at a time; empty where it fires for all together. */
+    /** The places from which a transition takes one robot or task at a time, as each answers; empty where it fires for all together. */
     static List<Place> from(PlanContext plan, Transition t) {
-        List<PlacedInput> inputs = plan.inputsOf(t);
-        if (t.waitFor() != WaitFor.EACH || inputs.size() != 1 || t.inputs().size() != 1) {
-            return List.of();
-        }
-        PlacedInput input = inputs.get(0);
         List<Place> places = new ArrayList<>();
-        for (InEdge edge : plan.inEdges(t)) {
-            plan.place(edge.place())
-                    .filter(place -> isRelevant(edge))
-                    .filter(place ->
-                            isNews(input) || plan.outputsOf(place).stream().anyMatch(o -> answersEach(o, input)))
-                    .ifPresent(places::add);
+        for (PlacedInput input : ofEach(plan, t)) {
+            for (Place place : relevant(plan, t)) {
+                if (plan.outputsOf(place).stream().anyMatch(o -> answersEach(o, input))) {
+                    places.add(place);
+                }
+            }
         }
         return places;
+    }
+
+    /** Whether robots or tasks leave a place one after the other, as each answers or as there is news of it. */
+    static boolean leave(PlanContext plan, Place place) {
+        return plan.outTransitions(place).stream()
+                .anyMatch(t -> from(plan, t).contains(place)
+                        || (ofEach(plan, t).stream().anyMatch(SingleAnswers::isNews)
+                                && relevant(plan, t).contains(place)));
+    }
+
+    /** The input event of a transition that fires for it alone, and for each of its occurrences. */
+    private static List<PlacedInput> ofEach(PlanContext plan, Transition t) {
+        List<PlacedInput> inputs = plan.inputsOf(t);
+        boolean alone =
+                t.waitFor() == WaitFor.EACH && inputs.size() == 1 && t.inputs().size() == 1;
+        return alone ? inputs : List.of();
+    }
+
+    /** The places in which those whom the event names must stand. */
+    private static List<Place> relevant(PlanContext plan, Transition t) {
+        return plan.inEdges(t).stream()
+                .filter(SingleAnswers::isRelevant)
+                .flatMap(edge -> plan.place(edge.place()).stream())
+                .toList();
     }
 
     /** Whether an event comes of each by itself, without having been asked for. */
@@ -47,7 +66,9 @@ final class SingleAnswers {
 
     private static boolean answersEach(PlacedOutput output, PlacedInput input) {
         Set<EventFlag> flags = output.type().flags();
-        boolean each = flags.contains(EventFlag.COMMAND) || output.type().role() == EventRole.PROXY_TIMER;
+        boolean each = flags.contains(EventFlag.COMMAND)
+                || output.type().role() == EventRole.PROXY_TIMER
+                || input.type().flags().contains(EventFlag.NEWS);
         boolean names = input.type().tokens() != TokenNeed.NONE || input.type().role() == EventRole.PROXY_TIMER_EXPIRED;
         return each && names && output.type().answers().contains(input.type().name());
     }

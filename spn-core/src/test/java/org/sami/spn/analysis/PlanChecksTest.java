@@ -171,8 +171,8 @@ class PlanChecksTest {
 
     @Test
     void findingAboutAValueSaysWhereItIsAndWhatIsUsual() {
-        Project project = project(ValueCheckCases.watching(Map.of("every", new DurationValue(0)))
-                .build());
+        Project project = project(
+                ValueCheckCases.watching(Map.of("every", new DurationValue(0))).build());
 
         assertThat(PlanChecks.check(project, CheckWords.WORDS))
                 .extracting(Finding::message)
