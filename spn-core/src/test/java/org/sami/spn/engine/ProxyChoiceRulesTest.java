@@ -97,6 +97,39 @@ class ProxyChoiceRulesTest {
     }
 
     @Test
+    void choiceThatIsAskedAnewTwiceKeepsTheDeadlineThatItHadAtFirst() {
+        Session s = choice(MixedInitiative.trigger("TIMER", 2000));
+        s.join("A", "B", "C").start("net");
+        s.advance(500);
+        s.step(drop("A"));
+        s.advance(500);
+
+        s.step(drop("B"));
+
+        assertThat(s.onlyDecision().deadlineMillis()).hasValue(2000);
+        assertThat(s.view().nextDueMillis()).hasValue(2000);
+        s.advance(999);
+        assertThat(s.fired()).isEmpty();
+        s.advance(1);
+        assertThat(s.fired()).containsExactly("t");
+    }
+
+    @Test
+    void deadlineThatPassedWithoutAnAnswerIsNotSetAgain() {
+        MarkupSpec nobody =
+                new MarkupSpec("DefaultSelection", Map.of("selection", new EnumValue("SelectionDefault", "NONE")));
+        Session s = choice(MixedInitiative.trigger("TIMER", 2000), nobody);
+        s.join("A", "B").start("net");
+        s.advance(2000);
+        assertThat(s.notes()).containsExactly(NoteKind.NO_AUTOMATIC_ANSWER);
+
+        s.step(drop("A"));
+
+        assertThat(s.onlyDecision().deadlineMillis()).isEmpty();
+        assertThat(s.view().nextDueMillis()).isEmpty();
+    }
+
+    @Test
     void choiceOfWhichNobodyIsLeftSaysSo() {
         Session s = choice();
         s.join("A").start("net");

@@ -11,8 +11,10 @@ import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.IntegerValue;
@@ -98,6 +100,57 @@ class VariableRulesTest {
 
         assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
         assertThat(s.view().variable(m, "@number")).contains(new IntegerValue(1));
+    }
+
+    @Test
+    void aDeclaredVariableWithoutValueIsNotReadFromTheParent() {
+        Plan child = new NetBuilder("child")
+                .start("c")
+                .variable("@number", ValueType.Simple.INTEGER)
+                .output("c", "Do", Map.of("number", new FieldSource.FromVariable("@number")), Map.of())
+                .build();
+        Session s = new Session(NetBuilder.project(
+                List.of(new VariableSpec("@number", ValueType.Simple.INTEGER, Optional.of(new IntegerValue(9)))),
+                parent().variable("@number", ValueType.Simple.INTEGER, new IntegerValue(7))
+                        .build(),
+                child));
+        long m = s.join("A").start("parent");
+
+        s.news("News", "A");
+
+        assertThat(s.view().variable(m, "@number")).contains(new IntegerValue(7));
+        assertThat(s.view().variable(s.idOf("child"), "@number")).isEmpty();
+        assertThat(s.latest("c").values()).isEmpty();
+    }
+
+    @Test
+    void anUndeclaredVariableThatAChildWritesStaysThere() {
+        Plan inner = new NetBuilder("inner").start("i").build();
+        Plan child = new NetBuilder("child")
+                .start("c")
+                .output("c", "Do")
+                .input("write", "Done", Map.of(), Map.of("value", "@nobodys"))
+                .in("c", "write", "relevant all")
+                .out("write", "w", "take all relevant")
+                .sub("w", "inner")
+                .build();
+        Session s = new Session(parent().build(), child, inner);
+        long m = s.join("A", "B").start("parent");
+        s.news("News", "A");
+        s.news("News", "B");
+        Activation first = s.activations("c").get(0);
+        long other = s.activations("c").get(1).mission();
+
+        s.step(new Input.Received(
+                Occurrence.answer("Done", first, List.of("A"), List.of(), Map.of("value", new IntegerValue(3)))));
+
+        assertThat(s.view().variable(first.mission(), "@nobodys")).contains(new IntegerValue(3));
+        assertThat(s.view().variable(s.idOf("inner"), "@nobodys"))
+                .as("its own sub-mission reads it")
+                .contains(new IntegerValue(3));
+        assertThat(s.view().variable(m, "@nobodys")).isEmpty();
+        assertThat(s.view().variable(other, "@nobodys")).isEmpty();
+        assertThat(s.view().variable(Ids.NONE, "@nobodys")).isEmpty();
     }
 
     @Test
