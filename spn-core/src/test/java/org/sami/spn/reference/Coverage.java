@@ -43,6 +43,7 @@ final class Coverage {
             NoteKind.DISCARDED,
             NoteKind.LATE,
             NoteKind.NAMES_NOBODY,
+            NoteKind.GONE,
             NoteKind.SHORT_OF_TOKENS,
             NoteKind.NOT_RETURNED,
             NoteKind.INTERRUPT_REFUSED,
@@ -57,6 +58,11 @@ final class Coverage {
             "sub-mission of an earlier project started",
             "firing of an earlier project",
             "global kept");
+    /** What is asked of boats of which one is dropped then. */
+    private static final List<String> QUESTIONS =
+            List.of("Do", "Approve", "ApproveThem", "Choose", "ChooseSome", "Pick", "Provide");
+
+    private static final String DROPPED = "boat dropped while asked: ";
     private static final List<String> OTHERS = List.of(
             "return checked of a named plan",
             "firing without event",
@@ -66,6 +72,7 @@ final class Coverage {
             "firing in a grandchild",
             "firing out of a place with a dynamic sub-mission",
             "firing out of a place with a static sub-mission",
+            "firing out of a place with several static sub-missions",
             "firing out of a place with its own order",
             "commands withdrawn from all",
             "commands withdrawn from some",
@@ -98,6 +105,7 @@ final class Coverage {
             entry("event used SUB_MISSION_ABORTED", "R-SUB-8"),
             entry("event used CHECK_RETURN", "R-RET-1"),
             entry("note SHORT_OF_TOKENS", "R-OUT-3"),
+            entry("note GONE", "R-OCC-12"),
             entry("note LIVELOCK", "R-LOOK-9"),
             entry("note NO_AUTOMATIC_ANSWER", "R-DEC-2"),
             entry("mission ENDED", "R-END-3"),
@@ -112,6 +120,7 @@ final class Coverage {
             entry("firing in a grandchild", "R-SUB-1"),
             entry("firing out of a place with a dynamic sub-mission", "R-SUB-3"),
             entry("firing out of a place with a static sub-mission", "R-SHR-4"),
+            entry("firing out of a place with several static sub-missions", "R-SHR-9"),
             entry("firing out of a place with its own order", "R-LOOK-6"),
             entry("commands withdrawn from all", "R-END-4"),
             entry("commands withdrawn from some", "R-INT-6"),
@@ -158,6 +167,7 @@ final class Coverage {
             counts.put("mission " + outcome, 0L);
         }
         OTHERS.forEach(rule -> counts.put(rule, 0L));
+        QUESTIONS.forEach(type -> counts.put(DROPPED + type, 0L));
         LOADING.forEach(what -> ofLoading.put(what, 0L));
     }
 
@@ -182,6 +192,13 @@ final class Coverage {
             } else {
                 sawSimple(effect);
             }
+        }
+    }
+
+    /** A boat was dropped of which something was asked. */
+    synchronized void droppedWhileAsked(String type) {
+        if (QUESTIONS.contains(type)) {
+            count(DROPPED + type);
         }
     }
 
@@ -260,6 +277,9 @@ final class Coverage {
                         .findFirst()
                         .ifPresent(s -> count("firing out of a place with a " + (s.shared() ? "static" : "dynamic")
                                 + " sub-mission"));
+                if (place.subMissions().stream().filter(s -> s.shared()).count() > 1) {
+                    count("firing out of a place with several static sub-missions");
+                }
                 if (!place.transitionOrder().isEmpty()) {
                     count("firing out of a place with its own order");
                 }

@@ -66,6 +66,7 @@ final class Differential {
                 }
                 world.saw(expected);
                 coverage.saw(world.seen(), expected);
+                world.askedOfDropped().ifPresent(coverage::droppedWhileAsked);
             } catch (World.TooManyTokens e) {
                 return Optional.empty();
             }

@@ -37,6 +37,14 @@ final class RandomInputs {
     /** What is still to be sent for the transition that was chosen last. */
     private final Deque<Input> planned = new ArrayDeque<>();
 
+    /** For drops of whom a question or request names, and who answers it then; of its own, so that other choices do not depend on it. */
+    private final Dice dropping;
+
+    /** What is to be answered next, whoever has gone. */
+    private Optional<Activation> toAnswer = Optional.empty();
+
+    private Optional<String> askedOfDropped = Optional.empty();
+
     private final List<Input> loads;
     private final int boats;
     private long now;
@@ -54,6 +62,7 @@ final class RandomInputs {
     RandomInputs(Project project, long seed, List<Input> loads) {
         this.loads = loads;
         dice = new Dice(seed * 31 + 7);
+        dropping = new Dice(seed * 43 + 11);
         seen = new Seen(project);
         answering = new Answering(dice);
         guide = new Guide(dice, seen, answering);
@@ -68,8 +77,14 @@ final class RandomInputs {
         return seen;
     }
 
+    /** What asked of a boat that the latest input dropped; empty where that was no such drop. */
+    Optional<String> askedOfDropped() {
+        return askedOfDropped;
+    }
+
     Scenario.Timed next(Subject subject) {
         sent++;
+        askedOfDropped = Optional.empty();
         Input input = input(subject);
         if (dice.chance(20)) {
             now += 100L * dice.below(30);
@@ -87,6 +102,19 @@ final class RandomInputs {
         }
         if (!loads.isEmpty() && dice.chance(8)) {
             return dice.pick(loads);
+        }
+        if (toAnswer.isPresent()) {
+            Activation asked = toAnswer.get();
+            toAnswer = Optional.empty();
+            if (subject.openActivations().contains(asked.id())) {
+                return answerOfAll(subject, asked);
+            }
+        }
+        if (dropping.chance(seen.openDecisions(subject).isEmpty() ? 3 : 9)) {
+            Optional<Input> drop = dropOfAsked(subject);
+            if (drop.isPresent()) {
+                return drop.get();
+            }
         }
         Map<Long, String> statuses = subject.statuses();
         boolean nothingRuns = statuses.values().stream().allMatch("HALTED"::equals);
@@ -244,6 +272,52 @@ final class RandomInputs {
         }
         List<Long> roots = seen.missions().stream().filter(seen::isRoot).toList();
         return new Input.ProxyDropped(boat, fromAll || roots.isEmpty() ? Ids.NONE : roots.get(roots.size() - 1));
+    }
+
+    /** Drops a boat that something open was asked of, besides others; that is answered next. */
+    private Optional<Input> dropOfAsked(Subject subject) {
+        List<Activation> asked = seen.open(subject).stream()
+                .filter(a -> a.proxies().size() > 1 && !answers(a).isEmpty())
+                .toList();
+        if (asked.isEmpty()) {
+            return Optional.empty();
+        }
+        List<String> types = asked.stream().map(Activation::type).distinct().toList();
+        if (types.size() > 1) {
+            types = types.stream().filter(kind -> !kind.equals("Do")).toList(); // most is asked by it
+        }
+        String type = dropping.pick(types);
+        Activation one =
+                dropping.pick(asked.stream().filter(a -> a.type().equals(type)).toList());
+        String boat = dropping.pick(one.proxies());
+        boolean fromAll = dropping.chance(25);
+        if (fromAll) {
+            seen.joined.remove(boat);
+        }
+        toAnswer = Optional.of(one);
+        askedOfDropped = Optional.of(type);
+        return Optional.of(new Input.ProxyDropped(boat, fromAll ? Ids.NONE : one.rootMission()));
+    }
+
+    private static List<String> answers(Activation asked) {
+        return TestVocabulary.TEST.event(asked.type()).orElseThrow().answers();
+    }
+
+    /** An answer that names all who were asked, whether they are still there or not. */
+    private Input answerOfAll(Subject subject, Activation asked) {
+        Optional<Decision> open = seen.openDecisions(subject).stream()
+                .filter(d -> d.activation() == asked.id())
+                .findFirst();
+        if (open.isPresent()) {
+            return new Input.AnswerDecision(
+                    open.get().id(),
+                    answering.fitting(open.get().question(), true, asked.proxies()),
+                    Answerer.OPERATOR);
+        }
+        String type = dropping.pick(answers(asked));
+        List<TaskId> tasks = dropping.chance(50) ? asked.tasks() : List.of();
+        return new Input.Received(
+                new Occurrence(type, asked.mission(), asked.id(), asked.proxies(), tasks, answering.values(type)));
     }
 
     private Input allocate() {

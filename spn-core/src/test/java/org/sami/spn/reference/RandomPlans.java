@@ -49,9 +49,15 @@ final class RandomPlans {
         "ApplyAllocation"
     };
 
+    /** One plan in so many is about returned values. */
+    private static final int RETURNS_EVERY = 10;
+
     private final Dice dice;
     /** For what narrows questions; of its own, so that the rest of a seed's plan does not depend on it. */
     private final Dice narrowing;
+
+    /** For further static sub-missions on a place; of its own, too. */
+    private final Dice sharing;
 
     private final Sketch sketch;
     private final List<String> children;
@@ -66,12 +72,16 @@ final class RandomPlans {
         isNested = id.equals("inner");
         int places = 3 + dice.below(isChild ? 2 : 5);
         narrowing = new Dice(31L * id.hashCode() + places);
+        sharing = new Dice(37L * id.hashCode() + 101L * places + narrowing.below(1000));
         int ends = dice.chance(isChild ? 95 : 80) ? 1 + dice.below(2) : 0;
         sketch = new Sketch(places, ends, isChild, children, hasTasks);
     }
 
     static Project project(long seed) {
         Dice dice = new Dice(seed);
+        if (Math.floorMod(seed, RETURNS_EVERY) == 3) {
+            return RandomReturns.project(dice);
+        }
         List<Plan> plans = new ArrayList<>();
         List<String> children = new ArrayList<>();
         boolean hasTasks = dice.chance(60);
@@ -244,6 +254,9 @@ final class RandomPlans {
         if (dice.chance(12)) {
             subMission(place, children.get(0), isShared);
             sketch.twoAtOnce.add(place);
+        }
+        for (int more = 0; isShared && more < 2 && sharing.chance(45); more++) {
+            net.sub(place, sharing.pick(children), true, Map.of(), Map.of());
         }
     }
 

@@ -175,6 +175,10 @@ final class RandomTransitions {
         boolean isNamed = false;
         if (die < 35) {
             input(t, "CheckReturn");
+            if (naming.chance(30)) { // of another return, or of the same
+                Map<String, Value> second = Map.of(Reserved.VALUE, new TextValue(naming.pick("good", "bad")));
+                net.input(t, "CheckReturn", second, Map.of());
+            }
         } else if (die < 60) {
             input(t, dice.chance(60) && !sketch.twoAtOnce.contains(place) ? "SubMissionAborted" : "Interrupt");
             isNamed = true;

@@ -46,6 +46,12 @@ class RuleCoverageTest {
     }
 
     @Test
+    void thePageSaysHowOftenABuildExercisesARule() throws IOException {
+        assertThat(Files.readString(PAGE).replaceAll("\\s+", " "))
+                .contains("exercises the rule at least " + DifferentialTest.LEAST + " times in every build");
+    }
+
+    @Test
     void theClassOfARuleIsThereAndCitesIt() throws IOException {
         List<String> wrong = new ArrayList<>();
         for (Row row : table()) {
