@@ -232,6 +232,43 @@ class PatternsTest {
         assertThat(team.fired(transitionNamed("All are here"))).isEqualTo(1);
     }
 
+    /** Thesis, 9.1.2, with all tasks allocated at the same time: a boat that has several takes part in several rounds. */
+    @ParameterizedTest
+    @CsvSource({"3, 3, 1", "5, 5, 1", "5, 4, 2", "3, 1, 3"})
+    void picturesAreTakenTogetherInAsManyRoundsAsABoatHasTasks(int locations, int boats, int rounds) {
+        panorama();
+        String taking = place("TakePanorama");
+        String arrived = transition("ProxyPathCompleted");
+        String here = "here";
+        done(new RemoveElements("p", Set.of(plan().outEdgesOf(arrived).get(0).id())));
+        done(new VertexEdit.AddPlace(
+                "p",
+                new Place(here, "Here", false, false, false, Mode.NOMINAL, List.of(), List.of(), List.of()),
+                Optional.empty()));
+        done(new EdgeEdit.Connect("p", arrived, here, Mode.NOMINAL));
+        done(new EdgeEdit.SetOutRequirements(
+                "p",
+                plan().outEdgesOf(arrived).get(0).id(),
+                List.of(OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.RELEVANT))));
+        draw("when-all-are-here", here);
+        String together = transitionNamed("All are here");
+        done(new RemoveElements("p", Set.of(named("All together"))));
+        done(new EdgeEdit.Connect("p", together, taking, Mode.NOMINAL));
+        done(new EdgeEdit.SetOutRequirements(
+                "p",
+                plan().outEdgesOf(together).get(0).id(),
+                List.of(OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.ANY_TASK))));
+        draw("autonomy-decides-at-once", place("OperatorAllocationOptions"));
+        draw("ask-again-on-no", place("OperatorAllocationOptions"));
+        draw("until-none-is-left", named("Finished"));
+
+        PlayedTeam team = camera(locations, boats, 1);
+
+        assertThat(team.run("p")).contains(Outcome.ENDED);
+        assertThat(team.fired(together)).isBetween((long) rounds, (long) locations);
+        assertThat(team.fired(transition("TaskCompleted"))).isEqualTo(locations);
+    }
+
     @Test
     void onlyTheSelectedPlacesMustBeEmptyWhereTheAuthorSaysWhich() {
         twoLegs();

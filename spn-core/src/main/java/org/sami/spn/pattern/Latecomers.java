@@ -6,10 +6,13 @@ import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.DecisionForm;
+import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.wiring.ComingTokens;
 import org.sami.spn.wiring.WaysBack;
@@ -36,6 +39,23 @@ final class Latecomers {
 
     /** The places from which tokens of a kind can still come to one of some places. */
     Set<String> before(Collection<String> here, TokenKind kind) {
+        return before(here, kind, t -> true);
+    }
+
+    /**
+     * The same without those whose robots have not begun with their task: a robot that has several tasks is never with all of them at a
+     * time.
+     */
+    Set<String> onTheWay(Collection<String> here, TokenKind kind) {
+        return before(
+                here,
+                kind,
+                t -> t.inputs().stream()
+                        .flatMap(i -> spot.vocabulary().event(i.type()).stream())
+                        .noneMatch(e -> e.flags().contains(EventFlag.TASK_STARTED)));
+    }
+
+    private Set<String> before(Collection<String> here, TokenKind kind, Predicate<Transition> passes) {
         Plan plan = spot.plan();
         Set<String> found = new LinkedHashSet<>();
         Deque<String> open = new ArrayDeque<>(here);
@@ -43,6 +63,7 @@ final class Latecomers {
             String at = open.remove();
             plan.outEdges().stream()
                     .filter(e -> e.place().equals(at))
+                    .filter(e -> plan.transition(e.transition()).filter(passes).isPresent())
                     .flatMap(e -> plan.inEdgesOf(e.transition()).stream())
                     .filter(WaysBack::isWay)
                     .map(e -> plan.place(e.place()))

@@ -82,6 +82,6 @@ final class WhenAllAreHere implements Pattern {
                 .map(Place::id)
                 .filter(id -> !id.equals(here.id()))
                 .forEach(chosen::add);
-        return chosen.isEmpty() ? new Latecomers(spot).before(List.of(here.id()), kind) : chosen;
+        return chosen.isEmpty() ? new Latecomers(spot).onTheWay(List.of(here.id()), kind) : chosen;
     }
 }

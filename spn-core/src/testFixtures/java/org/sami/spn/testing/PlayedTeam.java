@@ -43,6 +43,7 @@ public final class PlayedTeam {
     private final Map<String, Function<Activation, List<String>>> robots = new LinkedHashMap<>();
     private final List<Activation> asked = new ArrayList<>();
     private final List<Runnable> waiting = new ArrayList<>();
+    private final List<Occurrence> begun = new ArrayList<>();
     private final Map<String, List<TaskId>> queues = new LinkedHashMap<>();
     private final Set<Long> seen = new HashSet<>();
     private String started = "";
@@ -127,6 +128,10 @@ public final class PlayedTeam {
     }
 
     private boolean step() {
+        if (!begun.isEmpty()) { // a fleet says so at once
+            session.step(new Input.Received(begun.remove(0)));
+            return true;
+        }
         List<Decision> open = session.view().decisions();
         if (!open.isEmpty()) {
             Decision decision = open.get(random.nextInt(open.size()));
@@ -184,8 +189,7 @@ public final class PlayedTeam {
     private void begin(List<TaskId> queue) {
         if (!started.isEmpty() && !queue.isEmpty()) {
             TaskId first = queue.get(0);
-            waiting.add(() -> session.step(new Input.Received(
-                    new Occurrence(started, Ids.NONE, Ids.NONE, List.of(), List.of(first), Map.of()))));
+            begun.add(new Occurrence(started, Ids.NONE, Ids.NONE, List.of(), List.of(first), Map.of()));
         }
     }
 
