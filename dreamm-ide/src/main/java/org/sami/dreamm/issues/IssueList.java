@@ -90,8 +90,14 @@ public final class IssueList {
     private void filtered() {
         IssueFilter in = onlyOpenPlan ? filter.of(Optional.of(editor.planId().orElse(""))) : filter;
         shown = all.stream().filter(in::shows).toList();
+        Optional<Issue> looked = current;
         current = current.flatMap(
                 was -> shown.stream().filter(is -> is.key().equals(was.key())).findFirst());
+        boolean gone = looked.isPresent()
+                && all.stream().noneMatch(is -> is.key().equals(looked.get().key()));
+        if (gone) {
+            editor.highlight(Set.of()); // its marks go with it
+        }
         listeners.forEach(Runnable::run);
     }
 

@@ -14,6 +14,7 @@ import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -69,6 +70,9 @@ public final class IssuesPanel extends JPanel {
     private final transient MigLayout fixColumns = new MigLayout(FIXES, "[][][][]push[]", "[]");
     private final JPanel fixes = new JPanel(fixColumns);
     private final JScrollPane mending = mending();
+    private final JLabel hidden = new JLabel();
+    private final JButton showAll = new JButton("Show all");
+    private final JPanel hiding = hiding();
     private final DeepChecksBar deep;
 
     /**
@@ -104,7 +108,11 @@ public final class IssuesPanel extends JPanel {
                                 .asSpare()));
         deep = new DeepChecksBar(commands);
         bindTable();
-        add(top(), BorderLayout.NORTH);
+        JPanel head = new JPanel(new BorderLayout());
+        head.setOpaque(false);
+        head.add(top());
+        head.add(hiding, BorderLayout.SOUTH);
+        add(head, BorderLayout.NORTH);
         add(table);
         add(mending, BorderLayout.SOUTH);
         issues.addListener(this::refresh);
@@ -236,8 +244,37 @@ public final class IssuesPanel extends JPanel {
         return panel.inPane();
     }
 
+    /** Says how many issues the filter hides, and takes it away. */
+    private JPanel hiding() {
+        JPanel line = new JPanel(new MigLayout("novisualpadding, insets 0 8 4 8, gap 8", "[grow, fill][]", "[]"));
+        line.setOpaque(false);
+        hidden.setName("issues-hidden");
+        showAll.setName("issues-show-all");
+        showAll.setToolTipText("Show the issues of all kinds and plans");
+        showAll.addActionListener(e -> {
+            severities.values().forEach(button -> button.setSelected(true));
+            onlyOpen.setSelected(false);
+            text.setText("");
+            issues.setOnlyOpenPlan(false);
+            issues.setFilter(IssueFilter.ALL);
+        });
+        line.add(hidden, "wmin 0");
+        line.add(showAll, "hmin 32");
+        line.setVisible(false);
+        return line;
+    }
+
+    private void showHidden() {
+        int all = issues.all().size();
+        int count = all - issues.shown().size();
+        hidden.setText((count == all && all > 1 ? "All " + all : String.valueOf(count))
+                + (count == 1 ? " issue is" : " issues are") + " hidden by the filter");
+        hiding.setVisible(count > 0);
+    }
+
     private void refresh() {
         table.show(issues.shown());
+        showHidden();
         table.selectKeys(issues.current().map(issue -> Set.of(issue.key())).orElse(Set.of()));
         IssueCounts counts = issues.counts();
         label(Severity.ERROR, counts.errors());
@@ -309,6 +346,8 @@ public final class IssuesPanel extends JPanel {
         LookColors.background(this, SemanticColor.SURFACE);
         message.setFont(Fonts.text());
         LookColors.foreground(message, SemanticColor.TEXT);
+        hidden.setFont(Fonts.text());
+        LookColors.foreground(hidden, SemanticColor.WARNING);
         for (Severity severity : Severity.values()) {
             severities.get(severity).setIcon(icon(severity));
         }

@@ -88,6 +88,7 @@ public final class ProfileIds {
             "issues-show-note",
             "issues-only-open",
             "issues-filter",
+            "issues-show-all",
             "deep-checks",
             "count-errors",
             "count-warnings",

@@ -69,6 +69,10 @@ public final class MissionTreePanel extends JPanel {
 
     private void listen() {
         context.document().addListener(change -> {
+            if (change.isOpened()) { // what was searched for belongs to the project before
+                search.setText("");
+                cards.show(middle, TREE);
+            }
             tree.fill();
             tree.follow();
         });

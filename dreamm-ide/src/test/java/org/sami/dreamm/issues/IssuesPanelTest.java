@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
@@ -101,6 +102,38 @@ class IssuesPanelTest {
         assertThat(below.isVisible()).isTrue();
         assertThat(SwingUtilities.convertPoint(below, 0, 0, panel).y)
                 .isGreaterThan(SwingUtilities.convertPoint(table.getParent(), 0, 0, panel).y);
+    }
+
+    @Test
+    void aFilterSaysHowManyItHidesAndIsTakenAway() {
+        breakThePlan();
+        int all = issues.all().size();
+        show(100, 785, 400);
+        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible()).isFalse();
+
+        find("issues-filter", JTextComponent.class).setText("no issue says this");
+
+        assertThat(issues.shown()).isEmpty();
+        assertThat(find("issues-hidden", JLabel.class).getText())
+                .isEqualTo("All " + all + " issues are hidden by the filter");
+        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible()).isTrue();
+
+        find("issues-show-all", AbstractButton.class).doClick();
+        assertThat(issues.shown()).hasSize(all);
+        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible()).isFalse();
+    }
+
+    @Test
+    void theMarksOfAnIssueGoWithIt() {
+        breakThePlan();
+        assertThat(context.editor().highlight()).isNotEmpty();
+
+        while (context.document().undoLabel().isPresent()) {
+            context.undo();
+        }
+
+        assertThat(issues.current()).isEmpty();
+        assertThat(context.editor().highlight()).isEmpty();
     }
 
     /** As in windows of 1280 by 800 and of 1280 by 1000 pixels. */
