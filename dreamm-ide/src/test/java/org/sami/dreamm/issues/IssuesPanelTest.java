@@ -109,18 +109,21 @@ class IssuesPanelTest {
         breakThePlan();
         int all = issues.all().size();
         show(100, 785, 400);
-        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible()).isFalse();
+        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible())
+                .isFalse();
 
         find("issues-filter", JTextComponent.class).setText("no issue says this");
 
         assertThat(issues.shown()).isEmpty();
         assertThat(find("issues-hidden", JLabel.class).getText())
                 .isEqualTo("All " + all + " issues are hidden by the filter");
-        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible()).isTrue();
+        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible())
+                .isTrue();
 
         find("issues-show-all", AbstractButton.class).doClick();
         assertThat(issues.shown()).hasSize(all);
-        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible()).isFalse();
+        assertThat(find("issues-hidden", JComponent.class).getParent().isVisible())
+                .isFalse();
     }
 
     @Test
