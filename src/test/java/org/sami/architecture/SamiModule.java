@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  * package of the boats domain; ARCHITECTURE.md shows the same map in words.
  */
 enum SamiModule {
-    SPN_CORE("spn-core", 600, List.of("org.sami.spn.."), List.of()),
+    SPN_CORE("spn-core", 720, List.of("org.sami.spn.."), List.of()),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 50, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
@@ -41,7 +41,7 @@ enum SamiModule {
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Pictures of nets, for the command and the editor. */
-    NET_PICTURE("net-picture", 7, List.of("org.sami.picture.."), List.of(SPN_CORE)),
+    NET_PICTURE("net-picture", 8, List.of("org.sami.picture.."), List.of(SPN_CORE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",

@@ -33,7 +33,7 @@ class RulesOnFoundPlansTest {
     }
 
     private static Project project(String file) {
-        try (InputStream in = RulesOnFoundPlansTest.class.getResourceAsStream("/rules/" + file + ".json")) {
+        try (InputStream in = RulesOnFoundPlansTest.class.getResourceAsStream("/plans/rules/" + file + ".json")) {
             return new ProjectReader(LIBRARY.vocabulary())
                     .read(new String(in.readAllBytes(), StandardCharsets.UTF_8))
                     .result()
