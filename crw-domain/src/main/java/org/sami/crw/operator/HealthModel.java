@@ -1,6 +1,7 @@
 package org.sami.crw.operator;
 
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -26,6 +27,9 @@ public final class HealthModel extends Model<Health> {
                     entry.fault().kind() != HealthKind.FLEET_STOP) // that nobody moves comes before all of its severity
             .thenComparingLong(HealthEntry::sinceMillis)
             .thenComparingLong(HealthEntry::number);
+
+    /** What alarms are faults of. */
+    private static final Set<HealthKind> OF_ALARMS = EnumSet.of(HealthKind.ALARM, HealthKind.DRIFT);
 
     private final Consumer<Runnable> inbox;
     private final LongSupplier nowMillis;
@@ -76,12 +80,20 @@ public final class HealthModel extends Model<Health> {
                 put(fault, alarm.sinceMillis());
             }
         }
-        if (entries.keySet().removeIf(key -> key.kind() == HealthKind.ALARM && !active.contains(key))) {
+        if (entries.keySet().removeIf(key -> OF_ALARMS.contains(key.kind()) && !active.contains(key))) {
             change();
         }
     }
 
     private static HealthFault fault(Alarm alarm) {
+        if (alarm.kind() == Alarm.Kind.DRIFT) {
+            return HealthFault.ofBoat(
+                    HealthKind.DRIFT,
+                    alarm.boat(),
+                    alarm.kind().severity(),
+                    alarm.text(),
+                    alarm.kind().advice());
+        }
         String subject = alarm.kind() + " " + alarm.boat() + (alarm.other().isEmpty() ? "" : " " + alarm.other());
         return new HealthFault(
                 HealthKind.ALARM,

@@ -18,7 +18,7 @@ public enum HealthKind {
     UNREACHED_BOAT,
     /** The link to a boat is lost, or was lost repeatedly. */
     LINK,
-    /** A boat that nobody commands drifts. */
+    /** A boat that nobody commands has drifted from where it was left, or off the station that it is to keep: beyond its circle, where the alarm is raised. */
     DRIFT,
     /** Boats are stopped until they are released. */
     FLEET_STOP,
@@ -26,6 +26,6 @@ public enum HealthKind {
     FLOOD,
     /** A file that the session was to use is damaged, gone or another one than before. */
     FILE,
-    /** An active alarm about a boat. */
+    /** Another active alarm about a boat. */
     ALARM
 }

@@ -12,6 +12,7 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.KeepStation;
@@ -87,6 +88,32 @@ class DriftTest {
                 .singleElement()
                 .satisfies(alarm -> assertThat(alarm.text())
                         .matches("boat1 drifts 0\\.2\\d m/s to the east: it is \\d+ m from where it was left"));
+    }
+
+    @Test
+    void driftIsAFaultOfTheSessionFromItsAlarmUntilTheBoatHasACommand() {
+        sail(1, 1, Conditions.FIELD);
+        run(180);
+
+        assertThat(models.health().snapshot().of(HealthKind.ALARM)).isEmpty();
+        assertThat(models.health().snapshot().of(HealthKind.DRIFT))
+                .singleElement()
+                .satisfies(entry -> {
+                    Alarm alarm = drifting().get(0);
+                    assertThat(entry.fault().boat()).isEqualTo("boat1");
+                    assertThat(entry.fault().text()).isEqualTo(alarm.text());
+                    assertThat(entry.fault().advice()).isEqualTo(Kind.DRIFT.advice());
+                    assertThat(entry.sinceMillis()).isEqualTo(alarm.sinceMillis());
+                });
+
+        GeoPoint here = boat().pose().orElseThrow().position();
+        boats.find("boat1")
+                .orElseThrow()
+                .commands()
+                .submit(new KeepStation("m1-a1-boat1", 1, 1, here, 5, Priority.MEDIUM, false));
+        run(20);
+
+        assertThat(models.health().snapshot().isWell()).isTrue();
     }
 
     @ParameterizedTest
