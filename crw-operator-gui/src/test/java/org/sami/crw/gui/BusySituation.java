@@ -5,24 +5,17 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.gui.mission.DividedTasks;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.operator.health.HealthEntry;
-import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.operator.message.PendingDecision;
-import org.sami.crw.proxy.command.BoatCommand;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Priority;
@@ -53,9 +46,6 @@ public final class BusySituation implements AutoCloseable {
     private static final int PASSES = 8; // boats of the team that explores
     private static final int IN_A_ROW = 8;
     private static final int WITHIN_S = 60;
-    private static final int CLOSED_PORT = 1;
-    private static final Set<String> FAULTS =
-            Set.of("LINK_LOST", "UNREACHED_BOAT", "DUPLICATE_ID", "FLEET_STOP", "MISSION");
 
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
     private final LoopbackFleet fleet;
@@ -103,33 +93,9 @@ public final class BusySituation implements AutoCloseable {
         fleet.end(boat);
     }
 
-    /**
-     * Brings five faults at once, and waits until the window's health has them: a lost link, an address at which nobody answers, a boat that is stopped by
-     * itself, two boats with one id, a mission in which a boat cannot go on.
-     */
+    /** Brings five faults at once, and waits until the window's health has them. */
     public void bringFaults() throws Exception {
-        end("boat7");
-        session().fleet().connect(new BoatAddress("127.0.0.1", CLOSED_PORT));
-        session().fleet().connect(fleet.launchTwin("boat11"));
-        get(session().fleet().stop("boat9"));
-        BoatCommand command = session()
-                .models()
-                .fleet()
-                .boat("boat1")
-                .flatMap(BoatSnapshot::command)
-                .orElseThrow();
-        get(session().fleet().cancel("boat1", command.commandId()));
-        Await.until("five faults are known", () -> faults().containsAll(FAULTS));
-    }
-
-    /** What is wrong, by the kind of the fault, or of the alarm where it is one. */
-    private Set<String> faults() {
-        return session().models().health().snapshot().entries().stream()
-                .map(HealthEntry::fault)
-                .map(fault -> fault.kind() == HealthKind.ALARM
-                        ? fault.subject().split(" ")[0]
-                        : fault.kind().name())
-                .collect(Collectors.toSet());
+        FiveFaults.bring(session(), fleet);
     }
 
     private void fill() throws Exception {
