@@ -73,9 +73,9 @@ public final class MissionModel extends Model<MissionsSnapshot> {
         super(MissionsSnapshot.EMPTY);
     }
 
-    /** The title of a mission's plan; empty where the mission is not known, or no longer. From any thread. */
+    /** What people call a mission: its own name, or its plan's title; empty where the mission is not known, or no longer. From any thread. */
     public Optional<String> title(long mission) {
-        return snapshot().mission(mission).map(MissionSnapshot::title);
+        return snapshot().mission(mission).map(MissionSnapshot::words);
     }
 
     /** Names a mission to people, on the owner's thread: its plan's title, with its number where several of that title run. */

@@ -62,7 +62,7 @@ final class UnreachedWatch {
                 .mapToLong(UnreachedBoat::sinceMillis)
                 .findFirst()
                 .orElse(since); // two clocks agree to within a tick: what began does not begin again a little later
-        return new UnreachedBoat(address, boat, words(link.lastEvent()), link.failedTries(), before);
+        return new UnreachedBoat(address, boat, words(link.lastEvent()), link.refused(), link.failedTries(), before);
     }
 
     private static String address(LinkReport link) {
@@ -91,8 +91,7 @@ final class UnreachedWatch {
                                 one.address(),
                                 Priority.HIGH,
                                 one.sentence(),
-                                "Switch the boat on, look at the address and the network; disconnect the address if no"
-                                        + " boat is there",
+                                one.advice(),
                                 one.boat(),
                                 Ids.NONE));
             }

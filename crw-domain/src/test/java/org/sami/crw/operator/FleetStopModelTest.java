@@ -77,7 +77,7 @@ class FleetStopModelTest {
                         "FLEET STOP: 1 of 2 boats is stopped; nothing moves before the release; bert has not said so");
         assertThat(state().stops("bert")).isTrue();
         does(bert, BoatMode.FLEET_STOP);
-        models.unreached().show(List.of(new UnreachedBoat("10.0.0.9:11411", "", "connection refused", 3, 0)));
+        models.unreached().show(List.of(new UnreachedBoat("10.0.0.9:11411", "", "connection refused", false, 3, 0)));
         assertThat(state().words())
                 .isEqualTo(
                         "FLEET STOP: 2 of 3 boats are stopped; nothing moves before the release; 10.0.0.9:11411 has not said so");

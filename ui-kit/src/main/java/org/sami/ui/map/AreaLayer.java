@@ -93,9 +93,13 @@ public final class AreaLayer extends MapLayer {
 
     @Override
     protected void paintNames(MapPaint paint) {
-        areas.stream()
-                .filter(shown -> !shown.area().name().isEmpty())
-                .forEach(shown -> dimmed(paint, shown.area(), () -> write(paint, shown)));
+        areas.stream().filter(shown -> !shown.area().name().isEmpty()).forEach(shown -> {
+            if (shown.area().kind() == ShownArea.Kind.WORK) {
+                paint.name(shown.area().id(), () -> write(paint, shown));
+            } else {
+                write(paint, shown);
+            }
+        });
     }
 
     /** In a corner of what is seen of the area, or just outside of one that is small. */

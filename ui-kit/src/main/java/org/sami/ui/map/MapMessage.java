@@ -3,6 +3,7 @@ package org.sami.ui.map;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.ui.look.SemanticColor;
@@ -33,18 +34,40 @@ final class MapMessage {
         paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
         FontMetrics metrics = g.getFontMetrics();
         double pad = Painting.px(PAD);
-        List<String> lines = lines(metrics, paint.frame().width() - 4 * pad);
+        List<String> lines = lines(metrics, widest(paint));
+        Rectangle2D plate = plate(paint, metrics, lines);
+        g.setColor(SemanticColor.SURFACE.withAlpha(240));
+        g.fillRoundRect((int) plate.getX(), (int) plate.getY(), (int) plate.getWidth(), (int) plate.getHeight(), 8, 8);
+        g.setColor((problem ? SemanticColor.CRITICAL : SemanticColor.TEXT).get());
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), (int) (plate.getX() + pad), (int)
+                    (plate.getY() + pad / 2 + i * metrics.getHeight() + metrics.getAscent()));
+        }
+    }
+
+    /** Names go elsewhere than below it, where there is room. */
+    void reserve(MapPaint paint) {
+        if (!text.isEmpty()) {
+            Font font = paint.g().getFont();
+            paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
+            FontMetrics metrics = paint.g().getFontMetrics();
+            Rectangle2D plate = plate(paint, metrics, lines(metrics, widest(paint)));
+            paint.labels().add(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
+            paint.g().setFont(font);
+        }
+    }
+
+    private static double widest(MapPaint paint) {
+        return paint.frame().width() - 4 * Painting.px(PAD);
+    }
+
+    private static Rectangle2D plate(MapPaint paint, FontMetrics metrics, List<String> lines) {
+        double pad = Painting.px(PAD);
         int wide = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
         double height = lines.size() * metrics.getHeight() + pad;
         double left = (paint.frame().width() - wide) / 2.0 - pad;
         double top = paint.frame().height() - Painting.px(ABOVE_THE_SCALE) - height;
-        g.setColor(SemanticColor.SURFACE.withAlpha(240));
-        g.fillRoundRect((int) left, (int) top, (int) (wide + 2 * pad), (int) height, 8, 8);
-        g.setColor((problem ? SemanticColor.CRITICAL : SemanticColor.TEXT).get());
-        for (int i = 0; i < lines.size(); i++) {
-            g.drawString(lines.get(i), (int) (left + pad), (int)
-                    (top + pad / 2 + i * metrics.getHeight() + metrics.getAscent()));
-        }
+        return new Rectangle2D.Double(left, top, wide + 2 * pad, height);
     }
 
     private List<String> lines(FontMetrics metrics, double widest) {

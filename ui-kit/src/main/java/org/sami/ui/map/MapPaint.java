@@ -20,15 +20,25 @@ import org.sami.ui.look.SemanticColor;
  */
 public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, MapLabels labels, boolean imagery) {
     private static final float DIMMED = 0.3f;
+    private static final float DIMMED_NAME = 0.7f; // still read in the sun
     private static final int PAD = 4;
 
     /** Paints something of that id, dimmed where other things are spoken of. */
     void paint(String id, Runnable painting) {
+        paint(id, DIMMED, painting);
+    }
+
+    /** Writes the name of something of that id: where other things are spoken of it has less weight, and is still readable. */
+    void name(String id, Runnable writing) {
+        paint(id, DIMMED_NAME, writing);
+    }
+
+    private void paint(String id, float dimmed, Runnable painting) {
         if (!isDimmed(id)) {
             painting.run();
         } else {
             Composite before = g.getComposite();
-            g.setComposite(AlphaComposite.SrcOver.derive(DIMMED));
+            g.setComposite(AlphaComposite.SrcOver.derive(dimmed));
             painting.run();
             g.setComposite(before);
         }

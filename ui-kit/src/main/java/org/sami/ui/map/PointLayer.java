@@ -58,7 +58,7 @@ public final class PointLayer extends MapLayer {
     protected void paintNames(MapPaint paint) {
         points.values().stream()
                 .filter(point -> !point.name().isEmpty() && paint.frame().isShown(point.at()))
-                .forEach(point -> paint.paint(point.id(), () -> write(paint, point)));
+                .forEach(point -> paint.name(point.id(), () -> write(paint, point)));
     }
 
     private static void write(MapPaint paint, MapPoint point) {

@@ -134,7 +134,9 @@ class ThemeTest {
                 "MenuItem.disabledForeground",
                 "MenuItem.acceleratorForeground",
                 "TextField.placeholderForeground",
-                "Component.borderColor")) {
+                "Component.borderColor",
+                "TabbedPane.underlineColor",
+                "TabbedPane.inactiveUnderlineColor")) {
             assertThat(Contrast.of(UIManager.getColor(grey), Color.WHITE))
                     .as(grey)
                     .isGreaterThanOrEqualTo(7);

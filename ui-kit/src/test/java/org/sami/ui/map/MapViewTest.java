@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -80,6 +81,35 @@ class MapViewTest {
         assertThat(colourAt(MapScenes.paint(map), vehicle(5).at())).isNotEqualTo(bright);
         map.highlight(Set.of("proxy-5"));
         assertThat(colourAt(MapScenes.paint(map), vehicle(5).at())).isEqualTo(bright);
+    }
+
+    @Test
+    void aNameIsNotHiddenBelowWhatIsSaidOnTheMap() {
+        map.setHint("anna: 82 m, about 55 s, 2 % of a full charge, and home again");
+        GeoPoint below = map.frame().point(600, map.frame().height() - 62); // in the middle of the plate
+        VehicleLayer vehicles = (VehicleLayer) map.layers().find("vehicles").orElseThrow();
+        ShownVehicle one = vehicles.vehicles().get(0);
+        vehicles.show(List.of(named(one, "anna", below)));
+        BufferedImage anna = MapScenes.paint(map);
+        vehicles.show(List.of(named(one, "nobody", below)));
+        BufferedImage nobody = MapScenes.paint(map);
+
+        assertThat(different(anna, nobody)).isGreaterThan(50);
+    }
+
+    private static ShownVehicle named(ShownVehicle one, String name, GeoPoint at) {
+        return new ShownVehicle(one.id(), name, one.mark(), at, 0, 0, 0, 0, true);
+    }
+
+    /** How many pixels are clearly of another brightness: what shines through a plate does not count. */
+    private static long different(BufferedImage one, BufferedImage two) {
+        return IntStream.range(0, one.getWidth() * one.getHeight())
+                .filter(i -> Math.abs(green(one, i) - green(two, i)) > 60)
+                .count();
+    }
+
+    private static int green(BufferedImage picture, int pixel) {
+        return picture.getRGB(pixel % picture.getWidth(), pixel / picture.getWidth()) >> 8 & 0xff;
     }
 
     @Test

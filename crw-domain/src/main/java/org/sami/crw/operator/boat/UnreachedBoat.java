@@ -4,15 +4,18 @@ import java.util.Objects;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 
 /**
- * An address at which no boat has answered yet, though the base tries.
+ * An address at which there is no boat for this base yet, though it tries: nobody has answered, or who answered was refused.
  *
  * @param address as {@code HOST:PORT}
  * @param boat id of the boat that was there in an earlier process; empty text where none is known
  * @param reason what came of the last try, in words
+ * @param refused whether somebody answered, and was refused or turned this base away
  * @param tries how often it was tried in vain
  * @param sinceMillis when it was tried first, on the session's clock
  */
-public record UnreachedBoat(String address, String boat, String reason, long tries, long sinceMillis) {
+public record UnreachedBoat(String address, String boat, String reason, boolean refused, long tries, long sinceMillis) {
+    private static final String REFUSED = "refused";
+
     public UnreachedBoat {
         Objects.requireNonNull(address, "address");
         Objects.requireNonNull(boat, "boat");
@@ -26,14 +29,29 @@ public record UnreachedBoat(String address, String boat, String reason, long tri
 
     /** How it stands, to be read beside its name, such as {@code no answer · connection refused · tried 12 times in 2 min}. */
     public String state(long nowMillis) {
-        return "no answer" + (reason.isEmpty() ? "" : " · " + reason) + " · tried " + times() + " in "
-                + Age.words(nowMillis - sinceMillis);
+        return (refused ? REFUSED : "no answer") + (reason.isEmpty() ? "" : " · " + why()) + " · tried " + times()
+                + " in " + Age.words(nowMillis - sinceMillis);
     }
 
     /** The same as a sentence, such as {@code 10.0.0.9:11411 does not answer (connection refused, tried 12 times)}. */
     public String sentence() {
         String who = boat.isEmpty() ? address : boat + " at " + address;
+        if (refused) {
+            return who + " is refused: " + why() + " (tried " + times() + ")";
+        }
         return who + " does not answer (" + (reason.isEmpty() ? "" : reason + ", ") + "tried " + times() + ")";
+    }
+
+    /** What the operator can do about it, one sentence without a full stop. */
+    public String advice() {
+        return refused
+                ? "Look who is at this address: give that boat an id of its own, or disconnect the address"
+                : "Switch the boat on, look at the address and the network; disconnect the address if no boat is there";
+    }
+
+    /** The reason, which need not say once more that it is one of a refusal. */
+    private String why() {
+        return reason.startsWith(REFUSED + ": ") ? reason.substring(REFUSED.length() + 2) : reason;
     }
 
     /** The same as a row among boats: a boat of which nothing is known. */

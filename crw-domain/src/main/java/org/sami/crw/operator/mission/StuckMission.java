@@ -8,7 +8,7 @@ import java.util.Objects;
  *
  * @param mission it, or a sub-mission that cannot go on
  * @param root the root mission
- * @param title of the root mission's plan
+ * @param title what people call the root mission
  * @param sinceMillis when it was first so, on the session's clock
  * @param what why it cannot go on, one sentence without a full stop
  * @param help what the operator can do, one sentence without a full stop

@@ -216,6 +216,13 @@ public final class StuckMissions {
         return sentence.endsWith(".") ? sentence.substring(0, sentence.length() - 1) : sentence;
     }
 
+    /** What people call it, as its tab does. */
+    private static String title(MissionView root, Optional<Plan> plan) {
+        return root.name().isBlank() || root.name().equals(root.plan())
+                ? plan.map(Plan::title).orElse(root.plan())
+                : root.name();
+    }
+
     private StuckMission stuck(
             MissionView root,
             MissionView mission,
@@ -232,7 +239,7 @@ public final class StuckMissions {
         return new StuckMission(
                 mission.id(),
                 root.id(),
-                plan.map(Plan::title).orElse(root.plan()),
+                title(root, plan),
                 nowMillis,
                 what,
                 words,

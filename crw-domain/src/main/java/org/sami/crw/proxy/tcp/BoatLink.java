@@ -81,6 +81,7 @@ final class BoatLink implements FrameSink {
     private long failedTries;
     private long failingSinceMs;
     private String lastEvent = "";
+    private boolean lastRefused;
 
     BoatLink(InetSocketAddress address, TcpBaseConfig config, Base base, long seed) {
         this.address = address;
@@ -146,6 +147,7 @@ final class BoatLink implements FrameSink {
                 open,
                 connections,
                 lastEvent,
+                lastRefused,
                 failedTries,
                 failedTries == 0 ? 0 : nowMs - failingSinceMs);
     }
@@ -193,6 +195,7 @@ final class BoatLink implements FrameSink {
         connections++;
         lastHeardMs = nowMs;
         lastEvent = "connected";
+        lastRefused = false;
         if (proxy.isPresent()) {
             proxy.get().opened(nowMs);
         } else {
@@ -280,6 +283,7 @@ final class BoatLink implements FrameSink {
         }
         nextTryMs = nowMs + (refused ? backoff.longest() : backoff.next());
         lastEvent = refused ? refusal : why; // the boat may have hung up before
+        lastRefused = refused;
         refused = false;
         proxy.ifPresent(known -> known.closed(nowMs));
     }

@@ -10,6 +10,7 @@ import java.util.Optional;
  * @param connected whether a connection stands now
  * @param connections how many have stood so far
  * @param lastEvent what happened last, in words; empty if nothing has
+ * @param refused whether that is that somebody answered, and this base refused it or was turned away
  * @param failedTries how many connections could not be had, or ended, since a boat was heard over one
  * @param failingForMs how long ago the first of them was tried; 0 if there was none
  */
@@ -19,5 +20,6 @@ public record LinkReport(
         boolean connected,
         long connections,
         String lastEvent,
+        boolean refused,
         long failedTries,
         long failingForMs) {}

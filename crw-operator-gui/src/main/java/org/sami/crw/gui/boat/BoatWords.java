@@ -91,7 +91,9 @@ public final class BoatWords {
 
     /** How its link is, and since when nothing came. */
     public static String link(BoatSnapshot boat, long nowMillis) {
-        return link(boat.link(), boat.heardAtMillis(), nowMillis);
+        return boat.why().cause() == BoatExplanation.Cause.NEVER_ANSWERED
+                ? "none yet"
+                : link(boat.link(), boat.heardAtMillis(), nowMillis);
     }
 
     /** How a link is, and since when nothing came over it. */

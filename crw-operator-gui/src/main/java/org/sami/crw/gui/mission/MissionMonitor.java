@@ -41,7 +41,13 @@ public final class MissionMonitor extends JPanel {
     private final PhaseFollower phases;
     private final EndedMissionsPanel over;
     private final Set<Long> again = new HashSet<>(); // ended ones that the operator has shown again
-    private final Map<Long, Optional<Outcome>> outcomes = new HashMap<>(); // as the icons of the tabs say
+    private final Map<Long, State> states = new HashMap<>(); // as the icons of the tabs say
+
+    private record State(Optional<Outcome> outcome, boolean stuck) {
+        static State of(MissionSnapshot mission) {
+            return new State(mission.outcome(), mission.stuck().isPresent());
+        }
+    }
 
     /**
      * The missions of the session.
@@ -214,7 +220,7 @@ public final class MissionMonitor extends JPanel {
                 if (view == tabs.getSelectedComponent()) {
                     view.show(mission, missions);
                 }
-                if (!mission.outcome().equals(outcomes.put(mission.id(), mission.outcome()))) {
+                if (!State.of(mission).equals(states.put(mission.id(), State.of(mission)))) {
                     tabs.setIconAt(tabs.indexOfComponent(view), icon(mission));
                 }
             }
@@ -241,7 +247,7 @@ public final class MissionMonitor extends JPanel {
 
     private void remove(MissionView view) {
         again.remove(view.mission());
-        outcomes.remove(view.mission());
+        states.remove(view.mission());
         views.remove(view.mission());
         tabs.remove(view);
     }
@@ -286,7 +292,7 @@ public final class MissionMonitor extends JPanel {
                 .flatMap(id -> all.mission(id).stream())
                 .anyMatch(other -> other.id() != mission.id() && other.words().equals(mission.words()));
         String title = twice ? mission.words() + " (" + mission.id() + ")" : mission.words();
-        outcomes.put(mission.id(), mission.outcome());
+        states.put(mission.id(), State.of(mission));
         tabs.addTab(
                 PlainText.of(title), icon(mission), view); // with its icon: a tab that widens later is cut at the edge
         tabs.setSelectedComponent(view);
@@ -300,6 +306,8 @@ public final class MissionMonitor extends JPanel {
                     case ENDED, COMPLETED -> Icons.of("complete", 16, SemanticColor.OK);
                     case ABORTED, HALTED -> Icons.of("abort", 16, SemanticColor.WARNING);
                 })
-                .orElseGet(() -> Icons.of("play", 16, SemanticColor.ACCENT));
+                .orElseGet(() -> mission.stuck().isPresent()
+                        ? Icons.of("alarm", 16, SemanticColor.WARNING)
+                        : Icons.of("play", 16, SemanticColor.ACCENT));
     }
 }

@@ -29,6 +29,7 @@ import org.sami.ui.table.RowTable;
 final class MissionView extends JPanel {
     private static final int LOW = 195;
     private static final int LEAST_TAB = 64;
+    private static final int LEAST_PARTS = 36;
 
     private final long mission;
     private final String title;
@@ -41,6 +42,7 @@ final class MissionView extends JPanel {
     private final OperatorContext context;
     private final EndingPanel ending;
     private Optional<String> interceptor = Optional.empty();
+    private final JPanel top = new JPanel(new BorderLayout());
     private final StuckBar stuckBar;
     private boolean ended;
     private boolean stuck;
@@ -75,7 +77,6 @@ final class MissionView extends JPanel {
         parts.addTab("Waits", places);
         parts.addTab("Phases", scrolledPhases);
         parts.addTab("Variables", variables);
-        JPanel top = new JPanel(new BorderLayout());
         top.add(head.line(), BorderLayout.NORTH);
         top.add(stuckBar);
         top.add(ending, BorderLayout.SOUTH);
@@ -195,7 +196,10 @@ final class MissionView extends JPanel {
     /** In a low panel all that can be is left to the net. */
     @Override
     public void doLayout() {
-        head.setLow(getHeight() < Look.px(LOW));
+        boolean low = getHeight() < Look.px(LOW);
+        head.setLow(low);
+        stuckBar.setLow(low);
+        parts.setVisible(getHeight() - top.getPreferredSize().height >= Look.px(LEAST_PARTS)); // no half of a tab
         super.doLayout();
     }
 

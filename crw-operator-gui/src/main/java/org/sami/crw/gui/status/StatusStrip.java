@@ -21,6 +21,7 @@ import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetCount;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
@@ -239,12 +240,19 @@ public final class StatusStrip extends JPanel {
         AlarmCount count = AlarmCount.of(all);
         int open = count.open();
         String words = count.words();
-        String brief = open == 0 && count.over() > 0 ? count.over() + " over" : "▲ " + open;
-        alarms.setText(narrow ? brief : open == 0 ? words : "▲ " + words);
+        String mark = hasCritical(all) ? "▲ " : "△ ";
+        String brief = open == 0 && count.over() > 0 ? count.over() + " over" : mark + open;
+        alarms.setText(narrow ? brief : open == 0 ? words : mark + words);
         alarms.setToolTipText(words + " – show the alarms (" + keyOfAlarms + ")");
         alarms.getAccessibleContext().setAccessibleName(words);
         LookColors.foreground(alarms, open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING);
         LookColors.background(alarms, open == 0 ? SemanticColor.SURFACE : SemanticColor.WARNING_FILL);
+    }
+
+    private static boolean hasCritical(List<Alarm> all) {
+        return all.stream()
+                .anyMatch(alarm ->
+                        alarm.active() && !alarm.acknowledged() && alarm.kind().severity() == Priority.CRITICAL);
     }
 
     private static String count(long number, String what) {

@@ -43,7 +43,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("boat", "boats")
                     .behind("communication", "boats")
                     .below("decisions", "missions", 0.64)
-                    .below("interrupts", "decisions", 0.32)
+                    .below("interrupts", "decisions", 0.29)
                     .right("messages", "interrupts", 0.62)
                     .behind("alarms", "messages")
                     .behind("health", "messages")

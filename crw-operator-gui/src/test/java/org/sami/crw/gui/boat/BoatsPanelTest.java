@@ -58,6 +58,7 @@ class BoatsPanelTest {
             world.session.fleet().connect(nobody);
 
             shows(panel, nobody + "|△ " + nobody + " · no answer · connection refused · tried ");
+            assertThat(rows(panel, "boats-table")).contains("|none yet");
             select(panel, "boats-table", 0); // worst first
             assertThat(onEventThread(() -> world.context.boats().boats())).isEmpty();
             world.run("address-give-up");

@@ -9,9 +9,12 @@ import static org.sami.crw.gui.SessionWorld.text;
 import static org.sami.crw.gui.SessionWorld.until;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import javax.swing.JButton;
+import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -115,6 +118,29 @@ class InterruptsPanelTest {
                 assertThat(find(panel, "interrupt-battery-swap", JButton.class)).isSameAs(swap);
             }
         }
+    }
+
+    @Test
+    void buttonsStandBelowTheNameThatTheirMissionWasGiven() throws Exception {
+        try (SessionWorld world = world()) {
+            InterruptsPanel panel = laidOut(() -> new InterruptsPanel(world.context));
+            SessionWorld.get(world.session.start("p", "Look at the bay", Map.of()));
+            until("boats work", () -> firings(world) == 1);
+
+            until("its buttons are there", () -> texts(panel).contains("mission 1, Look at the bay"));
+        }
+    }
+
+    private static List<String> texts(Container container) {
+        List<String> texts = new ArrayList<>();
+        for (Component child : container.getComponents()) {
+            if (child instanceof JLabel label) {
+                texts.add(label.getText());
+            } else if (child instanceof Container inner) {
+                texts.addAll(texts(inner));
+            }
+        }
+        return texts;
     }
 
     @Test

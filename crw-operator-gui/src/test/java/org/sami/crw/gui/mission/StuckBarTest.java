@@ -8,10 +8,20 @@ import static org.sami.crw.gui.SessionWorld.press;
 import static org.sami.crw.gui.SessionWorld.text;
 import static org.sami.crw.gui.SessionWorld.until;
 
+import java.awt.Color;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.Icon;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -67,6 +77,10 @@ class StuckBarTest {
                     .cancel("anna", onEventThread(() -> current(world).orElseThrow())));
 
             until("it is stuck", () -> text(monitor, "mission-state").startsWith("stuck, runs since"));
+            JTabbedPane tabs = find(monitor, "mission-tabs", JTabbedPane.class);
+            assertThat(onEventThread(() -> color(tabs.getIconAt(tabs.getSelectedIndex()))))
+                    .as("its tab is marked")
+                    .isEqualTo(SemanticColor.WARNING.get());
             for (int height : List.of(500, 200)) {
                 onEventThread(() -> {
                     Layout.layOut(monitor, Look.px(700), Look.px(height));
@@ -84,6 +98,28 @@ class StuckBarTest {
                             () -> find(monitor, "mission-state", JLabel.class).getForeground()))
                     .isEqualTo(SemanticColor.WARNING.get());
 
+            onEventThread(() -> {
+                for (int height : List.of(500, 200, 160, 130, 100)) {
+                    Layout.layOut(monitor, Look.px(700), Look.px(height));
+                    Layout.layOut(monitor, Look.px(700), Look.px(height));
+                    StuckBar bar = find(monitor, "mission-stuck", StuckBar.class);
+                    JComponent said =
+                            find(bar, height == 500 ? "mission-stuck-text" : "mission-stuck-brief", JComponent.class);
+                    assertThat(said.isVisible()).as("said at %d", height).isTrue();
+                    assertThat(said.getHeight())
+                            .as("whole at %d", height)
+                            .isGreaterThanOrEqualTo(said.getPreferredSize().height);
+                    assertThat(inSight(bar, monitor))
+                            .as("the bar is in sight at %d", height)
+                            .isTrue();
+                    JComponent parts = find(monitor, "mission-parts", JComponent.class);
+                    assertThat(!parts.isVisible() || parts.getHeight() >= Look.px(36))
+                            .as("no half of a tab at %d", height)
+                            .isTrue();
+                }
+                return null;
+            });
+
             press(monitor, "mission-send-again");
 
             until("anna has its command again", () -> current(world).isPresent());
@@ -91,6 +127,26 @@ class StuckBarTest {
                     "it goes on",
                     () -> !find(monitor, "mission-stuck", StuckBar.class).isVisible());
         }
+    }
+
+    private static boolean inSight(JComponent part, JComponent whole) {
+        return new Rectangle(whole.getSize())
+                .contains(SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), whole));
+    }
+
+    /** The colour of most of an icon's pixels. */
+    private static Color color(Icon icon) {
+        BufferedImage image = new BufferedImage(icon.getIconWidth(), icon.getIconHeight(), BufferedImage.TYPE_INT_ARGB);
+        icon.paintIcon(new JLabel(), image.getGraphics(), 0, 0);
+        return IntStream.of(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+                .filter(pixel -> pixel >>> 24 == 255)
+                .boxed()
+                .collect(Collectors.groupingBy(pixel -> pixel, Collectors.counting()))
+                .entrySet()
+                .stream()
+                .max(Map.Entry.comparingByValue())
+                .map(most -> new Color(most.getKey()))
+                .orElseThrow();
     }
 
     private static Optional<String> current(SessionWorld world) {

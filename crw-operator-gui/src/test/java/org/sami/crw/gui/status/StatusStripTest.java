@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.gui.EventThreadCall;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.command.Command;
@@ -129,6 +130,23 @@ class StatusStripTest {
             Layout.layOut(strip[0], 1280, Look.px(58));
             assertIsSeenWhole(strip[0], "fleet-stop", "fleet-release-confirm");
         });
+    }
+
+    @Test
+    void alarmsThatAreNotCriticalHaveTheMarkThatTheyHaveEverywhere() throws Exception {
+        StatusStrip strip = EventThreadCall.onEventThread(this::strip);
+        AbstractButton alarms =
+                Layout.find(strip, "alarms-count", AbstractButton.class).orElseThrow();
+
+        try (SimulatedBoatsOnTcp twin = new SimulatedBoatsOnTcp(2)) {
+            world.session.fleet().connect(twin.launch("anna", SessionWorld.PIER));
+
+            SessionWorld.until("two boats are anna", () -> {
+                strip.refresh();
+                return alarms.getText().endsWith("1 alarm");
+            });
+            assertThat(alarms.getText()).isEqualTo("△ 1 alarm");
+        }
     }
 
     @ParameterizedTest

@@ -86,6 +86,35 @@ class UnreachedBoatTest {
     }
 
     @Test
+    void secondBoatOfAnIdIsSaidToBeRefusedAndNotToBeSilent() throws Exception {
+        try (TestSession world = new TestSession(folder);
+                BoatOnTcp twin = new BoatOnTcp(
+                        BoatSettings.of(
+                                "anna",
+                                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                                TestSession.PIER,
+                                1),
+                        new SteadyClock(ProcessClock::ms),
+                        TcpServerListener.NONE)) {
+            Session session = world.opened(TestSession.library("clv"));
+            OperatorModels models = session.models();
+            session.begin();
+            session.fleet().connect(TestSession.address(world.boat("anna")));
+            Await.until("anna is known", () -> count(models).equals("1 of 1 boat"));
+
+            session.fleet().connect(TestSession.address(twin));
+
+            Await.until("it is a fault", () -> !faults(models).isEmpty());
+            UnreachedBoat shown = models.unreached().snapshot().get(0);
+            assertThat(shown.state(shown.sinceMillis()))
+                    .startsWith("refused · anna is reached by another link · tried ");
+            assertThat(faults(models).get(0).fault().text())
+                    .startsWith(TestSession.address(twin) + " is refused: anna is reached by another link (tried ");
+            assertThat(faults(models).get(0).fault().advice()).contains("an id of its own");
+        }
+    }
+
+    @Test
     void addressThatIsGivenUpIsCountedNoLonger() throws Exception {
         try (TestSession world = new TestSession(folder)) {
             Session session = world.opened(TestSession.library("clv"));
