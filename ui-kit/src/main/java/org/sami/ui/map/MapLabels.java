@@ -2,7 +2,10 @@ package org.sami.ui.map;
 
 /** The rectangles of a map that are painted on already: names ask it where they hide least. For one painting, in pixels. */
 class MapLabels {
-    private double[] edges = new double[256]; // left, top, right, bottom of each
+    private static final int EACH = 5;
+    private static final double OF_TEXT = 8; // a letter that is hidden makes another name
+
+    private double[] edges = new double[320]; // left, top, right, bottom and weight of each
     private int used;
 
     /** Forgets all. */
@@ -12,13 +15,23 @@ class MapLabels {
 
     /** A rectangle that is painted on. */
     void add(double left, double top, double width, double height) {
-        if (used + 4 > edges.length) {
+        add(left, top, width, height, 1);
+    }
+
+    /** A rectangle in which something is written: whatever hides a part of it hides so much more. */
+    void addText(double left, double top, double width, double height) {
+        add(left, top, width, height, OF_TEXT);
+    }
+
+    private void add(double left, double top, double width, double height, double weight) {
+        if (used + EACH > edges.length) {
             edges = java.util.Arrays.copyOf(edges, 2 * edges.length);
         }
         edges[used++] = left;
         edges[used++] = top;
         edges[used++] = left + width;
         edges[used++] = top + height;
+        edges[used++] = weight;
     }
 
     /**
@@ -46,14 +59,14 @@ class MapLabels {
         return hidden(left, top, width, height, Double.MIN_VALUE) == 0;
     }
 
-    /** How much a rectangle would hide, in square pixels; counted until it is not less than {@code enough}. */
+    /** How much a rectangle would hide, in square pixels, of text many times as much; counted until it is not less than {@code enough}. */
     private double hidden(double left, double top, double width, double height, double enough) {
         double hidden = 0;
-        for (int i = 0; i < used && hidden < enough; i += 4) {
+        for (int i = 0; i < used && hidden < enough; i += EACH) {
             double across = Math.min(left + width, edges[i + 2]) - Math.max(left, edges[i]);
             if (across > 0) {
                 double down = Math.min(top + height, edges[i + 3]) - Math.max(top, edges[i + 1]);
-                hidden += across * Math.max(0, down);
+                hidden += edges[i + 4] * across * Math.max(0, down);
             }
         }
         return hidden;

@@ -52,7 +52,7 @@ final class MapMessage {
             paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
             FontMetrics metrics = paint.g().getFontMetrics();
             Rectangle2D plate = plate(paint, metrics, lines(metrics, widest(paint)));
-            paint.labels().add(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
+            paint.labels().addText(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
             paint.g().setFont(font);
         }
     }

@@ -87,7 +87,7 @@ public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, Ma
         int place = labels.place(corners, room.getWidth(), room.getHeight(), 0);
         if (place >= 0) {
             Rectangle2D plate = plate(name, corners[2 * place], corners[2 * place + 1]);
-            labels.add(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
+            labels.addText(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
             write(name, plate);
         }
     }

@@ -68,7 +68,7 @@ final class VehicleNames {
             double left = corners[2 * place];
             double top = corners[2 * place + 1];
             before.put(vehicle.id(), place);
-            paint.labels().add(left, top, w, h);
+            paint.labels().addText(left, top, w, h);
             if (place >= PLACES) {
                 lead(paint, x, y, new Rectangle2D.Double(left, top, w, h));
             }

@@ -40,6 +40,7 @@ public final class DecisionsPanel extends JPanel {
     private static final String ONE = "one";
     private static final int LOW = 230;
     private static final int LOW_WITH_QUEUE = 300;
+    private static final int GAP = 8;
     private static final int LEAST_ASKED = 96; // of what is filled in, with gaps and insets
     private static final double MOST_WAITING = 0.5; // of the panel's height
 
@@ -145,7 +146,8 @@ public final class DecisionsPanel extends JPanel {
         header.setLow(low);
         judgement.setLow(low);
         bar.fit(getWidth(), low);
-        int asked = header.getPreferredSize().height + bar.getPreferredSize().height + Look.px(LEAST_ASKED);
+        int judged = judgement.isVisible() ? judgement.getPreferredSize().height + Look.px(GAP) : 0;
+        int asked = header.getPreferredSize().height + judged + bar.getPreferredSize().height + Look.px(LEAST_ASKED);
         waiting.fit(Math.min((int) (MOST_WAITING * getHeight()), getHeight() - asked), low);
         super.doLayout();
     }

@@ -1,14 +1,18 @@
 package org.sami.crw.gui.mission;
 
+import java.awt.Dimension;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.operator.mission.StuckMission;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
@@ -16,13 +20,16 @@ import org.sami.ui.look.SemanticColor;
 final class MissionHead {
     private static final List<String> ENDING = List.of("mission-complete", "mission-abort");
     private static final String CLOSING = "mission-close";
+    private static final int BRIEF = 160; // of it, and what the tabs leave
     private static final String SUB_MISSION = "mission-sub-mission";
 
     private final JLabel state = new JLabel();
     private final CommandRow line = new CommandRow();
     private final JPanel icons =
-            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "push[][][][]"));
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, fillx, hidemode 3", "8[grow,fill][][][][][]"));
     private final CommandButton subMission;
+    private final CommandButton sendAgain;
+    private final JLabel brief = new JLabel();
 
     MissionHead(CommandRegistry commands) {
         state.setName("mission-state");
@@ -31,11 +38,18 @@ final class MissionHead {
         line.right(new CommandButton(commands.get(CLOSING)));
         icons.setOpaque(false);
         subMission = icon(commands, SUB_MISSION);
+        sendAgain = icon(commands, "mission-send-again");
+        brief.setName("mission-stuck-brief");
+        LookColors.foreground(brief, SemanticColor.WARNING);
+        brief.setFont(Fonts.strong());
+        icons.add(brief, "wmin 0");
+        icons.add(sendAgain);
         icons.add(subMission);
         ENDING.forEach(id -> icons.add(icon(commands, id)));
         icons.add(icon(commands, CLOSING));
         setLow(false);
         needSubMissions(false);
+        showStuck(Optional.empty());
     }
 
     private static CommandButton icon(CommandRegistry commands, String id) {
@@ -58,6 +72,20 @@ final class MissionHead {
         icons.setVisible(low);
     }
 
+    boolean isLow() {
+        return icons.isVisible();
+    }
+
+    /** Says beside the tabs of a low panel that it cannot go on; the whole of it is in the tooltip. */
+    void showStuck(Optional<StuckMission> stuck) {
+        brief.setText(stuck.map(one -> "Stuck: " + one.what()).orElse(""));
+        brief.setToolTipText(
+                stuck.map(one -> StuckBar.what(one) + " " + one.help() + ".").orElse(null));
+        brief.setFont(Fonts.strong());
+        brief.setPreferredSize(stuck.isPresent() ? new Dimension(Look.px(BRIEF), brief.getFontMetrics(brief.getFont()).getHeight()) : new Dimension());
+        sendAgain.setVisible(stuck.filter(StuckMission::canBeSentAgain).isPresent());
+    }
+
     /** Whether the icons begin with the one that lets a sub-mission be chosen. */
     void needSubMissions(boolean needed) {
         subMission.setVisible(needed);
@@ -71,7 +99,7 @@ final class MissionHead {
         LookColors.foreground(state, ended ? SemanticColor.MUTED : stuck ? SemanticColor.WARNING : SemanticColor.OK);
         for (JComponent row : List.of(line, icons)) {
             for (var child : row.getComponents()) {
-                if (child instanceof CommandButton button && button != subMission) {
+                if (child instanceof CommandButton button && button != subMission && button != sendAgain) {
                     button.setVisible(button.getName().startsWith(CLOSING) == ended);
                 }
             }

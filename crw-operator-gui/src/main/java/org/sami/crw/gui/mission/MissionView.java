@@ -29,7 +29,6 @@ import org.sami.ui.table.RowTable;
 final class MissionView extends JPanel {
     private static final int LOW = 195;
     private static final int LEAST_TAB = 64;
-    private static final int LEAST_PARTS = 36;
 
     private final long mission;
     private final String title;
@@ -42,10 +41,10 @@ final class MissionView extends JPanel {
     private final OperatorContext context;
     private final EndingPanel ending;
     private Optional<String> interceptor = Optional.empty();
-    private final JPanel top = new JPanel(new BorderLayout());
     private final StuckBar stuckBar;
     private boolean ended;
     private boolean stuck;
+    private Optional<StuckMission> stuckNow = Optional.empty();
     private String said = "";
 
     /** A line of a table: what, and what is so. */
@@ -77,6 +76,7 @@ final class MissionView extends JPanel {
         parts.addTab("Waits", places);
         parts.addTab("Phases", scrolledPhases);
         parts.addTab("Variables", variables);
+        JPanel top = new JPanel(new BorderLayout());
         top.add(head.line(), BorderLayout.NORTH);
         top.add(stuckBar);
         top.add(ending, BorderLayout.SOUTH);
@@ -181,6 +181,10 @@ final class MissionView extends JPanel {
         context.tell(context.session().sendAgain(mission), "what failed in " + title + " is sent again");
     }
 
+    private boolean isStuck() {
+        return stuckNow.isPresent();
+    }
+
     boolean hasEnded() {
         return ended;
     }
@@ -198,8 +202,7 @@ final class MissionView extends JPanel {
     public void doLayout() {
         boolean low = getHeight() < Look.px(LOW);
         head.setLow(low);
-        stuckBar.setLow(low);
-        parts.setVisible(getHeight() - top.getPreferredSize().height >= Look.px(LEAST_PARTS)); // no half of a tab
+        stuckBar.setVisible(isStuck() && !low); // else beside the tabs
         super.doLayout();
     }
 
@@ -216,7 +219,10 @@ final class MissionView extends JPanel {
         }
         boolean still = context.models().health().snapshot().missionsStandStill();
         stuck = !ended && (still || now.stuck().isPresent());
-        stuckBar.show(ended ? Optional.empty() : now.stuck());
+        stuckNow = ended ? Optional.empty() : now.stuck();
+        stuckNow.ifPresent(stuckBar::show);
+        stuckBar.setVisible(isStuck() && !head.isLow());
+        head.showStuck(stuckNow);
         said = now.outcome()
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
                                 + SessionClock.text(now.endedAtMillis().orElse(0)))
