@@ -4,7 +4,10 @@ import io.github.andrewauclair.moderndocking.DockableTabPreference;
 import io.github.andrewauclair.moderndocking.app.AppState;
 import io.github.andrewauclair.moderndocking.app.Docking;
 import io.github.andrewauclair.moderndocking.app.DockingState;
+import io.github.andrewauclair.moderndocking.app.LayoutPersistence;
 import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
+import io.github.andrewauclair.moderndocking.event.DockingListener;
+import io.github.andrewauclair.moderndocking.event.MaximizeListener;
 import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
 import io.github.andrewauclair.moderndocking.settings.Settings;
 import java.awt.Component;
@@ -23,6 +26,7 @@ import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.LayoutFocusTraversalPolicy;
+import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.plaf.InputMapUIResource;
 import org.sami.ui.EventThread;
@@ -37,6 +41,7 @@ import org.sami.ui.look.Look;
 public final class DockArea extends JPanel implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(DockArea.class.getName());
 
+    private static final int SAVE_MS = 500; // after the last change of many
     private static final LayoutFocusTraversalPolicy FIRST_IN = new LayoutFocusTraversalPolicy();
 
     private final Map<String, DockPanel> panels = new LinkedHashMap<>();
@@ -50,6 +55,12 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private Optional<DockPanel> alone = Optional.empty();
     private Optional<Arrangement> fitted = Optional.empty();
     private Optional<String> trouble = Optional.empty();
+    private final SplitProportions proportions;
+    private final PointerRest pointer = new PointerRest();
+    private final Timer saving = new Timer(SAVE_MS, event -> save());
+    private final DockingListener docked = event -> changed();
+    private final MaximizeListener enlarged = (panel, large) -> changed();
+    private boolean arranged;
 
     /**
      * An area in a frame. Its arrangement is made by {@link #arrange}, once the frame has its size.
@@ -74,7 +85,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
                 () -> alone.ifPresent(DockArea::focus),
                 panel -> keys.getOrDefault(panel.getPersistentID(), ""));
         add(root);
-        SplitProportions.keep(root);
+        proportions = SplitProportions.keep(root, this::changed);
         TabWidths.keep(root);
         panels.forEach(panel -> {
             this.panels.put(panel.getPersistentID(), panel);
@@ -82,10 +93,15 @@ public final class DockArea extends JPanel implements AutoCloseable {
         });
         this.offered = offered.of(this.panels.keySet());
         AppState.setPersistFile(remembered.toFile());
+        AppState.setAutoPersist(false); // it would keep the places that dividers have while a side is empty
+        saving.setRepeats(false);
+        Docking.addDockingListener(docked);
+        Docking.addMaximizeListener(enlarged);
         addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent resized) {
                 adapt();
+                changed();
             }
         });
         Look.addListener(adapting);
@@ -97,7 +113,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     /** Where panels lie as the program has put them, and another of its arrangements fits better by now, that one is taken. */
     private void adapt() {
-        if (!AppState.isAutoPersist() || fitted.equals(Optional.of(fitting()))) {
+        if (!isBesideOneAnother() || fitted.equals(Optional.of(fitting()))) {
             return;
         }
         Arrangement fit = fitting();
@@ -134,8 +150,39 @@ public final class DockArea extends JPanel implements AutoCloseable {
         } catch (DockingLayoutException unfit) {
             refuse("it is no arrangement of these panels: " + unfit.getMessage());
         }
-        AppState.setAutoPersist(true);
+        arranged = true;
         adapt();
+        changed();
+    }
+
+    /** Has sides whose panels are all empty leave their room to their neighbours; to be called a few times a second. */
+    public void shareRoom() {
+        if (isBesideOneAnother()) {
+            proportions.share(pointer::isAwayFrom, pointer::letsMove);
+        }
+    }
+
+    /** Whether the arrangement is one to be kept: none is while one panel has all the room. */
+    private boolean isBesideOneAnother() {
+        return arranged && alone.isEmpty();
+    }
+
+    private void changed() {
+        if (isBesideOneAnother()) {
+            saving.restart();
+        }
+    }
+
+    private void save() {
+        if (isBesideOneAnother()) {
+            proportions.inProportion(() -> {
+                try {
+                    LayoutPersistence.saveLayoutToFile(remembered.toFile(), DockingState.getApplicationLayout());
+                } catch (DockingLayoutException unwritable) {
+                    LOG.log(System.Logger.Level.WARNING, "the arrangement of panels cannot be kept", unwritable);
+                }
+            });
+        }
     }
 
     /** Takes the program's arrangement in place of a file that is not read, which is kept under another name. */
@@ -169,7 +216,6 @@ public final class DockArea extends JPanel implements AutoCloseable {
     }
 
     private void fold(DockPanel panel) {
-        AppState.setAutoPersist(false); // the arrangement that is kept is that beside one another
         Docking.display(panel);
         Docking.maximize(panel);
         alone = Optional.of(panel);
@@ -184,8 +230,8 @@ public final class DockArea extends JPanel implements AutoCloseable {
             folded.unfold();
             alone = Optional.empty();
             Docking.minimize(panel);
-            AppState.setAutoPersist(true);
             adapt();
+            changed();
             revalidate();
             repaint();
             focus(panel);
@@ -263,8 +309,12 @@ public final class DockArea extends JPanel implements AutoCloseable {
     public void close() {
         unfold();
         Look.removeListener(adapting);
-        AppState.persist();
-        AppState.setAutoPersist(false);
+        pointer.close();
+        saving.stop();
+        save();
+        arranged = false;
+        Docking.removeDockingListener(docked);
+        Docking.removeMaximizeListener(enlarged);
         Docking.deregisterAllDockables();
         Docking.deregisterAllDockingPanels();
         Docking.uninitialize();

@@ -22,6 +22,7 @@ public final class DockPanel extends JPanel implements Dockable {
     private final JComponent content;
     private Optional<JComponent> first = Optional.empty();
     private boolean waiting;
+    private boolean empty;
 
     /**
      * A panel.
@@ -89,6 +90,15 @@ public final class DockPanel extends JPanel implements Dockable {
             this.waiting = waiting;
             showIconOnTab();
         }
+    }
+
+    /** Says that nothing is in it now: a side of the window whose panels are all empty leaves its room to its neighbour. */
+    public void setEmpty(boolean empty) {
+        this.empty = empty;
+    }
+
+    boolean isEmpty() {
+        return empty;
     }
 
     private void showIconOnTab() {

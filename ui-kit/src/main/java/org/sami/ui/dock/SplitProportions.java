@@ -1,77 +1,65 @@
 package org.sami.ui.dock;
 
 import java.awt.Component;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
 import javax.swing.JSplitPane;
 
 /**
- * Keeps the proportions of split panes when their size changes: a divider stands where it stood, measured in parts of the pane. Swing's
- * resize weight cannot do that: it shares out only the change, in whole pixels, and the second side takes what is left over. On the
- * event thread.
+ * The split panes of an area: each keeps its proportion, and a side whose panels are all empty leaves its room to the other one. On the event thread.
  */
 final class SplitProportions {
-    private SplitProportions() {}
+    private final List<PaneKeeper> keepers = new ArrayList<>();
+    private final Component area;
+    private final Runnable moved;
 
-    /** Keeps the proportions of all split panes below a component, and of those that are added to it later. */
-    static void keep(Component component) {
-        ComponentWatch.on(component, found -> {
-            if (found instanceof JSplitPane pane) {
-                new Keeper(pane).install();
-            }
-        });
+    private SplitProportions(Component area, Runnable moved) {
+        this.area = area;
+        this.moved = moved;
     }
 
-    /** One pane's proportion; not known (NaN) until the divider has a place in a pane with a size. */
-    private static final class Keeper extends ComponentAdapter {
-        private final JSplitPane pane;
-        private int size;
-        private double proportion = Double.NaN;
-        private boolean moving;
-
-        Keeper(JSplitPane pane) {
-            this.pane = pane;
-        }
-
-        void install() {
-            size = free();
-            remember();
-            pane.addComponentListener(this);
-            pane.addPropertyChangeListener(JSplitPane.DIVIDER_LOCATION_PROPERTY, change -> dividerMoved());
-        }
-
-        /** A divider that moves in a pane of the same size was moved by someone; else the pane's layout did it. */
-        private void dividerMoved() {
-            if (!moving && free() == size) {
-                remember();
+    /**
+     * Keeps the proportions of all split panes below a component, and of those that are added to it later.
+     *
+     * @param moved is told when somebody has moved a divider
+     */
+    static SplitProportions keep(Component component, Runnable moved) {
+        SplitProportions all = new SplitProportions(component, moved);
+        ComponentWatch.on(component, found -> {
+            if (found instanceof JSplitPane pane) {
+                all.add(pane);
             }
-        }
+        });
+        return all;
+    }
 
-        @Override
-        public void componentResized(ComponentEvent resized) {
-            if (free() == size) {
-                return;
-            }
-            size = free();
-            if (Double.isNaN(proportion)) {
-                remember();
-            } else if (size > 0) {
-                moving = true;
-                pane.setDividerLocation((int) Math.round(proportion * size));
-                moving = false;
-            }
-        }
+    private void add(JSplitPane pane) {
+        PaneKeeper keeper = new PaneKeeper(pane, area, moved);
+        keeper.install();
+        keepers.add(keeper);
+    }
 
-        private void remember() {
-            if (size > 0 && pane.getDividerLocation() >= 0) {
-                proportion = Math.min(1, pane.getDividerLocation() / (double) size);
-            }
-        }
+    /**
+     * Has each side whose panels are all empty leave its room to the other one, and take it back where it is empty no longer.
+     *
+     * @param mayShrink whether what is in a pane may move because something has gone
+     * @param mayReturn the same, because something has come
+     */
+    void share(Predicate<JSplitPane> mayShrink, Predicate<JSplitPane> mayReturn) {
+        keepers.removeIf(PaneKeeper::isGone);
+        keepers.forEach(keeper -> keeper.share(mayShrink, mayReturn));
+    }
 
-        /** What both sides have together, in pixels. */
-        private int free() {
-            boolean beside = pane.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
-            return Math.max(0, (beside ? pane.getWidth() : pane.getHeight()) - pane.getDividerSize());
+    /** Runs something, such as a look at the proportions, while no side leaves any room to another. */
+    void inProportion(Runnable look) {
+        List<PaneKeeper> shared =
+                keepers.stream().filter(PaneKeeper::leavesRoom).toList();
+        shared.forEach(PaneKeeper::showProportion);
+        try {
+            look.run();
+        } finally {
+            shared.forEach(PaneKeeper::showShared);
         }
     }
 }

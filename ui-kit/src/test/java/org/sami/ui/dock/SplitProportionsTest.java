@@ -15,6 +15,8 @@ import org.sami.ui.EventThread;
 class SplitProportionsTest {
     private final JSplitPane inner = EventThread.get(() -> pane(JSplitPane.VERTICAL_SPLIT, new JPanel()));
     private final JSplitPane outer = EventThread.get(() -> pane(JSplitPane.HORIZONTAL_SPLIT, inner));
+    private SplitProportions proportions;
+    private int moves;
     private final JPanel area = EventThread.get(() -> new JPanel(new BorderLayout()));
 
     @Test
@@ -63,7 +65,7 @@ class SplitProportionsTest {
     @Test
     void aPaneThatIsAddedLaterKeepsItsProportionToo() {
         EventThread.get(() -> {
-            SplitProportions.keep(area);
+            proportions = SplitProportions.keep(area, () -> moves++);
             return area.add(outer);
         });
         resize(1600, 1000);
@@ -74,10 +76,147 @@ class SplitProportionsTest {
         assertThat(part(outer)).isCloseTo(0.8, within(0.002));
     }
 
+    @Test
+    void aSideWhosePanelsAreAllEmptyLeavesItsRoomUntilSomethingComes() {
+        DockPanel decisions = panels();
+        keepFrom(1600, 1000, 0.58, 0.7);
+
+        empty(decisions, true);
+        assertThat(below(inner)).isCloseTo(120, within(2));
+        resize(1280, 800);
+        assertThat(below(inner)).as("in a smaller window as well").isCloseTo(120, within(2));
+
+        empty(decisions, false);
+        assertThat(part(inner)).isCloseTo(0.7, within(0.002));
+        assertThat(part(outer)).isCloseTo(0.58, within(0.002));
+        assertThat(moves).as("times that somebody moved a divider").isEqualTo(2); // by keepFrom
+    }
+
+    @Test
+    void nothingMovesBeforeItMay() {
+        DockPanel decisions = panels();
+        keepFrom(1600, 1000, 0.58, 0.7);
+
+        settled(() -> {
+            decisions.setEmpty(true);
+            proportions.share(pane -> false, pane -> true);
+            return area;
+        });
+        assertThat(part(inner)).isCloseTo(0.7, within(0.002));
+
+        empty(decisions, true);
+        settled(() -> {
+            decisions.setEmpty(false);
+            proportions.share(pane -> true, pane -> false);
+            return area;
+        });
+        assertThat(below(inner)).isCloseTo(120, within(2));
+    }
+
+    @Test
+    void theProportionIsKnownWhileASideLeavesItsRoom() {
+        DockPanel decisions = panels();
+        keepFrom(1600, 1000, 0.58, 0.7);
+        empty(decisions, true);
+        double[] seen = new double[1];
+
+        EventThread.get(() -> {
+            proportions.inProportion(() -> seen[0] = inner.getDividerLocation() / (double) size(inner));
+            return area;
+        });
+
+        assertThat(seen[0]).isCloseTo(0.7, within(0.002));
+        assertThat(below(inner)).isCloseTo(120, within(2));
+    }
+
+    @Test
+    void anEmptySideThatTheOperatorMakesLargerStaysSo() {
+        DockPanel decisions = panels();
+        keepFrom(1600, 1000, 0.58, 0.7);
+        empty(decisions, true);
+
+        move(inner, 0.5);
+        empty(decisions, true);
+
+        assertThat(part(inner)).isCloseTo(0.5, within(0.002));
+    }
+
+    @Test
+    void anArrangementThatIsRestoredLateIsSharedAnew() {
+        DockPanel decisions = panels();
+        keepFrom(1600, 1000, 0.58, 0.7);
+        empty(decisions, true);
+
+        move(inner, 0.7); // as Modern Docking does
+        empty(decisions, true);
+
+        assertThat(below(inner)).isCloseTo(120, within(2));
+    }
+
+    @Test
+    void twoEmptySidesKeepTheirProportion() {
+        DockPanel decisions = panels();
+        keepFrom(1600, 1000, 0.58, 0.7);
+
+        EventThread.get(() -> {
+            ((DockPanel) inner.getLeftComponent()).setEmpty(true);
+            return area;
+        });
+        empty(decisions, true);
+
+        assertThat(part(inner)).isCloseTo(0.7, within(0.002));
+    }
+
+    @Test
+    void emptyPanelsBelowOneAnotherHaveEachItsLine() {
+        JSplitPane lowest = EventThread.get(() -> {
+            JSplitPane pane = new JSplitPane(
+                    JSplitPane.VERTICAL_SPLIT,
+                    new DockPanel("decisions", "Decisions", "decision", new JPanel()),
+                    new DockPanel("messages", "Messages", "message", new JPanel()));
+            inner.setLeftComponent(new DockPanel("map", "Map", "map", new JPanel()));
+            inner.setRightComponent(pane);
+            return pane;
+        });
+        keepFrom(1600, 1000, 0.58, 0.3);
+        move(lowest, 0.8);
+
+        EventThread.get(() -> {
+            ((DockPanel) lowest.getLeftComponent()).setEmpty(true);
+            return area;
+        });
+        empty((DockPanel) lowest.getRightComponent(), true);
+
+        assertThat(below(lowest)).isCloseTo(120, within(3));
+        assertThat(EventThread.get(() -> lowest.getLeftComponent().getHeight())).isCloseTo(120, within(3));
+    }
+
+    /** Puts the map above and the decisions below into the inner pane; gives the latter. */
+    private DockPanel panels() {
+        return EventThread.get(() -> {
+            inner.setLeftComponent(new DockPanel("map", "Map", "map", new JPanel()));
+            DockPanel decisions = new DockPanel("decisions", "Decisions", "decision", new JPanel());
+            inner.setRightComponent(decisions);
+            return decisions;
+        });
+    }
+
+    private void empty(DockPanel panel, boolean empty) {
+        settled(() -> {
+            panel.setEmpty(empty);
+            proportions.share(pane -> true, pane -> true);
+            return area;
+        });
+    }
+
+    private static int below(JSplitPane pane) {
+        return EventThread.get(() -> pane.getRightComponent().getHeight());
+    }
+
     private void keepFrom(int width, int height, double beside, double below) {
         EventThread.get(() -> {
             area.add(outer);
-            SplitProportions.keep(area);
+            proportions = SplitProportions.keep(area, () -> moves++);
             return area;
         });
         resize(width, height);

@@ -82,7 +82,12 @@ final class MissionHead {
         brief.setToolTipText(
                 stuck.map(one -> StuckBar.what(one) + " " + one.help() + ".").orElse(null));
         brief.setFont(Fonts.strong());
-        brief.setPreferredSize(stuck.isPresent() ? new Dimension(Look.px(BRIEF), brief.getFontMetrics(brief.getFont()).getHeight()) : new Dimension());
+        brief.setPreferredSize(
+                stuck.isPresent()
+                        ? new Dimension(
+                                Look.px(BRIEF),
+                                brief.getFontMetrics(brief.getFont()).getHeight())
+                        : new Dimension());
         sendAgain.setVisible(stuck.filter(StuckMission::canBeSentAgain).isPresent());
     }
 

@@ -2,7 +2,9 @@ package org.sami.crw.gui.window;
 
 import java.awt.Dimension;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.sami.crw.gui.boat.BoatPanel;
 import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.LoadedProject;
@@ -22,6 +24,8 @@ import org.sami.crw.gui.notice.HealthPanel;
 import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.value.SessionEditors;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.json.DomainLibrary;
@@ -84,6 +88,7 @@ public final class OperatorPanels implements AutoCloseable {
     private final DockPanel asking;
     private final CommunicationPanel communication;
     private final List<DockPanel> all;
+    private final Map<DockPanel, BooleanSupplier> empty; // panels of which some have nothing in them at times
 
     /**
      * The panels of a window.
@@ -120,6 +125,44 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("communication", "Communication", "link", communication),
                 new DockPanel("log", "Log", "log", new LogPanel(context)),
                 new DockPanel("health", "Health", "health", new HealthPanel(context, map::pointAt)));
+        OperatorModels models = context.models();
+        empty = Map.of(
+                asking,
+                () -> models.decisions().snapshot().isEmpty(),
+                panel("boats"),
+                () -> isWithoutBoats(models),
+                panel("boat"),
+                () -> isWithoutBoats(models),
+                panel("communication"),
+                () -> isWithoutBoats(models),
+                panel("messages"),
+                () -> models.messages().messages().isEmpty(),
+                panel("alarms"),
+                () -> models.alarms().snapshot().isEmpty(),
+                panel("health"),
+                () -> models.health().snapshot().isWell(),
+                panel("interrupts"),
+                () -> models.interrupts().snapshot().isEmpty(),
+                panel("allocation"),
+                () -> isWithoutTasks(models.allocation().snapshot()),
+                panel("log"),
+                () -> !panel("log").isShowing()); // what was done waits for nobody
+    }
+
+    private static boolean isWithoutBoats(OperatorModels models) {
+        return models.fleet().snapshot().isEmpty()
+                && models.unreached().snapshot().isEmpty();
+    }
+
+    private static boolean isWithoutTasks(AllocationSnapshot tasks) {
+        return tasks.unallocated().isEmpty() && tasks.queues().values().stream().allMatch(List::isEmpty);
+    }
+
+    private DockPanel panel(String id) {
+        return all.stream()
+                .filter(panel -> panel.getPersistentID().equals(id))
+                .findFirst()
+                .orElseThrow();
     }
 
     /** All of them, in order. */
@@ -134,6 +177,7 @@ public final class OperatorPanels implements AutoCloseable {
         map.refresh();
         decisions.refresh();
         asking.setWaiting(decisionUnseen().isPresent());
+        empty.forEach((panel, isEmpty) -> panel.setEmpty(isEmpty.getAsBoolean()));
         communication.refresh();
         missions.refresh();
     }

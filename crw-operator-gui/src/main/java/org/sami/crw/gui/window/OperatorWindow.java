@@ -98,6 +98,7 @@ public final class OperatorWindow {
         refresh = new Timer(REFRESH_MS, e -> {
             strip.refresh();
             panels.refresh();
+            dock.shareRoom();
         });
         frame.addWindowListener(new WindowAdapter() {
             @Override

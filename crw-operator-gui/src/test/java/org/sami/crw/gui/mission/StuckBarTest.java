@@ -115,7 +115,9 @@ class StuckBarTest {
                             "mission-complete-icon",
                             "mission-abort-icon")) {
                         JComponent part = find(monitor, name, JComponent.class);
-                        assertThat(isInSight(part, monitor)).as("%s at %d", name, height).isTrue();
+                        assertThat(isInSight(part, monitor))
+                                .as("%s at %d", name, height)
+                                .isTrue();
                         assertThat(part.getWidth()).as(name).isGreaterThanOrEqualTo(Look.px(32));
                     }
                     return null;
@@ -134,7 +136,7 @@ class StuckBarTest {
     private static boolean isInSight(JComponent part, JComponent whole) {
         return part.isVisible()
                 && new Rectangle(whole.getSize())
-                .contains(SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), whole));
+                        .contains(SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), whole));
     }
 
     /** The colour of most of an icon's pixels. */

@@ -1,0 +1,104 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** Panels in which nothing waits leave their room to others, and have it again when something comes. */
+@Tag("window")
+class EmptyPanelsWindowTest {
+    private static final List<Double> FIRST =
+            List.of(0.36, 0.58, 0.66, 0.71, 0.38); // of OperatorPanels.FIRST, as the left or upper part
+
+    private final WindowRobot robot = new WindowRobot();
+    private OperatorWindow window;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void decisionsHaveRoomWhileOneWaitsAndTheArrangementIsKeptAsItWas() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna", "bert"))) {
+            StartOptions options = new StartOptions(
+                    fleet.addresses(),
+                    Optional.empty(),
+                    Optional.of(Theme.LIGHT),
+                    Optional.of(100),
+                    Optional.of(false));
+            window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+            try {
+                robot.untilSaid("boats-count", "2 of 2");
+                robot.until("the plans have the room", () -> height("decisions") < Look.px(130));
+                assertThat(WindowRobot.<Integer>ask(() -> height("interrupts"))).isLessThan(130);
+
+                long mission = start();
+                robot.until("what is asked has room", () -> height("decisions") > Look.px(300));
+
+                robot.clickAt(panel("decisions"), 20, 45);
+                window.session().abort(mission).toCompletableFuture().get(60, TimeUnit.SECONDS);
+                robot.untilSaid("decisions-count", "nothing waits");
+                assertThat(WindowRobot.<Integer>ask(() -> height("decisions")))
+                        .as("nothing moves below the pointer")
+                        .isGreaterThan(300);
+
+                robot.clickAt(panel("map"), 300, 200);
+                robot.until("the plans have the room again", () -> height("decisions") < Look.px(130));
+            } finally {
+                WindowRobot.ask(() -> {
+                    window.end();
+                    return null;
+                });
+                ended.get(60, TimeUnit.SECONDS);
+            }
+        }
+        List<Double> kept = Pattern.compile("roportion=\"([0-9.]+)\"")
+                .matcher(Files.readString(folder.resolve("arrangement.xml")))
+                .results()
+                .map(found -> Double.parseDouble(found.group(1)))
+                .toList();
+        assertThat(kept)
+                .isNotEmpty()
+                .allSatisfy(part -> assertThat(FIRST)
+                        .as("%s is no proportion of the first arrangement", part)
+                        .anyMatch(first -> Math.abs(first - part) < 0.02));
+    }
+
+    private long start() throws Exception {
+        return window.session()
+                .start("connect-boat", "", Map.of())
+                .toCompletableFuture()
+                .get(60, TimeUnit.SECONDS);
+    }
+
+    private DockPanel panel(String id) {
+        return Layout.find(window.frame(), id, DockPanel.class).orElseThrow();
+    }
+
+    private int height(String id) {
+        return panel(id).getHeight();
+    }
+}
