@@ -73,6 +73,10 @@ final class ScreenshotMain {
                 () -> session().models().missions().snapshot().running().isEmpty());
         robot.click("mission-close");
 
+        TroubleScenes trouble = new TroubleScenes(window, data, this::trouble);
+        trouble.judgedAnswer();
+        trouble.stuck("bert");
+
         answer();
         session().start("deploy-and-station-keep", "station", Map.of());
         robot.until("boats keep station", () -> moving() >= 3);
@@ -96,6 +100,9 @@ final class ScreenshotMain {
         robot.until("emil is lost", () -> boat("emil").link() == LinkState.LOST);
         pass(3);
         picture("loss-of-communication");
+        trouble.links();
+        trouble.fleetStop();
+        trouble.journal();
         WindowRobot.ask(() -> {
             window.end();
             return null;
@@ -137,8 +144,17 @@ final class ScreenshotMain {
         }
     }
 
+    /** What the guide shows beside its words on trouble. */
+    private void trouble(String scene) throws Exception {
+        picture("trouble-" + scene, List.of(Theme.LIGHT));
+    }
+
     private void picture(String scene) throws Exception {
-        for (Theme theme : Theme.values()) {
+        picture(scene, List.of(Theme.values()));
+    }
+
+    private void picture(String scene, List<Theme> themes) throws Exception {
+        for (Theme theme : themes) {
             WindowRobot.ask(() -> {
                 Look.apply(theme, 100);
                 return null;

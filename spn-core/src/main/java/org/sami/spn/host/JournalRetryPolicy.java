@@ -2,6 +2,7 @@ package org.sami.spn.host;
 
 import java.io.IOException;
 import java.util.OptionalLong;
+import org.sami.spn.journal.JournalException;
 
 /** How long, and with how much, a host waits for a journal that cannot be written. For who holds the host's lock, but for its limit of inputs. */
 final class JournalRetryPolicy {
@@ -30,7 +31,8 @@ final class JournalRetryPolicy {
      * @param isRecoverable whether the journal may be written again
      */
     HostStatus after(IOException fault, boolean isRecoverable, long nowMillis) {
-        String reason = "the journal failed: " + fault.getMessage();
+        String reason = "the journal failed: "
+                + (fault instanceof JournalException known ? known.reason() : fault.getMessage());
         if (!isRecoverable) {
             return new HostStatus(HostStatus.Kind.FAILED, reason);
         }

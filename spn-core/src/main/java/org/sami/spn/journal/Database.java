@@ -153,6 +153,9 @@ final class Database implements AutoCloseable {
         if (code == SQLiteErrorCode.SQLITE_READONLY.code) {
             return "the disk is read only, or the file is";
         }
+        if (code == SQLiteErrorCode.SQLITE_BUSY.code || code == SQLiteErrorCode.SQLITE_LOCKED.code) {
+            return "another program keeps the file locked";
+        }
         return fault.getMessage();
     }
 

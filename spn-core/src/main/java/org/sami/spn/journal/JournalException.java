@@ -8,6 +8,7 @@ import java.util.Objects;
 public final class JournalException extends IOException {
     private final transient Path file;
     private final long entry;
+    private final String what;
 
     /**
      * A fault of a journal.
@@ -19,10 +20,16 @@ public final class JournalException extends IOException {
         super(file + ", " + (entry == 0 ? "head" : "entry " + entry) + ": " + what, cause);
         this.file = Objects.requireNonNull(file, "file");
         this.entry = entry;
+        this.what = Objects.requireNonNull(what, "what");
     }
 
     JournalException(Path file, long entry, String what) {
         this(file, entry, what, null);
+    }
+
+    /** What is wrong before where: for a line of which the end may be cut. */
+    public String reason() {
+        return what + " (" + file + ", " + (entry == 0 ? "head" : "entry " + entry) + ")";
     }
 
     /** The journal's file. */

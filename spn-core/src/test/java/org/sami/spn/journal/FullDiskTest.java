@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.sami.spn.host.HostPlans.number;
 
 import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.Statement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.LongStream;
@@ -47,6 +50,24 @@ class FullDiskTest {
 
     private static TelemetryRow row(long atMillis) {
         return new TelemetryRow(atMillis, "anna", "pose", "{\"at\": " + atMillis + "}");
+    }
+
+    @Test
+    void aFileThatAnotherProgramKeepsLockedIsSaidToBeSo() throws Exception {
+        try (SqliteJournal journal = SqliteJournal.create(file, Tour.HEADER, JournalOptions.DEFAULT);
+                Connection other = DriverManager.getConnection("jdbc:sqlite:" + file);
+                Statement statement = other.createStatement()) {
+            journal.append(numbers(1, 3), Durability.POWER);
+            statement.execute("BEGIN IMMEDIATE");
+
+            assertThatThrownBy(() -> journal.append(numbers(4, 5), Durability.PROCESS))
+                    .hasMessage(file + ", entry 4: cannot be written: another program keeps the file locked")
+                    .isInstanceOfSatisfying(
+                            JournalException.class,
+                            fault -> assertThat(fault.reason())
+                                    .startsWith("cannot be written: another program keeps the file locked (")
+                                    .endsWith("session.journal, entry 4)"));
+        }
     }
 
     @Test

@@ -14,11 +14,11 @@ import org.sami.ui.look.Look;
 /**
  * Keeps the proportion of one split pane when its size changes: a divider stands where it stood, measured in parts of the pane. Swing's
  * resize weight cannot do that: it shares out only the change, in whole pixels, and the second side takes what is left over. While all panels of
- * one side are empty, that side has only the room in which it says so. On the event thread.
+ * the upper or the lower side are empty, that side has only the room in which it says so; sides that lie beside one another keep the width that
+ * their tabs need. On the event thread.
  */
 final class PaneKeeper extends ComponentAdapter {
     private static final int EMPTY_HEIGHT = 120; // title, tabs, and two lines that say what would be here
-    private static final int EMPTY_WIDTH = 260;
 
     private final JSplitPane pane;
     private final Component area;
@@ -32,7 +32,7 @@ final class PaneKeeper extends ComponentAdapter {
     /** Which side leaves its room to the other one. */
     private enum Given {
         NOTHING,
-        LEFT,
+        LEFT, // of a pane with one side above the other: the upper one
         RIGHT,
         /** Both leave their room to what lies beside the pane. */
         BOTH
@@ -113,6 +113,9 @@ final class PaneKeeper extends ComponentAdapter {
     }
 
     private Given due() {
+        if (isBeside(pane)) {
+            return Given.NOTHING;
+        }
         boolean left = isEmpty(pane.getLeftComponent());
         boolean right = isEmpty(pane.getRightComponent());
         if (left && right) {
@@ -162,8 +165,8 @@ final class PaneKeeper extends ComponentAdapter {
 
     private int place() {
         int kept = (int) Math.round(proportion * size);
-        int left = empty(pane.getLeftComponent(), pane.getOrientation());
-        int right = empty(pane.getRightComponent(), pane.getOrientation());
+        int left = emptyHeight(pane.getLeftComponent());
+        int right = emptyHeight(pane.getRightComponent());
         return switch (given) {
             case NOTHING -> kept;
             case LEFT -> Math.min(kept, left);
@@ -172,15 +175,19 @@ final class PaneKeeper extends ComponentAdapter {
         };
     }
 
-    /** How much room an empty side needs, in pixels, along a pane of that orientation. */
-    private static int empty(Component side, int orientation) {
+    private static boolean isBeside(JSplitPane pane) {
+        return pane.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
+    }
+
+    /** How much room an empty side needs, in pixels. */
+    private static int emptyHeight(Component side) {
         JSplitPane inner = split(side);
         if (inner == null) {
-            return Look.px(orientation == JSplitPane.VERTICAL_SPLIT ? EMPTY_HEIGHT : EMPTY_WIDTH);
+            return Look.px(EMPTY_HEIGHT);
         }
-        int left = empty(inner.getLeftComponent(), orientation);
-        int right = empty(inner.getRightComponent(), orientation);
-        return inner.getOrientation() == orientation ? left + inner.getDividerSize() + right : Math.max(left, right);
+        int upper = emptyHeight(inner.getLeftComponent());
+        int lower = emptyHeight(inner.getRightComponent());
+        return isBeside(inner) ? Math.max(upper, lower) : upper + inner.getDividerSize() + lower;
     }
 
     /** The outermost split pane of a side; null where its panels lie behind one another. */
@@ -202,7 +209,6 @@ final class PaneKeeper extends ComponentAdapter {
 
     /** What both sides have together, in pixels. */
     private int free() {
-        boolean beside = pane.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
-        return Math.max(0, (beside ? pane.getWidth() : pane.getHeight()) - pane.getDividerSize());
+        return Math.max(0, (isBeside(pane) ? pane.getWidth() : pane.getHeight()) - pane.getDividerSize());
     }
 }

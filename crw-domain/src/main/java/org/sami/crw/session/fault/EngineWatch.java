@@ -20,8 +20,9 @@ import org.sami.spn.protocol.Priority;
  * not need the engine for that, nor for a fleet stop. Safe for use by several threads.
  */
 public final class EngineWatch implements HostListener {
-    private static final String WAITS = "missions stand still: ";
-    private static final String STOPPED = "the engine has stopped: ";
+    private static final String FULL = "the disk is full";
+    private static final String WAITS = "Missions stand still: ";
+    private static final String STOPPED = "The engine has stopped: ";
 
     private final HealthModel health;
     private final Executor fleet;
@@ -76,7 +77,8 @@ public final class EngineWatch implements HostListener {
                 HealthKind.JOURNAL,
                 Priority.CRITICAL,
                 WAITS + reason + "; " + still.words(),
-                "Make room on the journal's disk: missions go on by themselves then. The fleet stop (F12) works"));
+                (reason.contains(FULL) ? "Make room on the journal's disk" : "See to the journal's file and its disk")
+                        + ": missions go on by themselves then. The fleet stop (F12) works"));
         begin();
     }
 

@@ -115,7 +115,7 @@ class SessionFaultTest {
         HealthEntry said = awaitEntry(session, HealthKind.JOURNAL);
         assertThat(said.severity()).isEqualTo(Priority.CRITICAL);
         assertThat(said.fault().text())
-                .isEqualTo("missions stand still: the journal failed: the disk is full; boats that were under way for "
+                .isEqualTo("Missions stand still: the journal failed: the disk is full; boats that were under way for "
                         + "missions hold their places");
         Await.until("anna is held", () -> isHeld(session));
         assertThat(TestSession.get(session.fleet().why("anna")).text())
@@ -183,7 +183,7 @@ class SessionFaultTest {
         HealthEntry said = awaitEntry(session, HealthKind.ENGINE);
         assertThat(said.fault().text())
                 .startsWith(
-                        "the engine has stopped: the journal failed: the disk is full; it could not be written for 1 s");
+                        "The engine has stopped: the journal failed: the disk is full; it could not be written for 1 s");
         assertThat(said.fault().advice()).contains("by hand", "F12", "where its journal ends");
         assertThat(broken).hasSize(1);
         assertThat(session.faults().failure()).isPresent();
@@ -201,7 +201,7 @@ class SessionFaultTest {
 
         HealthEntry said = awaitEntry(session, HealthKind.ENGINE);
         assertThat(said.fault().text())
-                .startsWith("the engine has stopped: memory ran out (Java heap space) on the thread 'engine'");
+                .startsWith("The engine has stopped: memory ran out (Java heap space) on the thread 'engine'");
         awaitEntry(session, HealthKind.MEMORY);
         Await.until("anna is held", () -> isHeld(session));
         assertThatThrownBy(() -> TestSession.get(session.start("clv", "second", Map.of())))
