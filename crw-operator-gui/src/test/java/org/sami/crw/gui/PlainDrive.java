@@ -10,6 +10,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.crw.operator.boat.BoatCommands;
 import org.sami.crw.session.Session;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.MapValue;
@@ -46,12 +47,20 @@ final class PlainDrive {
 
     private PlainDrive() {}
 
-    static Plan plan() {
-        return SessionWorld.project(PLAN).plan(ID).orElseThrow();
+    /** Takes the plan into the session's project, where it is not there yet. */
+    private static void load(Session session) throws Exception {
+        Project project = session.setup().project();
+        if (project.plan(ID).isEmpty()) {
+            Plan plan = SessionWorld.project(PLAN).plan(ID).orElseThrow();
+            get(session.project()
+                    .load(project.withPlans(Stream.concat(project.plans().stream(), Stream.of(plan))
+                            .toList())));
+        }
     }
 
     /** Starts a mission for a boat, and cancels its command: the mission is stuck when this is back. Gives the mission. */
     static long stuck(Session session, String name, String boat, GeoPoint to) throws Exception {
+        load(session);
         Map<String, Value> values = Map.of("@points", new MapValue(Map.of(new ProxyValue(boat), to)));
         long mission = get(session.start(ID, name, values));
         Await.until(name + " asks", () -> decision(session, mission).isPresent());

@@ -16,8 +16,6 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
@@ -100,10 +98,6 @@ final class TroubleScenes {
 
     /** A boat whose path has failed, in a plan that has no answer to it. */
     void stuck(String boat) throws Exception {
-        Project project = session().setup().project();
-        List<Plan> plans = Stream.concat(project.plans().stream(), Stream.of(PlainDrive.plan()))
-                .toList();
-        get(session().project().load(project.withPlans(plans)));
         PlainDrive.stuck(session(), "Look at the buoy", boat, BUOY);
         look.at("stuck");
         end();
