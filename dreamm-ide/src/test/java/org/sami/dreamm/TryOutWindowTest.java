@@ -65,7 +65,7 @@ class TryOutWindowTest {
         robot.untilSaid("try-where", "step 0");
         author.click("boats-chosen");
         robot.press(VK_F6, VK_CONTROL);
-        robot.untilSaid("notice", "boats-chosen: ");
+        robot.untilSaid("notice", "Boats chosen: ");
         robot.press(VK_F6);
         robot.untilSaid("try-where", "step 1");
         robot.until("the net shows where the boats are", () -> tokens().contains("locations"));
@@ -78,7 +78,7 @@ class TryOutWindowTest {
         author.click("choose");
         robot.press(VK_F9, VK_CONTROL);
         robot.press(VK_F9);
-        robot.untilSaid("notice", "Stopped at the breakpoint choose");
+        robot.untilSaid("notice", "Stopped at the breakpoint at Choose allocation");
         robot.until("the boats stand there", () -> tokens().contains("choose"));
         robot.press(VK_F9, VK_CONTROL);
     }

@@ -200,7 +200,7 @@ public final class FileCommands implements AutoCloseable {
                         Files.createDirectories(path);
                         write(path, () -> {});
                     } catch (IOException fault) {
-                        context.notices().refused(path + " cannot be made: " + fault.getMessage());
+                        context.notices().refused(path + " cannot be made: " + SaveFault.words(path, fault));
                     }
                 });
     }
@@ -209,7 +209,7 @@ public final class FileCommands implements AutoCloseable {
         try {
             file.save(path);
         } catch (IOException | UncheckedIOException fault) {
-            context.notices().refused(path + " is not saved: " + fault.getMessage());
+            context.notices().refused(path + " is not saved: " + SaveFault.words(path, fault));
             return;
         }
         context.questions().withdraw("changed-on-disk");

@@ -35,6 +35,15 @@ class Form extends JPanel {
         add(label, "span 2, growx, gaptop 6, wmin 0");
     }
 
+    /** A part with a heading that profiles hide or lock as a whole, by its name. */
+    final Form section(String name, String heading) {
+        Form section = new Form();
+        section.setName(name);
+        section.heading(heading);
+        wide(section);
+        return section;
+    }
+
     final WrappedText note(String text, SemanticColor color) {
         WrappedText note = new WrappedText(text);
         note.setColor(color);

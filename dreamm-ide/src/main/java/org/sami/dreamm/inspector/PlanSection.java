@@ -52,21 +52,21 @@ final class PlanSection extends Form {
                 "A few sentences for whoever chooses a plan",
                 plan.description(),
                 d -> context.apply(new ProjectEdit.DescribePlan(plan.id(), plan.name(), d, plan.notes())));
-        heading("Tasks");
-        plan.tasks().forEach(this::task);
-        addTask();
-        variables("Variables of the plan", Optional.of(plan.id()), plan.variables());
+        Form tasks = section("plan-tasks", "Tasks");
+        plan.tasks().forEach(task -> task(tasks, task));
+        addTask(tasks);
+        Form variables = section("plan-variables", "Variables of the plan");
+        variables(variables, Optional.of(plan.id()), plan.variables());
+        if (!plan.reads().isEmpty()) {
+            variables.note("Expected of parents: " + String.join(", ", plan.reads()), SemanticColor.MUTED);
+        }
         variables(
-                "Variables of the project",
+                section("project-variables", "Variables of the project"),
                 Optional.empty(),
                 context.document().project().globals());
-        if (!plan.reads().isEmpty()) {
-            heading("Expected of parents");
-            note(String.join(", ", plan.reads()), SemanticColor.MUTED);
-        }
     }
 
-    private void task(TaskSpec task) {
+    private void task(Form tasks, TaskSpec task) {
         JPanel row = line();
         JTextField name = new JTextField(task.name());
         name.setName("task-" + task.name());
@@ -82,13 +82,13 @@ final class PlanSection extends Form {
                         "Delete the task " + task.name(),
                         () -> context.apply(new TaskEdit.RemoveTask(plan.id(), task.name()))),
                 "plan-task-remove"));
-        wide(row);
+        tasks.wide(row);
         TaskClass of = context.vocabulary().taskClasses().get(task.taskClass());
         if (of != null) {
             for (FieldType field : of.fields()) {
                 ValueField shown = ValueField.of(field);
-                wide(new javax.swing.JLabel(shown.label()));
-                wide(ProfileGuard.mark(value(task, field, shown), "plan-task-value"));
+                tasks.wide(new javax.swing.JLabel(shown.label()));
+                tasks.wide(ProfileGuard.mark(value(task, field, shown), "plan-task-value"));
             }
         }
     }
@@ -104,7 +104,7 @@ final class PlanSection extends Form {
                 });
     }
 
-    private void addTask() {
+    private void addTask(Form tasks) {
         JComboBox<String> add = new JComboBox<>();
         add.addItem(NO_CLASS);
         context.vocabulary().taskClasses().keySet().forEach(add::addItem);
@@ -116,7 +116,7 @@ final class PlanSection extends Form {
                         plan.id(), new TaskSpec(of + " " + (plan.tasks().size() + 1), of, Map.of())));
             }
         });
-        wide(add);
+        tasks.wide(add);
     }
 
     private static JPanel line() {
@@ -125,8 +125,7 @@ final class PlanSection extends Form {
         return row;
     }
 
-    private void variables(String title, Optional<String> owner, List<VariableSpec> variables) {
-        heading(title);
+    private void variables(Form section, Optional<String> owner, List<VariableSpec> variables) {
         String prefix = owner.isPresent() ? "variable-" : "global-";
         String of = owner.isPresent() ? "plan-" : "project-";
         for (VariableSpec v : variables) {
@@ -146,8 +145,8 @@ final class PlanSection extends Form {
                             "Delete the variable " + v.name(),
                             () -> context.apply(new VariableEdit.RemoveVariable(owner, v.name()))),
                     of + "variable-remove"));
-            wide(row);
-            note(uses(owner, v), SemanticColor.MUTED);
+            section.wide(row);
+            section.note(uses(owner, v), SemanticColor.MUTED);
         }
         JComboBox<String> add = new JComboBox<>();
         add.addItem(NO_TYPE);
@@ -161,7 +160,7 @@ final class PlanSection extends Form {
                 context.apply(new VariableEdit.AddVariable(owner, new VariableSpec(name, type, Optional.empty())));
             }
         });
-        wide(add);
+        section.wide(add);
     }
 
     private String uses(Optional<String> owner, VariableSpec v) {

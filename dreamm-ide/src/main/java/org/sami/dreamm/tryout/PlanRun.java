@@ -1,10 +1,14 @@
 package org.sami.dreamm.tryout;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
@@ -15,6 +19,7 @@ final class PlanRun {
     private final String plan;
     private final Stepper stepper;
     private final List<TryOut.Line> lines = new ArrayList<>();
+    private final Map<Long, Plan> plans = new HashMap<>();
     private List<Effect> lastEffects;
     private boolean outdated;
 
@@ -23,6 +28,7 @@ final class PlanRun {
         this.plan = plan;
         this.stepper = stepper;
         lastEffects = stepper.startEffects();
+        notePlans();
     }
 
     String plan() {
@@ -59,9 +65,24 @@ final class PlanRun {
     /** Notes a step that the stepper has taken, and returns its line. */
     TryOut.Line add(String words, TakenStep taken) {
         lastEffects = taken.effects();
-        TryOut.Line line = new TryOut.Line(taken.number(), words, StepWords.of(taken.effects()));
+        notePlans();
+        TryOut.Line line = new TryOut.Line(taken.number(), words, StepWords.of(taken.effects(), this::name));
         lines.add(line);
         return line;
+    }
+
+    /** The engine forgets the plans of missions that are over; their last firings are told by name all the same. */
+    private void notePlans() {
+        stepper.view()
+                .missions()
+                .forEach(mission ->
+                        stepper.view().planOf(mission.id()).ifPresent(of -> plans.put(mission.id(), of)));
+    }
+
+    private String name(Effect.Fired fired) {
+        return Optional.ofNullable(plans.get(fired.mission()))
+                .flatMap(of -> new ElementNames(of, stepper.view().vocabulary()).of(fired.transition()))
+                .orElse(fired.transition());
     }
 
     /** Takes so many steps back, or all where there are fewer; returns how many. */

@@ -59,6 +59,11 @@ public final class StartMarkingSetup {
         return Optional.ofNullable(values.get(key));
     }
 
+    /** All that was given for what the plan asks at its start. */
+    public Map<String, Value> given() {
+        return Map.copyOf(values);
+    }
+
     /** Gives a value for something that the plan asks at its start. */
     public void give(String key, Value value) {
         values.put(key, value);

@@ -1,14 +1,20 @@
 package org.sami.dreamm.tryout;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.sami.spn.model.TestStep;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.stepping.StepText;
+import org.sami.spn.stepping.Stepper;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.value.ValueSummary;
@@ -18,6 +24,31 @@ final class StepWords {
     private static final int MOST = 4;
 
     private StepWords() {}
+
+    /** A step that is about to be taken: of answers to what is asked, also what is taken as proposed. */
+    static String of(TestStep step, Stepper stepper) {
+        if (step instanceof TestStep.Answer s && s.reply() instanceof TestStep.Reply.Values given) {
+            return stepper.possible().decisions().stream()
+                    .filter(decision -> stepper.eventAsking(decision).equals(s.event()))
+                    .map(Decision::question)
+                    .filter(Question.FillIn.class::isInstance)
+                    .findFirst()
+                    .map(asked -> filled((Question.FillIn) asked, given.values()))
+                    .map(all -> of(new TestStep.Answer(s.event(), new TestStep.Reply.Values(all))))
+                    .orElseGet(() -> of(step));
+        }
+        return of(step);
+    }
+
+    private static Map<String, Value> filled(Question.FillIn asked, Map<String, Value> given) {
+        Map<String, Value> all = new LinkedHashMap<>();
+        for (Question.Item item : asked.items()) {
+            Optional.ofNullable(given.get(item.key()))
+                    .or(item::defaultValue)
+                    .ifPresent(value -> all.put(item.key(), value));
+        }
+        return all;
+    }
 
     static String of(TestStep step) {
         if (step instanceof TestStep.Answer s && s.reply() instanceof TestStep.Reply.Values given) {
@@ -36,13 +67,17 @@ final class StepWords {
                         .collect(Collectors.joining("; "));
     }
 
-    /** What a step did: which transitions fired, where tokens are now, how it ended. */
-    static String of(List<Effect> effects) {
+    /**
+     * What a step did: which transitions fired, where tokens are now, how it ended.
+     *
+     * @param name what the transition of a firing is called
+     */
+    static String of(List<Effect> effects, Function<Effect.Fired, String> name) {
         List<String> fired = new ArrayList<>();
         List<String> rest = new ArrayList<>();
         for (Effect effect : effects) {
             if (effect instanceof Effect.Fired e) {
-                fired.add(e.transition());
+                fired.add(name.apply(e));
             } else if (effect instanceof Effect.MissionEnded e) {
                 rest.add("mission " + e.mission() + " is over: "
                         + e.outcome().name().toLowerCase(Locale.ROOT));

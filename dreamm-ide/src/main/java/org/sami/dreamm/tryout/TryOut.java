@@ -2,6 +2,7 @@ package org.sami.dreamm.tryout;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -19,10 +20,13 @@ import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
 import org.sami.spn.stepping.Turns;
+import org.sami.spn.value.Value;
 
 /**
  * A run of one plan of the document, with robots that are not real. Its steps are taken by hand or, one at a time, by what robots, services
@@ -101,6 +105,35 @@ public final class TryOut {
         return begin(plan, new TestCase(plan, robotNames(), List.of()));
     }
 
+    /**
+     * Begins a plan at its start place with what its author has given for what it asks there, as the first step. Where that is not all that
+     * it asks, the question stays open.
+     *
+     * @param given values by {@code eventId.field} or the name of a variable
+     */
+    public boolean start(String plan, Map<String, Value> given) {
+        if (!start(plan)) {
+            return false;
+        }
+        if (!given.isEmpty() && asksNoMoreThan(given)) {
+            String started = message;
+            take(new TestStep.Answer("", new TestStep.Reply.Values(given)));
+            message = started + "; " + message;
+            tell();
+        }
+        return true;
+    }
+
+    private boolean asksNoMoreThan(Map<String, Value> given) {
+        Stepper now = stepper().orElseThrow();
+        return now.possible().decisions().stream()
+                .filter(decision -> now.eventAsking(decision).isEmpty())
+                .map(Decision::question)
+                .filter(Question.FillIn.class::isInstance)
+                .flatMap(asked -> ((Question.FillIn) asked).items().stream())
+                .allMatch(item -> item.defaultValue().isPresent() || given.containsKey(item.key()));
+    }
+
     /** Begins a plan at a marking. */
     public boolean startAt(String plan, TestStart start) {
         return begin(plan, new TestCase(plan, robotNames(), List.of()).withStart(Optional.of(start)));
@@ -168,7 +201,11 @@ public final class TryOut {
 
     /** Takes a step by hand. */
     public TakenStep take(TestStep step) {
-        return done(StepWords.of(step), stepper -> stepper.take(step));
+        return done(words(step), stepper -> stepper.take(step));
+    }
+
+    private String words(TestStep step) {
+        return stepper().map(stepper -> StepWords.of(step, stepper)).orElseGet(() -> StepWords.of(step));
     }
 
     /** Takes a step that a stepper knows, such as an answer to one of several open questions. */
@@ -206,7 +243,7 @@ public final class TryOut {
 
     private boolean stepOn(TestStep step, String remark) {
         String why = remark.isEmpty() ? "" : " (" + remark.substring(0, remark.indexOf(';')) + ")";
-        boolean taken = done(StepWords.of(step) + why, stepper -> stepper.take(step))
+        boolean taken = done(words(step) + why, stepper -> stepper.take(step))
                 .refusal()
                 .isEmpty();
         if (taken && !remark.isEmpty()) {

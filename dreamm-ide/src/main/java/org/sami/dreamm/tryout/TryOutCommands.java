@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import javax.swing.Timer;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.model.Plan;
 import org.sami.ui.command.Command;
 
@@ -140,7 +141,7 @@ public final class TryOutCommands {
 
     private void start() {
         timer.stop();
-        context.editor().planId().ifPresent(tryOut::start);
+        context.editor().planId().ifPresent(plan -> tryOut.start(plan, setup.given()));
     }
 
     private void startAt() {
@@ -181,9 +182,16 @@ public final class TryOutCommands {
             timer.stop();
             context.editor().open(at.plan());
             context.editor().highlight(Set.of(at.vertex()));
-            context.notices().told("Stopped at the breakpoint " + at.vertex());
+            context.notices().told("Stopped at the breakpoint at " + name(at.plan(), at.vertex()));
         });
         context.commands().refresh();
+    }
+
+    private String name(String plan, String vertex) {
+        return context.document()
+                .plan(plan)
+                .flatMap(of -> new ElementNames(of, context.vocabulary()).of(vertex))
+                .orElse(vertex);
     }
 
     private void breakpoint() {
@@ -195,7 +203,7 @@ public final class TryOutCommands {
         String plan = context.editor().planId().orElseThrow();
         String transition = selected(true).get(0);
         context.notices()
-                .told(transition + ": "
+                .told(name(plan, transition) + ": "
                         + tryOut.whyNot(plan, transition)
                                 .orElse(
                                         tryOut.mission(plan).isPresent()

@@ -27,6 +27,7 @@ import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.testcase.CaseCoverage;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
 /** Trying a plan that ships, as an author does. */
@@ -240,6 +241,36 @@ class TryOutTest {
         of.apply(new FieldEdit.SetField("station-keep", "ask-stations", "location", new FieldSource.Fixed(point)));
         setup.keep(of.plan("station-keep").orElseThrow(), LIBRARY.vocabulary());
         assertThat(setup.given("ask-stations.location")).as("no longer asked").isEmpty();
+    }
+
+    @Test
+    void valuesThatWereGivenAreTheFirstStepOfARunAndStandInIt() {
+        ProjectDocument of = new ProjectDocument(
+                LIBRARY.vocabulary(), LIBRARY.projectOf("station-keep").orElseThrow(), Optional.empty());
+        TryOut tried = new TryOut(of);
+
+        assertThat(tried.start("station-keep", Map.of("ask-stations.location", GeoPoint.of(45.7, 10.72))))
+                .isTrue();
+
+        assertThat(tried.lines()).hasSize(1);
+        assertThat(tried.lines().get(0).done())
+                .startsWith("operator: ")
+                .contains("ask-stations.location = 45.7", "ask-stations.spacing = ")
+                .endsWith("(start)");
+        assertThat(tried.message()).startsWith("Started with 3 robots; ");
+    }
+
+    @Test
+    void whereNotAllIsGivenTheQuestionStaysOpen() {
+        ProjectDocument of = new ProjectDocument(
+                LIBRARY.vocabulary(), LIBRARY.projectOf("station-keep").orElseThrow(), Optional.empty());
+        TryOut tried = new TryOut(of);
+
+        assertThat(tried.start("station-keep", Map.of("ask-stations.spacing", new RealValue(9))))
+                .isTrue();
+
+        assertThat(tried.lines()).isEmpty();
+        assertThat(tried.stepper().orElseThrow().possible().decisions()).isNotEmpty();
     }
 
     @Test

@@ -20,6 +20,7 @@ import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
@@ -84,6 +85,10 @@ class ProfileWalkTest {
             "event-markups",
             "sub-mission",
             "inspector-add-event",
+            "inspector-edge",
+            "plan-tasks",
+            "plan-variables",
+            "project-variables",
             "try-tab-steps",
             "try-tab-state",
             "try-tab-marking",
@@ -410,6 +415,14 @@ class ProfileWalkTest {
                 .contains("theme-dark", "command-search", "net-zoom-in");
     }
 
+    private static List<String> words(Map<String, List<Component>> found) {
+        return found.values().stream()
+                .flatMap(List::stream)
+                .filter(JLabel.class::isInstance)
+                .map(label -> ((JLabel) label).getText())
+                .toList();
+    }
+
     @Test
     void secondLessonOffersBlankVerticesAloneAndSaysNothingOfRequirements() throws IOException {
         Parts parts = open(ProfileFile.read(PROFILES.resolve("lesson-2.json")));
@@ -417,6 +430,8 @@ class ProfileWalkTest {
 
         assertThat(found).doesNotContainKeys("event", "inspector-add-requirement", "count-errors");
         assertThat(found).containsKeys("inspector-name", "inspector-start", "palette-search");
+        assertThat(found).doesNotContainKeys("plan-tasks", "plan-variables", "project-variables", "inspector-edge");
+        assertThat(words(found)).doesNotContain("Tasks", "Variables of the plan", "Variables of the project");
         assertThat(parts.context().commands().get("net-add-place").isEnabled()).isTrue();
         assertThat(parts.context().commands().all())
                 .extracting(command -> command.id())

@@ -3,6 +3,7 @@ package org.sami.spn.model;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** What authors have disabled for trying: transitions that never fire, places whose events are not sent and whose sub-missions do not start. */
@@ -15,6 +16,21 @@ public final class DisabledParts {
                         plan.places().stream().filter(Place::disabled).map(Place::id),
                         plan.transitions().stream().filter(Transition::disabled).map(Transition::id))
                 .toList();
+    }
+
+    /** What whoever starts a mission of a plan is told of its disabled vertices, to follow a sentence; empty text where it has none. */
+    public static String remark(Plan plan) {
+        List<String> disabled = of(plan);
+        return disabled.isEmpty()
+                ? ""
+                : "; it also does what is disabled for trying: "
+                        + disabled.stream()
+                                .map(id -> plan.place(id)
+                                        .map(Place::name)
+                                        .or(() -> plan.transition(id).map(Transition::name))
+                                        .filter(name -> !name.isEmpty())
+                                        .orElse(id))
+                                .collect(Collectors.joining(", "));
     }
 
     /** The project as it is tried, with nothing of what is disabled. Elements that are left have their ids. */

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.sim.run.settings.Parameters;
+import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.Value;
@@ -50,7 +51,9 @@ public final class MissionStarter {
     }
 
     private void start(Plan plan, Map<String, Value> values) {
-        context.tell(context.session().start(plan.id(), plan.title(), values), plan.title() + " has begun");
+        context.tell(
+                context.session().start(plan.id(), plan.title(), values),
+                plan.title() + " has begun" + DisabledParts.remark(plan));
     }
 
     /** Asks for values beforehand, those of the last time offered, and starts. */

@@ -13,6 +13,7 @@ import org.sami.crw.operator.mission.InterruptChoice;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.sim.run.settings.Parameters;
+import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Ids;
@@ -121,7 +122,7 @@ final class MissionCommands {
             throw new ConsoleFault(unfit.getMessage());
         }
         long mission = context.await(context.session().start(plan.id(), plan.title(), values));
-        out.accept("mission " + mission + " of " + plan.id() + " has begun");
+        out.accept("mission " + mission + " of " + plan.id() + " has begun" + DisabledParts.remark(plan));
     }
 
     private void missions(Arguments arguments, Consumer<String> out) {

@@ -63,6 +63,20 @@ class RunNewsTest {
     }
 
     @Test
+    void whatIsDisabledForTryingIsToldBeforeTheMissionDoesIt() throws Exception {
+        Path plan = Files.writeString(
+                folder.resolve("disabled.json"), ASKS.replace("{\"id\": \"b\",", "{\"id\": \"b\", \"disabled\": true,"));
+
+        CommandResult ran = CommandResult.crw("run", plan.toString(), "--boats", "1", "--speed", "max");
+
+        assertThat(ran.err().lines().findFirst().orElseThrow())
+                .contains("warning W-DISABLED")
+                .contains("is disabled while the plan is tried");
+        assertThat(ran.err()).contains("going on");
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+    }
+
+    @Test
     void operatorsAnswerIsToldWithItsValue() throws Exception {
         assertThat(run("1"))
                 .contains("s  answered [1] by the simulated operator: yes")

@@ -58,6 +58,9 @@ public final class RunCommand implements Callable<Integer> {
             description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
     private String name;
 
+    /** Warns of what a mission does although it was disabled for trying (decision 0434). */
+    private static final String DISABLED = "W-DISABLED";
+
     @Mixin
     private PlanOption planOption = new PlanOption();
 
@@ -90,6 +93,11 @@ public final class RunCommand implements Callable<Integer> {
             err.flush();
             return ExitCode.FINDINGS;
         }
+        FindingsText.print(
+                err,
+                name,
+                concerning.stream().filter(f -> f.code().equals(DISABLED)).toList());
+        err.flush();
         RunSettings settings = options.settings(plan.id(), plan.title());
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {
