@@ -97,6 +97,7 @@ public final class ProfileIds {
             "count-errors",
             "count-warnings",
             "try-robots",
+            "try-locations",
             "try-operator-answers",
             "try-robots-answer",
             "try-happen",

@@ -5,6 +5,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentMenu;
+import org.sami.spn.analysis.space.DeepCheck;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
@@ -117,18 +118,11 @@ final class DreammMenus {
                 "",
                 "replay-open",
                 "replay-close"));
-        bar.add(menus.menu(
-                "Issues",
-                'I',
-                "issue-next",
-                "issue-previous",
-                "issue-show",
-                "issue-fix",
-                "issue-play",
-                "",
-                "deep-stuck-states",
-                "deep-never-reached",
-                "deep-stop"));
+        JMenu issues =
+                menus.menu("Issues", 'I', "issue-next", "issue-previous", "issue-show", "issue-fix", "issue-play", "");
+        DeepCheck.ALL.forEach(check -> menus.add(issues, "deep-" + check.id()));
+        menus.add(issues, "deep-stop");
+        bar.add(issues);
         bar.add(menus.view(panels));
         JMenu help = menus.help();
         menus.add(help, "", "help-here");

@@ -2,7 +2,6 @@ package org.sami.spn.host;
 
 import java.io.IOException;
 import java.util.OptionalLong;
-import org.sami.spn.journal.JournalException;
 
 /** How long, and with how much, a host waits for a journal that cannot be written. For who holds the host's lock, but for its limit of inputs. */
 final class JournalRetryPolicy {

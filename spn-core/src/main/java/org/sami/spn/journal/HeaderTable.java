@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.host.JournalException;
 
 /** Reads and writes the header; its checksum is the table's last row and the beginning of the entries' chain. */
 final class HeaderTable {

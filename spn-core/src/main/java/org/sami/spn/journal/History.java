@@ -15,6 +15,7 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Effect;
 
 /** The past of a session: its valid entries, and the state after any of them by snapshot and replay. */

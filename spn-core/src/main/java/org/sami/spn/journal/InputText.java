@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.json.ProtocolJson;
 import org.sami.spn.json.UnreadableJsonException;
 import org.sami.spn.protocol.Input;

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.sami.spn.host.JournalException;
 
 /**
  * The right to write a journal: a lock on a file beside it, so that reading stays free to everybody, and one on a byte of the

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.stream.Collectors;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
 import org.sami.spn.json.VocabularyFiles;

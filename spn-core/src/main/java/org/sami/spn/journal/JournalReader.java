@@ -8,6 +8,7 @@ import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 
 /**
  * Reads a journal, also one that is being written: what was durable when it was opened. Used by one thread at a time.

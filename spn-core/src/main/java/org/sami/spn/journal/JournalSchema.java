@@ -8,6 +8,7 @@ import java.sql.Statement;
 import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.sami.spn.host.JournalException;
 
 /**
  * What a journal's file may consist of: the tables of journals, with plain columns. A file that somebody else has made may have views, triggers or

@@ -10,6 +10,7 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Input;
 
 /**

@@ -10,6 +10,7 @@ import java.util.NavigableSet;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.sami.spn.host.JournalException;
 
 /**
  * Reads a whole file once and finds out how far it is true. Nothing that SQLite says is believed without a checksum: of

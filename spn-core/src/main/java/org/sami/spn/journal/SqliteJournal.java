@@ -16,6 +16,7 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Input;
 
 /**

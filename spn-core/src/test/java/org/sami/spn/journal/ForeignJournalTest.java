@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.spn.host.JournalException;
 
 /** A journal that somebody else has prepared runs nothing; and one of ours is read by its user only. */
 class ForeignJournalTest {

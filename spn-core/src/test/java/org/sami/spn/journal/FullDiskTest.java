@@ -23,6 +23,7 @@ import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.HostStatus.Kind;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.host.ManualClock;
 import org.sami.spn.host.ManualExecutor;
 import org.sami.spn.protocol.Input;

@@ -18,6 +18,7 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 
 /**
  * Cuts the write-ahead log at every byte, flips a bit in bytes of both files, and opens what is left: the state is that

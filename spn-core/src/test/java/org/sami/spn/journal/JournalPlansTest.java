@@ -11,6 +11,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.engine.Engine;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.VocabularyFiles;
 import org.sami.spn.json.VocabularyReader;

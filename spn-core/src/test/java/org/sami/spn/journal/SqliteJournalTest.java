@@ -21,6 +21,7 @@ import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.testing.JavaProcess;
 
 @Timeout(300)

@@ -3,7 +3,7 @@ package org.sami.crw.sim.resume;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.host.JournalEntry;
-import org.sami.spn.journal.JournalException;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.JournalReader;
 
 /** The entries that earlier processes of a run wrote, of which only those around the last one asked for are in memory. */

@@ -3,7 +3,7 @@ package org.sami.crw.sim.cli;
 import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import org.sami.boat.server.testing.Await;
-import org.sami.spn.journal.JournalException;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.JournalReader;
 
 /** How far a process of {@code crw} is, by the journal that it writes: the same on any machine, however fast it is. */

@@ -1,4 +1,4 @@
-package org.sami.spn.journal;
+package org.sami.spn.host;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -23,7 +23,8 @@ public final class JournalException extends IOException {
         this.what = Objects.requireNonNull(what, "what");
     }
 
-    JournalException(Path file, long entry, String what) {
+    /** A fault of a journal that nothing else caused. */
+    public JournalException(Path file, long entry, String what) {
         this(file, entry, what, null);
     }
 
