@@ -98,7 +98,7 @@ class FullDiskTest {
 
         assertThat(said.exitCode()).as(said.text()).isEqualTo(4);
         assertThat(said.text())
-                .contains("missions stand still: the journal failed")
+                .contains("Missions stand still: the journal failed")
                 .contains("boats that were under way for missions hold their places");
     }
 
