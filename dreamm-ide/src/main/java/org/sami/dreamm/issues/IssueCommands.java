@@ -20,7 +20,8 @@ public final class IssueCommands {
     /** The key that shows a row, while the list has the focus. */
     static final KeyStroke SHOW = KeyStroke.getKeyStroke("ENTER");
 
-    private static final List<String> DEEP_KEYS = List.of("ctrl F8", "ctrl shift F8", "alt F8", "alt shift F8", "ctrl alt F8", "ctrl alt shift F8");
+    private static final List<String> DEEP_KEYS =
+            List.of("ctrl F8", "ctrl shift F8", "alt F8", "alt shift F8", "ctrl alt F8", "ctrl alt shift F8");
 
     private final DreammContext context;
     private final IssueList issues;

@@ -75,8 +75,7 @@ final class PlanRun {
     private void notePlans() {
         stepper.view()
                 .missions()
-                .forEach(mission ->
-                        stepper.view().planOf(mission.id()).ifPresent(of -> plans.put(mission.id(), of)));
+                .forEach(mission -> stepper.view().planOf(mission.id()).ifPresent(of -> plans.put(mission.id(), of)));
     }
 
     private String name(Effect.Fired fired) {

@@ -243,9 +243,8 @@ public final class TryOut {
 
     private boolean stepOn(TestStep step, String remark) {
         String why = remark.isEmpty() ? "" : " (" + remark.substring(0, remark.indexOf(';')) + ")";
-        boolean taken = done(words(step) + why, stepper -> stepper.take(step))
-                .refusal()
-                .isEmpty();
+        boolean taken =
+                done(words(step) + why, stepper -> stepper.take(step)).refusal().isEmpty();
         if (taken && !remark.isEmpty()) {
             message = remark + ": " + message;
             tell();

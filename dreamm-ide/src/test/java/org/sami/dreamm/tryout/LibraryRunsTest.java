@@ -43,7 +43,8 @@ class LibraryRunsTest {
         TryOut tryOut = runToItsEnd(LIBRARY.projectOf(plan).orElseThrow(), plan);
 
         assertThat(tryOut.message())
-                .isEqualTo("it went round; press end monitoring leads out: fired End monitoring; mission 1 is over: ended");
+                .isEqualTo(
+                        "it went round; press end monitoring leads out: fired End monitoring; mission 1 is over: ended");
         assertThat(tryOut.lines().get(tryOut.steps() - 1).done()).isEqualTo("press end monitoring (it went round)");
     }
 

@@ -65,7 +65,8 @@ class RunNewsTest {
     @Test
     void whatIsDisabledForTryingIsToldBeforeTheMissionDoesIt() throws Exception {
         Path plan = Files.writeString(
-                folder.resolve("disabled.json"), ASKS.replace("{\"id\": \"b\",", "{\"id\": \"b\", \"disabled\": true,"));
+                folder.resolve("disabled.json"),
+                ASKS.replace("{\"id\": \"b\",", "{\"id\": \"b\", \"disabled\": true,"));
 
         CommandResult ran = CommandResult.crw("run", plan.toString(), "--boats", "1", "--speed", "max");
 
