@@ -11,7 +11,10 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
 
-/** Where in a window that lies which must not move: the fleet stop, the row of health, and every panel. */
+/**
+ * Where in a window that lies which must not move: the fleet stop, the row of health, and the side of every panel. Panels above and below
+ * one another share their height by what waits in them (decision 0404).
+ */
 final class FixedControls {
     private static final String STOP = "fleet-stop";
 
@@ -34,8 +37,8 @@ final class FixedControls {
         for (Component child : root.getComponents()) {
             boolean fixed = STOP.equals(child.getName()) || "health-row".equals(child.getName());
             if (child.isShowing() && (fixed || child instanceof DockPanel)) {
-                places.put(
-                        child.getName(), SwingUtilities.convertRectangle(root, child.getBounds(), frame.getRootPane()));
+                Rectangle at = SwingUtilities.convertRectangle(root, child.getBounds(), frame.getRootPane());
+                places.put(child.getName(), fixed ? at : new Rectangle(at.x, 0, at.width, 0));
             }
             if (child instanceof Container inner && !(child instanceof DockPanel)) {
                 add(inner, places);
