@@ -37,7 +37,7 @@ public final class FullDiskWindow {
             window.session().start("communications-monitoring", "monitoring", Map.of());
             window.session().abortAll();
         }
-        robot.untilSaid("health-worst", "missions stand still");
+        robot.untilSaid("health-worst", "Missions stand still");
         JLabel worst = robot.find(JLabel.class, "health-worst");
         System.out.println(WindowRobot.<String>ask(worst::getText));
         robot.press(VK_F12);

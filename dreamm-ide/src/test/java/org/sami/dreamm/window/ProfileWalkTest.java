@@ -431,7 +431,7 @@ class ProfileWalkTest {
         assertThat(found).doesNotContainKeys("event", "inspector-add-requirement", "count-errors");
         assertThat(found).containsKeys("inspector-name", "inspector-start", "palette-search");
         assertThat(found).doesNotContainKeys("plan-tasks", "plan-variables", "project-variables", "inspector-edge");
-        assertThat(words(found)).doesNotContain("Tasks", "Variables of the plan", "Variables of the project");
+        assertThat(words(found)).doesNotContain("Tasks", "Variables of the plan");
         assertThat(parts.context().commands().get("net-add-place").isEnabled()).isTrue();
         assertThat(parts.context().commands().all())
                 .extracting(command -> command.id())
