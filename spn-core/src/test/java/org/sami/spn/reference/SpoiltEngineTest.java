@@ -231,32 +231,32 @@ class SpoiltEngineTest {
                 arguments(
                         "R-DEC-10",
                         "a filter whose last robot is dropped offers nobody",
-                        "Decisions.java",
+                        "RobotChoices.java",
                         "if (tooFew(left, choice) && filtered(open)",
                         "if (open == null && filtered(open)"),
                 arguments(
                         "R-DEC-10",
                         "a filter whose last robot has left offers who is gone",
                         "Firing.java",
-                        "rules.decisions.left(m);",
+                        "rules.robotChoices.left(m);",
                         ";"),
                 arguments(
                         "R-DEC-8",
                         "a choice that is asked anew has no deadline",
-                        "Decisions.java",
+                        "RobotChoices.java",
                         "open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();",
                         "OptionalLong.empty();"),
                 arguments(
                         "R-DEC-8",
                         "the deadline of a choice that is asked anew begins anew",
-                        "Decisions.java",
+                        "RobotChoices.java",
                         "open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();",
                         "open.deadline == null ? OptionalLong.empty()"
                                 + " : OptionalLong.of(rules.state.now + open.sent.output.timeoutMillis);"),
                 arguments(
                         "R-DEC-8",
                         "a deadline that has passed is set again",
-                        "Decisions.java",
+                        "RobotChoices.java",
                         "open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();",
                         "before.deadlineMillis();"),
                 arguments(

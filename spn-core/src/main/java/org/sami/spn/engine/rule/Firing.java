@@ -113,7 +113,7 @@ public final class Firing {
         nobody.forEach(rules.visits::end);
         rules.robotRemoval.askWithoutWithdrawn();
         if (!selected.removed.isEmpty() && !m.decisions.isEmpty()) {
-            rules.decisions.left(m);
+            rules.robotChoices.left(m);
         }
         write(m, used);
         if (ending) {

@@ -58,7 +58,7 @@ public final class RobotRemoval {
         withdrawn.clear();
         Map<MissionState, Set<String>> gone = new LinkedHashMap<>();
         concerned.forEach(m -> gone.put(m, Set.of(input.proxy())));
-        rules.decisions.gone(gone, "dropped");
+        rules.robotChoices.gone(gone, "dropped");
         rules.work.addWithdrawn();
         return Optional.empty();
     }
@@ -151,7 +151,7 @@ public final class RobotRemoval {
     /** Asks the choices of instances anew that offer robots which were withdrawn from them. */
     void askWithoutWithdrawn() {
         if (!withdrawn.isEmpty()) {
-            rules.decisions.gone(withdrawn, "withdrawn");
+            rules.robotChoices.gone(withdrawn, "withdrawn");
             withdrawn.clear();
         }
     }

@@ -28,6 +28,7 @@ public final class Rules {
     public final Activating activating;
     public final Timers timers;
     public final Decisions decisions;
+    public final RobotChoices robotChoices;
     public final SubMissions subMissions;
     public final SharedInstances sharedInstances;
     public final MissionStart missionStart;
@@ -56,7 +57,9 @@ public final class Rules {
         visits = new Visits(this);
         activating = new Activating(this);
         timers = new Timers(this);
-        decisions = new Decisions(this);
+        Questions questions = new Questions(this);
+        decisions = new Decisions(this, questions);
+        robotChoices = new RobotChoices(this, questions);
         subMissions = new SubMissions(this);
         sharedInstances = new SharedInstances(this);
         missionStart = new MissionStart(this);
