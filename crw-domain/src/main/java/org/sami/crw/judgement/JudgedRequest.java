@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * An output event of the asking plan with what is known of its fields. Immutable.
@@ -22,6 +23,16 @@ record JudgedRequest(String type, Map<String, Value> known, Map<String, String> 
         Objects.requireNonNull(type, "type");
         known = Map.copyOf(known);
         asked = Map.copyOf(asked);
+    }
+
+    /** The values that fields of an event have where a plan says nothing; changeable, in the vocabulary's order. */
+    static Map<String, Value> defaults(Vocabulary vocabulary, String type) {
+        Map<String, Value> defaults = new LinkedHashMap<>();
+        vocabulary
+                .event(type)
+                .ifPresent(known -> known.fields()
+                        .forEach(field -> field.defaultValue().ifPresent(value -> defaults.put(field.name(), value))));
+        return defaults;
     }
 
     /** The fields that an item gives. */

@@ -3,7 +3,6 @@ package org.sami.crw.judgement;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -113,14 +112,10 @@ public final class QuestionReader {
     }
 
     private JudgedRequest request(OutputEventSpec output, Map<String, String> written) {
-        Map<String, Value> known = new LinkedHashMap<>();
+        Map<String, Value> known = JudgedRequest.defaults(view.vocabulary(), output.type());
         Map<String, String> asked = new HashMap<>();
         Set<String> keys =
                 new HashSet<>(items().stream().map(Question.Item::key).toList());
-        view.vocabulary()
-                .event(output.type())
-                .ifPresent(type -> type.fields()
-                        .forEach(field -> field.defaultValue().ifPresent(value -> known.put(field.name(), value))));
         output.fields().forEach((field, source) -> {
             String key = output.id() + "." + field;
             if (source instanceof FieldSource.Fixed fixed) {

@@ -1,7 +1,6 @@
 package org.sami.crw.judgement;
 
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -81,12 +80,8 @@ public final class StartReader {
     }
 
     private JudgedRequest request(OutputEventSpec output, Set<String> given, Map<String, Value> variables) {
-        Map<String, Value> known = new LinkedHashMap<>();
+        Map<String, Value> known = JudgedRequest.defaults(view.vocabulary(), output.type());
         Map<String, String> asked = readers(output, given);
-        view.vocabulary()
-                .event(output.type())
-                .ifPresent(type -> type.fields()
-                        .forEach(field -> field.defaultValue().ifPresent(value -> known.put(field.name(), value))));
         output.fields().forEach((field, source) -> {
             String key = output.id() + "." + field;
             if (source instanceof FieldSource.Fixed fixed) {
