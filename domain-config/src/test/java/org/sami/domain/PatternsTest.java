@@ -2,7 +2,6 @@ package org.sami.domain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,16 +37,14 @@ import org.sami.spn.pattern.Patterns;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.testing.PlayedTasks;
 import org.sami.spn.testing.PlayedTeam;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
-import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
-import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.wizard.AddEvent;
@@ -318,35 +315,17 @@ class PatternsTest {
 
     private PlayedTeam camera(int locations, int boats, long seed) {
         return team(boats, seed)
-                .decides("OperatorCreateLocations", d -> new Answer.Fields(Map.of("locations", points(locations))))
-                .once("AllocationRequest", "AllocationResponse", a -> Map.of("allocations", allocations(a, boats)))
+                .decides(
+                        "OperatorCreateLocations",
+                        d -> new Answer.Fields(Map.of("locations", PlayedTasks.locations(locations))))
+                .once(
+                        "AllocationRequest",
+                        "AllocationResponse",
+                        a -> Map.of("allocations", PlayedTasks.allocations(a, boats)))
                 .works("TaskStarted", "TaskComplete")
                 .each("ProxyGotoLatLon", "ProxyPathCompleted")
                 .each("TakePanorama", "PanoramaTaken")
                 .each("TaskComplete", "TaskCompleted");
-    }
-
-    private static ListValue points(int count) {
-        List<Value> points = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
-            points.add(new GeoPoint(43.6 + i * 0.001, -79.4, 0));
-        }
-        return new ListValue(points);
-    }
-
-    /** One allocation that gives the tasks to the boats in turn. */
-    private static ListValue allocations(Activation asked, int boats) {
-        Map<Value, Value> tasks = new LinkedHashMap<>();
-        asked.tasks().forEach(t -> tasks.put(t, new ProxyValue("b" + (1 + tasks.size() % boats))));
-        Map<String, Value> fields = new LinkedHashMap<>();
-        fields.put("paths", new MapValue(Map.of(new ProxyValue("b1"), new GeoPath(List.of()))));
-        fields.put("totalLengthM", new RealValue(1));
-        fields.put("longestM", new RealValue(1));
-        fields.put("method", new TextValue("by hand"));
-        fields.put("reason", new TextValue(""));
-        fields.put("unallocated", new ListValue(List.of()));
-        fields.put("tasks", new MapValue(tasks));
-        return new ListValue(List.of(new RecordValue("Allocation", fields)));
     }
 
     @ParameterizedTest

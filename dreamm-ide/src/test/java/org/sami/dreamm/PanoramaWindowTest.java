@@ -10,8 +10,6 @@ import static java.awt.event.KeyEvent.VK_S;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -21,19 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.dreamm.profile.Profile;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
-import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.testing.PlayedTasks;
 import org.sami.spn.testing.PlayedTeam;
-import org.sami.spn.value.GeoPath;
-import org.sami.spn.value.GeoPoint;
-import org.sami.spn.value.ListValue;
-import org.sami.spn.value.MapValue;
-import org.sami.spn.value.ProxyValue;
-import org.sami.spn.value.RealValue;
-import org.sami.spn.value.RecordValue;
-import org.sami.spn.value.TextValue;
-import org.sami.spn.value.Value;
 
 /**
  * The final plan of the thesis's study (9.1.2, Figures 9.6 and 9.7) from nothing, by palette, canvas, inspector and patterns: panoramas at
@@ -147,8 +136,13 @@ class PanoramaWindowTest {
     /** Runs a plan to its end; says in which order boats arrived ("1") and pictures were taken ("2"). */
     private static List<String> ran(AuthorRobot author, Project drawn, int locations, int boats, long seed) {
         PlayedTeam team = new PlayedTeam(drawn, author.document().vocabulary(), boats, seed)
-                .decides("OperatorCreateLocations", d -> new Answer.Fields(Map.of("locations", points(locations))))
-                .once("AllocationRequest", "AllocationResponse", a -> Map.of("allocations", allocations(a, boats)))
+                .decides(
+                        "OperatorCreateLocations",
+                        d -> new Answer.Fields(Map.of("locations", PlayedTasks.locations(locations))))
+                .once(
+                        "AllocationRequest",
+                        "AllocationResponse",
+                        a -> Map.of("allocations", PlayedTasks.allocations(a, boats)))
                 .works("TaskStarted", "TaskComplete")
                 .each("ProxyGotoLatLon", "ProxyPathCompleted")
                 .each("TakePanorama", "PanoramaTaken")
@@ -172,28 +166,5 @@ class PanoramaWindowTest {
                 .map(Transition::id)
                 .findFirst()
                 .orElseThrow();
-    }
-
-    private static ListValue points(int count) {
-        List<Value> points = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
-            points.add(new GeoPoint(43.6 + i * 0.001, -79.4, 0));
-        }
-        return new ListValue(points);
-    }
-
-    /** One allocation that gives the tasks to the boats in turn. */
-    private static ListValue allocations(Activation asked, int boats) {
-        Map<Value, Value> tasks = new LinkedHashMap<>();
-        asked.tasks().forEach(t -> tasks.put(t, new ProxyValue("b" + (1 + tasks.size() % boats))));
-        Map<String, Value> fields = new LinkedHashMap<>();
-        fields.put("paths", new MapValue(Map.of(new ProxyValue("b1"), new GeoPath(List.of()))));
-        fields.put("totalLengthM", new RealValue(1));
-        fields.put("longestM", new RealValue(1));
-        fields.put("method", new TextValue("by hand"));
-        fields.put("reason", new TextValue(""));
-        fields.put("unallocated", new ListValue(List.of()));
-        fields.put("tasks", new MapValue(tasks));
-        return new ListValue(List.of(new RecordValue("Allocation", fields)));
     }
 }
