@@ -21,11 +21,11 @@ import org.sami.spn.wiring.WaysBack;
  * Who can still come to a place, and from where: the places before it in which tokens of a kind can stand. Of robots, those are left out that
  * stay behind by choice: in the start, and where the operator chooses some of them.
  */
-final class Latecomers {
+final class PlacesBefore {
     private final PatternSpot spot;
     private final ComingTokens coming;
 
-    Latecomers(PatternSpot spot) {
+    PlacesBefore(PatternSpot spot) {
         this.spot = spot;
         this.coming = spot.coming();
     }

@@ -9,7 +9,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.wiring.WaysBack;
-import org.sami.spn.wizard.Meeting;
+import org.sami.spn.wizard.InhibitedTransition;
 
 /** The mission ends when nobody is at work any more: where they are when they are done, and in no place before. */
 final class UntilNoneIsLeft implements Pattern {
@@ -57,8 +57,9 @@ final class UntilNoneIsLeft implements Pattern {
             Plan drawn = plan;
             Optional<String> end = Optional.empty();
             for (Place place : done) {
-                Meeting meeting = new Meeting(place.id(), empty, kind, "None is left", "End", true, spot.mode());
-                drawn = end.isPresent() ? meeting.drawn(drawn, end.get()) : meeting.drawn(drawn);
+                InhibitedTransition transition =
+                        new InhibitedTransition(place.id(), empty, kind, "None is left", "End", true, spot.mode());
+                drawn = end.isPresent() ? transition.drawn(drawn, end.get()) : transition.drawn(drawn);
                 end = Optional.of(last(drawn));
             }
             return drawn;
@@ -77,9 +78,9 @@ final class UntilNoneIsLeft implements Pattern {
     }
 
     private static Optional<TokenKind> kind(PatternSpot spot, List<Place> done) {
-        Latecomers latecomers = new Latecomers(spot);
+        PlacesBefore before = new PlacesBefore(spot);
         return done.stream()
-                .map(p -> latecomers.kind(p.id()))
+                .map(p -> before.kind(p.id()))
                 .flatMap(Optional::stream)
                 .findFirst();
     }
@@ -88,7 +89,7 @@ final class UntilNoneIsLeft implements Pattern {
         Set<String> chosen = new LinkedHashSet<>();
         spot.places().stream().filter(p -> !done.contains(p)).map(Place::id).forEach(chosen::add);
         return chosen.isEmpty()
-                ? new Latecomers(spot).before(done.stream().map(Place::id).toList(), kind)
+                ? new PlacesBefore(spot).before(done.stream().map(Place::id).toList(), kind)
                 : chosen;
     }
 }

@@ -9,7 +9,7 @@ import org.sami.spn.edit.Edit;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.wiring.WaysBack;
-import org.sami.spn.wizard.Meeting;
+import org.sami.spn.wizard.InhibitedTransition;
 
 /** All go on together when nobody can come any more: a transition that asks for somebody here and for nobody in each place before. */
 final class WhenAllAreHere implements Pattern {
@@ -41,7 +41,7 @@ final class WhenAllAreHere implements Pattern {
         if (here.get().end()) {
             return Optional.of("The mission ends with the first who comes to " + PatternSpot.name(here.get()));
         }
-        Optional<TokenKind> kind = new Latecomers(spot).kind(here.get().id());
+        Optional<TokenKind> kind = new PlacesBefore(spot).kind(here.get().id());
         if (kind.isEmpty()) {
             return Optional.of("Neither robots nor tasks come to " + PatternSpot.name(here.get()));
         }
@@ -53,11 +53,11 @@ final class WhenAllAreHere implements Pattern {
     @Override
     public Edit edit(PatternSpot spot) {
         Place here = here(spot).orElseThrow();
-        TokenKind kind = new Latecomers(spot).kind(here.id()).orElseThrow();
-        Meeting meeting = new Meeting(
+        TokenKind kind = new PlacesBefore(spot).kind(here.id()).orElseThrow();
+        InhibitedTransition drawn = new InhibitedTransition(
                 here.id(), empty(spot, here, kind), kind, "All are here", "All together", false, spot.mode());
         return new PatternEdit(
-                spot.plan().id(), title() + ": " + PatternSpot.name(here), (plan, context) -> meeting.drawn(plan));
+                spot.plan().id(), title() + ": " + PatternSpot.name(here), (plan, context) -> drawn.drawn(plan));
     }
 
     /** The selected place that is reached from all others, over the fewest firings. */
@@ -82,6 +82,6 @@ final class WhenAllAreHere implements Pattern {
                 .map(Place::id)
                 .filter(id -> !id.equals(here.id()))
                 .forEach(chosen::add);
-        return chosen.isEmpty() ? new Latecomers(spot).onTheWay(List.of(here.id()), kind) : chosen;
+        return chosen.isEmpty() ? new PlacesBefore(spot).onTheWay(List.of(here.id()), kind) : chosen;
     }
 }

@@ -25,7 +25,7 @@ final class Moment {
     long mission = Ids.NONE;
     Optional<Outcome> outcome = Optional.empty();
     private MomentKey key;
-    private String looks;
+    private String summary;
 
     Moment(EngineState state) {
         this(state, new RobotTasks());
@@ -53,12 +53,12 @@ final class Moment {
         return key;
     }
 
-    /** How it looks ({@link Looks}), computed when it is first asked for; not while a step is taken. */
-    String looks(Engine engine) {
-        if (looks == null) {
-            looks = Looks.of(engine.view(state), tasks.words());
+    /** Its {@link MomentSummary}, computed when it is first asked for; not while a step is taken. */
+    String summary(Engine engine) {
+        if (summary == null) {
+            summary = MomentSummary.of(engine.view(state), tasks.words());
         }
-        return looks;
+        return summary;
     }
 
     void saw(Effect effect, Vocabulary vocabulary) {

@@ -9,23 +9,23 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Token;
 
 /**
- * How a moment looks: what stands where, what is kept and what is asked, whatever the order and whatever the values. Moments that look alike
- * may go on differently; a run that looks alike again and again goes round.
+ * A text that is equal for moments with the same tokens, kept answers and questions, without their order and values. Such moments may go on
+ * differently; a run in which one text comes again and again goes round.
  */
-final class Looks {
-    private Looks() {}
+final class MomentSummary {
+    private MomentSummary() {}
 
     static String of(EngineView view, String tasks) {
-        StringBuilder looks = new StringBuilder(tasks);
+        StringBuilder text = new StringBuilder(tasks);
         for (MissionView mission : view.missions()) {
-            looks.append('|').append(mission.plan()).append(mission.status());
-            mission.marking().forEach((place, tokens) -> looks.append(place).append(sorted(tokens)));
-            looks.append(view.pendingAnswers(mission.id()).stream()
-                    .map(Looks::words)
+            text.append('|').append(mission.plan()).append(mission.status());
+            mission.marking().forEach((place, tokens) -> text.append(place).append(sorted(tokens)));
+            text.append(view.pendingAnswers(mission.id()).stream()
+                    .map(MomentSummary::words)
                     .sorted()
                     .collect(Collectors.joining(",")));
         }
-        return looks.append(
+        return text.append(
                         view.decisions().stream().map(Decision::type).sorted().toList())
                 .toString();
     }

@@ -378,14 +378,14 @@ public final class Stepper {
         return keys;
     }
 
-    /** How all moments before the present one looked, from the start on. */
-    List<String> looksBefore() {
-        return past.stream().map(step -> step.before().looks(engine)).toList();
+    /** The summaries of all moments before the present one, from the start on. */
+    List<String> summariesBefore() {
+        return past.stream().map(step -> step.before().summary(engine)).toList();
     }
 
-    /** How the present moment looks: equal for moments that differ only in the order of what stands or waits somewhere. */
-    String looks() {
-        return now.looks(engine);
+    /** The summary of the present moment ({@link MomentSummary}). */
+    String summary() {
+        return now.summary(engine);
     }
 
     /** The steps taken, as a test case says them. */

@@ -26,8 +26,8 @@ import org.sami.spn.stepping.NextStep.Kind;
 public final class Turns {
     /** An answer that was given so often comes after the others. */
     private static final int OFTEN = 8;
-    /** Where a moment looks as so many before it, it is as if it was there already: only the order of tokens differs. */
-    private static final int LOOKS = 3;
+    /** After so many moments with one summary, another with it counts as reached before: only the order of tokens differs. */
+    private static final int MOST_ALIKE = 3;
     /** After so many steps in which nobody came to where he was not yet, the run goes round. */
     private static final int NOTHING_NEW = 40;
     /** How many steps are tried for a way that leads on: a blink of an eye. */
@@ -40,7 +40,7 @@ public final class Turns {
     private final Predicate<Kind> isPlayed;
     private final Set<MomentKey> before;
     private int tried;
-    private final Map<String, Integer> looks = new HashMap<>();
+    private final Map<String, Integer> summaries = new HashMap<>();
     private final int stepsWithoutNews;
     private final Map<String, Integer> turns = new HashMap<>();
     private final Map<TestStep, Integer> uses = new HashMap<>();
@@ -68,8 +68,8 @@ public final class Turns {
         this.isPlayed = isPlayed;
         before = new HashSet<>(stepper.keysBefore());
         before.add(stepper.key());
-        stepper.looksBefore().forEach(look -> looks.merge(look, 1, Integer::sum));
-        looks.merge(stepper.looks(), 1, Integer::sum);
+        stepper.summariesBefore().forEach(summary -> summaries.merge(summary, 1, Integer::sum));
+        summaries.merge(stepper.summary(), 1, Integer::sum);
         stepsWithoutNews = stepsWithoutNews(stepper);
         for (TestStep taken : stepper.said()) {
             turns.merge(actor(taken), 1, Integer::sum);
@@ -155,7 +155,7 @@ public final class Turns {
 
     /** Whether a moment was not there yet. */
     private boolean leadsOn(Stepper tried) {
-        return !before.contains(tried.key()) && looks.getOrDefault(tried.looks(), 0) < LOOKS;
+        return !before.contains(tried.key()) && summaries.getOrDefault(tried.summary(), 0) < MOST_ALIKE;
     }
 
     /** Who does a step: a robot or a task, the operator at one question, whoever answers one event, time. */

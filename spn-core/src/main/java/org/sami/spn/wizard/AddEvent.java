@@ -119,7 +119,7 @@ public record AddEvent(
             Set<String> from = new LinkedHashSet<>();
             after.inEdgesOf(t.id()).forEach(e -> from.add(e.place()));
             boolean tasks = from.stream().anyMatch(p -> coming.comes(ComingTokens.Kind.TASK, p));
-            met = new Meeting(
+            met = new InhibitedTransition(
                             after.outEdgesOf(t.id()).get(0).place(),
                             from,
                             tasks ? TokenKind.ANY_TASK : TokenKind.ANY_PROXY,

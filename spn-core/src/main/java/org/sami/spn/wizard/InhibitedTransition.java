@@ -31,7 +31,7 @@ import org.sami.spn.model.WaitFor;
  * @param behind name of the new place behind it
  * @param end whether that place is an end of the plan
  */
-public record Meeting(
+public record InhibitedTransition(
         String here, Set<String> empty, TokenKind kind, String name, String behind, boolean end, Mode mode) {
     /** Draws it into a plan, with a new place behind it. */
     public Plan drawn(Plan plan) {

@@ -17,7 +17,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 
 /** A bar below a map with which it is made higher or lower: dragged, or with Up and Down. */
-final class MapGrip extends JPanel {
+final class MapResizeBar extends JPanel {
     private static final int HIGH = 10;
     private static final int STEP = 40;
     private static final int MARK = 36;
@@ -28,7 +28,7 @@ final class MapGrip extends JPanel {
      * @param height of the map now, in pixels
      * @param resize makes the map so high
      */
-    MapGrip(IntSupplier height, IntConsumer resize) {
+    MapResizeBar(IntSupplier height, IntConsumer resize) {
         setCursor(Cursor.getPredefinedCursor(Cursor.S_RESIZE_CURSOR));
         setToolTipText("Drag, or press Up or Down, to make the map lower or higher");
         setFocusable(true);

@@ -46,7 +46,7 @@ final class PlaceEditor extends ValueEditor {
         map.setName(field.componentName("map"));
         map.canvas().setName(field.componentName("canvas"));
         map.setInForm(true);
-        MapGrip grip = new MapGrip(map::getHeight, this::resize);
+        MapResizeBar grip = new MapResizeBar(map::getHeight, this::resize);
         grip.setName(field.componentName("map-height"));
         mapSide.setOpaque(false);
         mapSide.add(map);
