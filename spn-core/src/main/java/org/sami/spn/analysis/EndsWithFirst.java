@@ -3,9 +3,10 @@ package org.sami.spn.analysis;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.sami.spn.analysis.TokenFlow.Kind;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -44,7 +45,7 @@ final class EndsWithFirst implements PlanCheck {
     }
 
     private static boolean waitsForAbsence(InEdge edge) {
-        return edge.requirements().stream().anyMatch(ForgottenPlaces::isAbsence);
+        return edge.requirements().stream().anyMatch(ComingTokens::isAbsence);
     }
 
     private static void check(PlanContext plan, Transition t, Place end, Consumer<Finding> report) {
@@ -72,7 +73,7 @@ final class EndsWithFirst implements PlanCheck {
     private static void gathered(PlanContext plan, Transition t, Place end, Consumer<Finding> report) {
         for (InEdge edge : plan.inEdges(t)) {
             for (InRequirement r : edge.requirements()) {
-                Set<Kind> kinds = TokenFlow.kinds(r.kind());
+                Set<Kind> kinds = ComingTokens.kinds(r.kind());
                 boolean wants =
                         r.match() == Match.AT_LEAST && (kinds.contains(Kind.PROXY) || kinds.contains(Kind.TASK));
                 List<Place> before = wants ? comeSinglyFrom(plan, edge.place()) : List.of();

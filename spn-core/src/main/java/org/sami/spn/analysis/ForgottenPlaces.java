@@ -10,11 +10,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import org.sami.spn.analysis.TokenFlow.Kind;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -50,21 +51,13 @@ final class ForgottenPlaces implements PlanCheck {
             }
         }
     }
-
-    /** Whether a requirement asks that nobody is there. */
-    static boolean isAbsence(InRequirement r) {
-        return r.match() == Match.ZERO
-                || (r.match() == Match.LESS_THAN && r.n() <= 1)
-                || (r.match() == Match.EXACTLY && r.n() == 0);
-    }
-
     /** The kinds with names of which a transition asks that none is left somewhere. */
     private static Set<Kind> absent(PlanContext plan, Transition t) {
         Set<Kind> kinds = EnumSet.noneOf(Kind.class);
         for (InEdge edge : plan.inEdges(t)) {
             edge.requirements().stream()
-                    .filter(r -> isAbsence(r) && r.kind() != TokenKind.RELEVANT)
-                    .forEach(r -> kinds.addAll(TokenFlow.kinds(r.kind())));
+                    .filter(r -> ComingTokens.isAbsence(r) && r.kind() != TokenKind.RELEVANT)
+                    .forEach(r -> kinds.addAll(ComingTokens.kinds(r.kind())));
         }
         kinds.retainAll(NAMED);
         return kinds;
@@ -75,7 +68,7 @@ final class ForgottenPlaces implements PlanCheck {
             PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
         for (InEdge edge : plan.inEdges(t)) {
             boolean gathers = edge.requirements().stream()
-                    .anyMatch(r -> r.match() == Match.AT_LEAST && meets(TokenFlow.kinds(r.kind()), kinds));
+                    .anyMatch(r -> r.match() == Match.AT_LEAST && meets(ComingTokens.kinds(r.kind()), kinds));
             boolean plain = plan.place(edge.place())
                     .filter(p -> p.subMissions().isEmpty())
                     .isPresent();
@@ -112,7 +105,7 @@ final class ForgottenPlaces implements PlanCheck {
             for (OutEdge edge : plan.place(open.pop()).map(plan::edgesInto).orElse(List.of())) {
                 if (meets(plan.flow().along(edge), kinds)) {
                     plan.transition(edge.transition()).map(plan::inEdges).orElse(List.of()).stream()
-                            .filter(e -> e.requirements().stream().noneMatch(ForgottenPlaces::isAbsence))
+                            .filter(e -> e.requirements().stream().noneMatch(ComingTokens::isAbsence))
                             .map(InEdge::place)
                             .filter(before::add)
                             .forEach(open::push);
@@ -129,7 +122,7 @@ final class ForgottenPlaces implements PlanCheck {
                 .flatMap(e -> plan.transition(e.transition()).stream())
                 .toList();
         return plan.inEdges(t).stream()
-                .filter(e -> e.requirements().stream().anyMatch(ForgottenPlaces::isAbsence))
+                .filter(e -> e.requirements().stream().anyMatch(ComingTokens::isAbsence))
                 .map(InEdge::place)
                 .anyMatch(counter -> entering.stream()
                         .allMatch(u -> plan.outEdges(u).stream()

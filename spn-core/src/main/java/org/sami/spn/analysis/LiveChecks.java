@@ -89,38 +89,61 @@ public final class LiveChecks {
         return project.plans().stream().allMatch(p -> ids.add(p.id()));
     }
 
-    /** Ids of the plans that see something of a plan which is another now, or of their order: those that run it or that it runs, at any depth. */
+    /**
+     * Ids of the plans that see something of a plan which is another now, or of their order: those that run it or that it runs, at any depth;
+     * where other tokens go in or out of it, all that hang together with it.
+     */
     private Set<String> concerned(ProjectContext next) {
         Map<String, Plan> was = new HashMap<>();
         project.plans().forEach(p -> was.put(p.id(), p));
         Set<String> changed = new HashSet<>(was.keySet());
+        Set<String> sameFlow = new HashSet<>();
         for (Plan plan : next.project().plans()) {
             Optional<Plan> old = Optional.ofNullable(was.get(plan.id()));
             if (old.isEmpty()) {
                 changed.add(plan.id());
-            } else if (sameNet(old.get(), plan)
-                    || PlanInterface.of(context.of(old.get())).equals(PlanInterface.of(next.of(plan)))) {
+            } else if (sameNet(old.get(), plan)) {
                 changed.remove(plan.id());
+            } else {
+                PlanInterface before = PlanInterface.of(context.of(old.get()));
+                PlanInterface after = PlanInterface.of(next.of(plan));
+                if (before.equals(after)) {
+                    changed.remove(plan.id());
+                } else if (before.hasSameFlow(after)) {
+                    sameFlow.add(plan.id());
+                }
             }
         }
-        Set<String> concerned = new HashSet<>();
         for (Plan plan : next.project().plans()) { // of two plans that run it, the first says what it sees
             if (!parents(context, plan.id()).equals(parents(next, plan.id()))) {
                 changed.add(plan.id());
+                sameFlow.remove(plan.id());
             }
         }
+        Set<String> concerned = new HashSet<>();
         for (String id : changed) {
             for (ProjectContext version : List.of(context, next)) {
-                reach(id, concerned, plan -> parents(version, plan));
-                reach(
-                        id,
-                        concerned,
-                        plan -> version.plan(plan)
-                                .map(p -> List.copyOf(ProjectContext.children(p)))
-                                .orElse(List.of()));
+                if (sameFlow.contains(id)) {
+                    reach(id, concerned, plan -> parents(version, plan));
+                    reach(id, concerned, plan -> children(version, plan));
+                } else {
+                    reach(id, concerned, plan -> neighbours(version, plan));
+                }
             }
         }
         return concerned;
+    }
+
+    private static List<String> neighbours(ProjectContext version, String plan) {
+        List<String> neighbours = new ArrayList<>(parents(version, plan));
+        neighbours.addAll(children(version, plan));
+        return neighbours;
+    }
+
+    private static List<String> children(ProjectContext version, String plan) {
+        return version.plan(plan)
+                .map(p -> List.copyOf(ProjectContext.children(p)))
+                .orElse(List.of());
     }
 
     private static List<String> parents(ProjectContext version, String plan) {

@@ -3,8 +3,9 @@ package org.sami.spn.analysis;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.sami.spn.analysis.TokenFlow.Kind;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -47,7 +48,7 @@ final class OpenGates implements PlanCheck {
                         .filter(other -> other.inputs().isEmpty())
                         .isPresent())
                 .allMatch(e ->
-                        !e.requirements().isEmpty() && e.requirements().stream().allMatch(ForgottenPlaces::isAbsence));
+                        !e.requirements().isEmpty() && e.requirements().stream().allMatch(ComingTokens::isAbsence));
     }
 
     private static void check(PlanContext plan, Transition t, InEdge edge, Place place, Consumer<Finding> report) {
@@ -55,7 +56,7 @@ final class OpenGates implements PlanCheck {
         boolean firstGoesOn =
                 edge.requirements().size() == 1 && edge.requirements().stream().allMatch(OpenGates::asksForOne);
         if (firstGoesOn && !before.isEmpty()) {
-            Set<Kind> kinds = TokenFlow.kinds(edge.requirements().get(0).kind());
+            Set<Kind> kinds = ComingTokens.kinds(edge.requirements().get(0).kind());
             report.accept(ForgottenPlaces.askingForNone(
                     plan,
                     t,
@@ -74,7 +75,7 @@ final class OpenGates implements PlanCheck {
     }
 
     private static boolean asksForOne(InRequirement r) {
-        Set<Kind> kinds = TokenFlow.kinds(r.kind());
+        Set<Kind> kinds = ComingTokens.kinds(r.kind());
         return r.match() == Match.AT_LEAST && r.n() <= 1 && (kinds.contains(Kind.PROXY) || kinds.contains(Kind.TASK));
     }
 }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -32,7 +33,17 @@ record PlanInterface(
         boolean ends,
         Optional<String> endsSharedInstance,
         List<Optional<FieldSource>> returned,
-        Set<String> tasks) {
+        Set<String> tasks,
+        Map<String, Set<Kind>> broughtTokens,
+        Set<Kind> madeTokens) {
+
+    /**
+     * Whether tokens go in and out of it as in another version: what one sub-mission brings back can come to a place at which the same parent
+     * starts another.
+     */
+    boolean hasSameFlow(PlanInterface other) {
+        return broughtTokens.equals(other.broughtTokens) && madeTokens.equals(other.madeTokens);
+    }
 
     static PlanInterface of(PlanContext context) {
         Plan plan = context.plan();
@@ -64,6 +75,8 @@ record PlanInterface(
                 plan.places().stream().anyMatch(Place::end),
                 SharedInstancesOver.ending(plan).map(PlanContext::name),
                 returned,
-                tasks);
+                tasks,
+                context.flow().brought(),
+                context.flow().made());
     }
 }

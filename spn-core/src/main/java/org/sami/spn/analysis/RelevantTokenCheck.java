@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.sami.spn.analysis.PlanContext.PlacedInput;
-import org.sami.spn.analysis.TokenFlow.Kind;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.NamedTokens;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -15,21 +15,14 @@ import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
-import org.sami.spn.vocabulary.EventRole;
-import org.sami.spn.vocabulary.TokenNeed;
 
 /** Relevant tokens are those that an input event names: without such an event there are none (thesis 3.1, 9.3.4). */
 final class RelevantTokenCheck implements PlanCheck {
-    private static final Set<EventRole> MAY_NAME = Set.of(
-            EventRole.INTERRUPT,
-            EventRole.GENERAL_INTERRUPT_RECEIVED,
-            EventRole.PROXY_INTERRUPT_RECEIVED,
-            EventRole.SUB_MISSION_ABORTED);
-
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {
-            boolean names = plan.inputsOf(t).stream().anyMatch(RelevantTokenCheck::mayName);
+            boolean names = plan.inputsOf(t).stream()
+                    .anyMatch(input -> !NamedTokens.of(input.type()).isEmpty());
             if (names || t.inputs().size() > plan.inputsOf(t).size()) {
                 continue;
             }
@@ -48,11 +41,6 @@ final class RelevantTokenCheck implements PlanCheck {
                 }
             }
         }
-    }
-
-    private static boolean mayName(PlacedInput input) {
-        return input.type().tokens() != TokenNeed.NONE
-                || MAY_NAME.contains(input.type().role());
     }
 
     /** Offers to ask for robots or tasks, as they may stand in the edge's place, in the stead of relevant tokens. */

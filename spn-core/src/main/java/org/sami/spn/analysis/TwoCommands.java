@@ -6,8 +6,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
-import org.sami.spn.analysis.TokenFlow.Kind;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -91,6 +92,6 @@ final class TwoCommands implements PlanCheck {
                 && edge.requirements().stream()
                         .anyMatch(r -> r.action() != Action.CONSUME
                                 && r.kind() != TokenKind.TASK
-                                && TokenFlow.kinds(r.kind()).contains(kind));
+                                && ComingTokens.kinds(r.kind()).contains(kind));
     }
 }

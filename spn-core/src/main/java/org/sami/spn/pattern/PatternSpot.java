@@ -3,12 +3,12 @@ package org.sami.spn.pattern;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.spn.wiring.ComingTokens;
 import org.sami.spn.wizard.AuthoringLibrary;
 
 /**

@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
@@ -14,7 +15,6 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
-import org.sami.spn.wiring.ComingTokens;
 import org.sami.spn.wiring.WaysBack;
 
 /**

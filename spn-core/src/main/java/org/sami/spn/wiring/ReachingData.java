@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Plan;

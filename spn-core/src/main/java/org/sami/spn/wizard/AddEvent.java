@@ -8,6 +8,7 @@ import java.util.Set;
 import org.sami.spn.edit.EditContext;
 import org.sami.spn.edit.EditRefusedException;
 import org.sami.spn.edit.PlanEdit;
+import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -16,7 +17,6 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
-import org.sami.spn.wiring.ComingTokens;
 import org.sami.spn.wiring.Wires;
 
 /**

@@ -5,6 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.NamedTokens;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -14,10 +16,7 @@ import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TokenKind;
-import org.sami.spn.vocabulary.EventRole;
-import org.sami.spn.vocabulary.TokenNeed;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.spn.wiring.ComingTokens;
 import org.sami.spn.wiring.WaysBack;
 
 /**
@@ -25,11 +24,6 @@ import org.sami.spn.wiring.WaysBack;
  * only where an input event names some; kinds of tokens that come there; and on a further edge into a transition, that nobody is left there.
  */
 public final class SoundRequirements {
-    private static final Set<EventRole> NAME_TOKENS = EnumSet.of(
-            EventRole.INTERRUPT,
-            EventRole.GENERAL_INTERRUPT_RECEIVED,
-            EventRole.PROXY_INTERRUPT_RECEIVED,
-            EventRole.SUB_MISSION_ABORTED);
     private static final InRequirement NO_PROXY = InRequirement.of(TokenKind.ANY_PROXY, Match.ZERO, 0);
     private static final InRequirement NO_TASK = InRequirement.of(TokenKind.ANY_TASK, Match.ZERO, 0);
 
@@ -51,7 +45,7 @@ public final class SoundRequirements {
         return plan.transition(transition).stream()
                 .flatMap(t -> t.inputs().stream())
                 .flatMap(i -> vocabulary.event(i.type()).stream())
-                .anyMatch(e -> e.tokens() != TokenNeed.NONE || NAME_TOKENS.contains(e.role()));
+                .anyMatch(e -> !NamedTokens.of(e).isEmpty());
     }
 
     /** What can be asked for on an edge into a transition. */

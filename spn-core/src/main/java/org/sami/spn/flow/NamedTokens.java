@@ -1,0 +1,41 @@
+package org.sami.spn.flow;
+
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+
+/**
+ * Whom an occurrence of an input event can name, and so which relevant tokens its transition can have (R-REL-1, R-REL-3): what the event's
+ * type needs, and for events of the engine what their role says.
+ */
+public final class NamedTokens {
+    private NamedTokens() {}
+
+    /** The kinds of tokens that occurrences of a type can name; none where they name nobody. */
+    public static Set<Kind> of(EventType type) {
+        Set<Kind> named = byRole(type.role());
+        switch (type.tokens()) {
+            case PROXY -> named.add(Kind.PROXY);
+            case TASK -> named.add(Kind.TASK);
+            case PROXY_OR_TASK -> {
+                named.add(Kind.PROXY);
+                named.add(Kind.TASK);
+            }
+            case NONE -> {}
+        }
+        return Collections.unmodifiableSet(named);
+    }
+
+    private static Set<Kind> byRole(EventRole role) {
+        return switch (role) {
+            case TOKENS_RETURNED, INTERRUPT, GENERAL_INTERRUPT_RECEIVED, PROXY_INTERRUPT_RECEIVED ->
+                EnumSet.of(Kind.PROXY);
+            case TASKS_GENERATED -> EnumSet.of(Kind.TASK);
+            case PROXY_TIMER_EXPIRED, SUB_MISSION_ABORTED -> EnumSet.of(Kind.PROXY, Kind.TASK);
+            default -> EnumSet.noneOf(Kind.class);
+        };
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * Which kinds of tokens can come where in a plan, by what its edges require: one bound from above for the checks and for all that is proposed
+ * to authors. Answers about plans; no window, no running.
+ */
+package org.sami.spn.flow;
