@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -140,6 +142,32 @@ class DocumentTest {
         }
         assertThat(decisions.stream().map(path -> path.getFileName().toString().substring(0, 4)))
                 .doesNotHaveDuplicates();
+    }
+
+    /** A stranger reads the README to its end, and finds every page from there. */
+    @Test
+    void readmeIsShortAndLeadsToEveryPage() throws IOException {
+        Path readme = Path.of("README.md").toAbsolutePath();
+        Set<Path> reached = new HashSet<>(Set.of(readme));
+        Deque<Path> open = new ArrayDeque<>(reached);
+        while (!open.isEmpty()) {
+            Path page = open.poll();
+            Matcher links = LINK.matcher(Files.readString(page));
+            while (links.find()) {
+                Path target = page.resolveSibling(links.group(1)).normalize();
+                if (Files.isDirectory(target)) {
+                    target = target.resolve("README.md");
+                }
+                if (target.toString().endsWith(".md") && Files.exists(target) && reached.add(target)) {
+                    open.add(target);
+                }
+            }
+        }
+        List<Path> pages = documents().stream().map(Path::toAbsolutePath).toList();
+
+        assertThat(Files.readAllLines(readme)).hasSizeLessThanOrEqualTo(120);
+        assertThat(pages).hasSizeGreaterThan(100);
+        assertThat(reached).containsAll(pages);
     }
 
     private static List<Path> documents() throws IOException {
