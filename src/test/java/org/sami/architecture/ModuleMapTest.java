@@ -11,6 +11,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,6 +21,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ModuleMapTest {
     /** The part of a module's classes that its least number is to be of, so that a half-empty import is noticed. */
     private static final double PART = 0.75;
+
+    private static final Pattern ARROW = Pattern.compile("(?m)^ +([\\w-]+) --> ([\\w-]+)$");
 
     @ParameterizedTest
     @MethodSource("org.sami.architecture.SamiModule#built")
@@ -56,6 +60,23 @@ class ModuleMapTest {
     @MethodSource("org.sami.architecture.SamiModule#built")
     void leastNumberOfClassesIsNearTheRealOne(SamiModule module) {
         assertThat(module.leastClasses()).isGreaterThan((int) (module.classes().size() * PART));
+    }
+
+    /** An arrow to a module that is reached through another one is left out, so that the diagram can be read. */
+    @Test
+    void diagramOfTheArchitecturePageShowsTheMap() throws Exception {
+        String page = Files.readString(Path.of("ARCHITECTURE.md"));
+
+        List<String> drawn = ARROW.matcher(page)
+                .results()
+                .map(arrow -> arrow.group(1) + " --> " + arrow.group(2))
+                .toList();
+
+        assertThat(drawn)
+                .containsExactlyInAnyOrderElementsOf(SamiModule.built()
+                        .flatMap(module ->
+                                module.neighbours().map(known -> module.diagramName() + " --> " + known.diagramName()))
+                        .toList());
     }
 
     @Test

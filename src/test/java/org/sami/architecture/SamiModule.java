@@ -96,6 +96,20 @@ enum SamiModule {
         return known.toArray(String[]::new);
     }
 
+    /** The modules that this one may know and does not reach through another that it may know: the arrows of a diagram. */
+    Stream<SamiModule> neighbours() {
+        return mayKnow.stream().filter(known -> mayKnow.stream().noneMatch(other -> other.reaches(known)));
+    }
+
+    private boolean reaches(SamiModule other) {
+        return mayKnow.stream().anyMatch(known -> known == other || known.reaches(other));
+    }
+
+    /** The module's name in the diagram of ARCHITECTURE.md. */
+    String diagramName() {
+        return folder.replace('/', '-');
+    }
+
     /** The module's compiled main classes, all of them, imported once for all tests: fewer than its least number is a failure. */
     JavaClasses classes() {
         JavaClasses classes =
