@@ -69,11 +69,11 @@ final class LegGuidance {
             return StrictMath.atan2(-eastM, -northM);
         }
         double lookaheadM = Math.max(LEAST_LOOKAHEAD_M, LOOKAHEAD_S * speedMps);
-        return alongRad - StrictMath.atan2(besideM(eastM, northM), lookaheadM);
+        return alongRad - StrictMath.atan2(offsetM(eastM, northM), lookaheadM);
     }
 
     /** Metres to starboard of the line; zero where there is none. */
-    double besideM(double eastM, double northM) {
+    double offsetM(double eastM, double northM) {
         return eastM * alongNorth - northM * alongEast;
     }
 
@@ -87,6 +87,6 @@ final class LegGuidance {
             return LineAhead.straight(straightRad, PlaneMath.length(eastM, northM));
         }
         double leftM = remainingM(eastM, northM);
-        return new LineAhead(alongRad, besideM(eastM, northM), leftM, Math.max(0, lengthM - leftM));
+        return new LineAhead(alongRad, offsetM(eastM, northM), leftM, Math.max(0, lengthM - leftM));
     }
 }

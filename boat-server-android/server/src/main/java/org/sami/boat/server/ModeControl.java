@@ -272,9 +272,9 @@ final class ModeControl {
         }
         double distanceM = steering.distanceM(target);
         boolean isTaken = stationGivingWay.isTaken(target, KEPT_NEAR_OTHERS_M / 2, nowMs);
-        double besideM = stationGivingWay.besideTakenM();
-        double keptM = isTaken ? Math.max(besideM + KEPT_NEAR_OTHERS_M, config.holdRadiusM()) : keptM(nowMs);
-        double enoughM = isTaken ? Math.max(besideM, keptM / 2) : keptM / 2;
+        double nextToM = stationGivingWay.nextToTakenM();
+        double keptM = isTaken ? Math.max(nextToM + KEPT_NEAR_OTHERS_M, config.holdRadiusM()) : keptM(nowMs);
+        double enoughM = isTaken ? Math.max(nextToM, keptM / 2) : keptM / 2;
         if (drivingBack && distanceM < enoughM) {
             drivingBack = false;
             steering.rest();

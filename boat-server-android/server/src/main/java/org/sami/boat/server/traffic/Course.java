@@ -2,7 +2,7 @@ package org.sami.boat.server.traffic;
 
 import org.sami.boat.server.vehicle.PlaneMath;
 
-/** A direction in which a boat may go, with its unit vector: sines are dear, and some are wanted dozens of times in one choice. */
+/** A course with its unit vector: sines are costly, and one choice needs some of them dozens of times. */
 public final class Course {
     private final double rad;
     private final double east;
@@ -19,7 +19,7 @@ public final class Course {
         this.north = north;
     }
 
-    /** This course, turned to starboard by as much as another one is from north. */
+    /** This course, turned to starboard by another one's angle from north. */
     Course turned(Course by) {
         return new Course(rad + by.rad, east * by.north + north * by.east, north * by.north - east * by.east);
     }
@@ -38,12 +38,12 @@ public final class Course {
         return north;
     }
 
-    /** Cosine of the turn from another course to this one: what of a way along this one leads along the other. */
+    /** Cosine of the turn from another course to this one: the share of a way along this one that leads along the other. */
     double along(Course other) {
         return east * other.east + north * other.north;
     }
 
-    /** Sine of that turn: what of a way along this one leads to starboard of the other. */
+    /** Sine of that turn: the share that leads to starboard of the other. */
     double across(Course other) {
         return east * other.north - north * other.east;
     }

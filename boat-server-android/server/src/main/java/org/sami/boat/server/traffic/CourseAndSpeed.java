@@ -1,6 +1,6 @@
 package org.sami.boat.server.traffic;
 
-/** Where a boat is to go now, and how fast. */
+/** Course and speed of a boat. */
 public final class CourseAndSpeed {
     private final Course course;
     private final double speedMps;

@@ -5,93 +5,96 @@ import java.util.Optional;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Has a boat give way to others: of some courses and speeds around the wanted one it chooses the cheapest that is safe. That is the wanted one where
- * nobody is in the way (after T. A. Johansen, T. Perez, A. Cristofaro, Ship collision avoidance and COLREGS compliance using simulation-based
- * control behavior selection, 2016).
+ * Makes a boat give way to others. It tries courses and speeds around the intended one and chooses the cheapest that is safe; where nobody is in the
+ * way, that is the intended one (after T. A. Johansen, T. Perez, A. Cristofaro, Ship collision avoidance and COLREGS compliance using
+ * simulation-based control behavior selection, 2016).
  *
  * <ul>
- *   <li>A motion is safe if the segment on which the boat could stop then is apart from those on which others could stop now. Where none is safe, the
- *       boat stops.
- *   <li>A motion is cheap if it brings the boat on, keeps it near its line, and away from where others will be ({@link Neighbours}).
- *   <li>Of two boats under way, the one whose name comes first has the right of way. Boats at rest, and those that a person drives, have it over all.
- *   <li>Off its line the boat keeps out of what it is not to enter ({@link NoGoBorder}). Where that leaves no room to pass, one of two boats goes back
+ *   <li>A motion is safe if the boat's stopping segment after it keeps its distance from the stopping segments of the others. Where no motion is safe,
+ *       the boat stops.
+ *   <li>A motion is cheap if it makes headway, stays near the boat's line and away from where others will be ({@link Neighbours}).
+ *   <li>Of two boats under way, the one whose name comes first has the right of way. Boats at rest and boats driven by hand have it over all others.
+ *   <li>Away from its line the boat stays outside no-go areas ({@link NoGoBorder}). Where they leave no room to pass, one of two boats backs up
  *       ({@link GoingBack}).
  * </ul>
  *
  * <p>For the thread that ticks the server.
  */
 public final class GivingWay {
-    /** Distance between the segments on which two boats stop, in metres: 3, and what a boat may turn and gain speed until others know. */
+    /** Separation of the stopping segments of two boats, in metres: 3, plus what a boat can turn and accelerate before the others know. */
     static final double APART_M = 3.5;
 
-    /** What boats keep on top of it in passing where there is room, in metres. */
-    static final double ROOM_M = 1;
+    /** Extra clearance when passing where there is room, in metres; added to {@link #APART_M}. */
+    static final double PASSING_CLEARANCE_M = 1;
 
     /**
-     * How many standard deviations of the distance between two boats are kept on top where positions err. With 2, boats in the field hold each other
-     * up for minutes; with 1 they are under 3 m for twice as long (docs/decisions, 0320).
+     * Margin for position errors, in standard deviations of the distance between two boats. With 2, boats in the field block each other for minutes;
+     * with 1, they spend twice as long closer than 3 m (docs/decisions, 0320).
      */
-    private static final double DEVIATIONS = 1.5;
+    private static final double ERROR_MARGIN_DEVIATIONS = 1.5;
 
-    // Who has given way for long keeps less of that, as boats that may not pass each other at all would hold each other
-    // up for ever: less from the first of these times on, and by that part less from the second (docs/decisions, 0327).
-    private static final double LONG_S = 20;
-    private static final double LONGEST_S = 80;
-    private static final double KEPT_LESS = 0.6;
-    private static final double FREE = 3; // a second without anybody in the way counts against so many with
+    // A boat that has given way for a while reduces its margin for position errors, linearly between these two times.
+    // Otherwise two boats could block each other forever (docs/decisions, 0327).
+    private static final double FULL_MARGIN_UNTIL_S = 20;
+    private static final double LEAST_MARGIN_FROM_S = 80;
+    private static final double MARGIN_REDUCTION = 0.6; // of the margin, at the most
+    private static final double WAITING_DECAY = 3; // seconds of giving way that one free second makes up for
 
-    private static final double SOON_S = 2.5; // so long ahead it looks how far it comes beside its line
-    private static final double ON_LINE_AHEAD_S = 1; // so long ahead it is to stay on its line
+    private static final double LOOKAHEAD_S = 2.5; // for the distance from the line
+    private static final double ON_LINE_LOOKAHEAD_S = 1; // for the test whether the boat stays on its line
 
-    // what hulls do, or a little less: so they are safe by what they can
-    private static final double TURNING_RAD_S = 0.8;
-    private static final double MOST_RAD = TURNING_RAD_S * Stopping.REACTION_S; // within a moment
-    static final double GAINING_MPS2 = 0.6;
+    // Turn rate and acceleration assumed of every hull: at or below what the slowest hull reaches.
+    private static final double TURN_RATE_RAD_S = 0.8;
+    private static final double REACTION_TURN_RAD = TURN_RATE_RAD_S * Stopping.REACTION_S;
+    static final double ACCELERATION_MPS2 = 0.6;
 
-    private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
-    private static final double ASTERN_MPS = 0.5;
-    private static final double SLOW_MPS = 0.2; // turns on the spot
-    private static final double FARTHEST_M = 8; // from its line
-    private static final double ON_LINE_M = 0.6; // steering keeps it no nearer to it
-    private static final double OFF_M = 0.3; // so much nearer to an edge than its line it need not be to go off it
-    private static final double OFF_PART = 0.15; // of what it keeps, on top of that until it begins to
+    private static final double SIDESTEP_SPEED_MPS = 0.8; // least speed for moving aside
+    private static final double ASTERN_SPEED_MPS = 0.5;
+    private static final double PIVOT_SPEED_MPS = 0.2; // a slower boat can turn on the spot
+    private static final double MAX_OFFSET_M = 8; // from the line
+    private static final double ON_LINE_TOLERANCE_M = 0.6; // steering holds the line no better
 
-    // the courses that are tried, beside the wanted one in degrees, and the parts of the speed
+    // A boat leaves an edge only if it is this much closer to it than its line is. It starts to leave only if it is
+    // closer by this share of the distance kept in addition.
+    private static final double EDGE_TOLERANCE_M = 0.3;
+    private static final double EDGE_HYSTERESIS = 0.15;
+
+    // the courses tried, in degrees from the intended one, and the shares of the speed
     private static final Course[] OFFSETS = offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
-    private static final double ON_COURSE_RAD = Math.toRadians(30); // nearer to it no faster than the boat wants to
-    private static final double[] PARTS = {1, 0.6, 0.3};
+    private static final double NEAR_COURSE_RAD = Math.toRadians(30); // within it the boat keeps to the intended speed
+    private static final double[] SPEED_SHARES = {1, 0.6, 0.3};
 
-    // weights of the cost, where getting on at full speed counts 1; found by trials (docs/decisions, 0320)
-    private static final double BESIDE_PER_M = 0.15;
-    private static final double TURNING_BACK = 0.15; // for another side than before
-    private static final double TO_PORT = 0.04;
-    private static final double IMPATIENCE_PER_S = 0.1;
-    private static final double LONGEST_WAIT_S = 20;
-    private static final double HELD_UP_S = 8; // from then on it goes nowhere that is blocked a little farther on
+    // weights of the cost; headway at full speed counts 1; found by trials (docs/decisions, 0320)
+    private static final double OFFSET_WEIGHT_PER_M = 0.15;
+    private static final double SIDE_CHANGE_WEIGHT = 0.15; // passing on another side than before
+    private static final double PORT_WEIGHT = 0.04;
+    private static final double IMPATIENCE_WEIGHT_PER_S = 0.1;
+    private static final double MAX_WAIT_S = 20;
+    private static final double AVOID_BLOCKED_AFTER_S = 8; // of waiting, for courses that are blocked farther on
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
     private final GoingBack goingBack;
     private final Neighbours neighbours;
-    private final double forErrorsM; // that boats keep on top of what they keep apart, as positions err
-    private final TurnLimit leastTurn = new TurnLimit(MOST_RAD / 3); // where it hardly turns yet
-    private final TurnLimit farthestTurn = new TurnLimit(1.5 * MOST_RAD); // where it goes on turning while it stops
+    private final double errorMarginM; // for position errors, added to APART_M
+    private final TurnLimit leastTurn = new TurnLimit(REACTION_TURN_RAD / 3); // the boat hardly turns yet
+    private final TurnLimit farthestTurn = new TurnLimit(1.5 * REACTION_TURN_RAD); // it goes on turning while it stops
     private double eastM; // of the boat, on the plane of the surroundings
     private double northM;
     private double speedMps;
-    private Course heading = OFFSETS[0]; // this and what follows up to the others: as long as some of those are near
-    private Course course = OFFSETS[0]; // that it would take without others
+    private Course heading = OFFSETS[0]; // this and the next two: valid while others or an edge are near
+    private Course course = OFFSETS[0]; // intended, without others
     private double courseMps;
     private Course line = OFFSETS[0];
-    private double besideM; // that line
-    private boolean isOnLine; // or nothing bounds where it may go
+    private double offsetM; // of the boat from that line, to starboard
+    private boolean isOnLine; // or no edge is near
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
-    private double waitedS; // for others, LONGEST_WAIT_S at most
-    private double stoodS; // the same, however long it lasts
-    private double gaveWayS; // without a break, or nearly so, LONGEST_S at most; zero for who has no way to go
-    private boolean goesOff; // an edge that it has come too near to
-    private boolean turns; // on the spot, to go on then
+    private double waitedS; // for others, MAX_WAIT_S at most
+    private double standingS; // waiting for others, without limit
+    private double givingWayS; // nearly without a break, up to LEAST_MARGIN_FROM_S; zero for a boat without a path
+    private boolean leavesEdge; // it has come too near to one
+    private boolean turns; // on the spot, before it goes on
     private final LastChoice last = new LastChoice();
 
     /**
@@ -102,34 +105,34 @@ public final class GivingWay {
     public GivingWay(Surroundings surroundings, Vehicle vehicle, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
-        forErrorsM = forErrorsM(positionErrorM);
+        errorMarginM = errorMarginM(positionErrorM);
         neighbours = new Neighbours(surroundings);
-        goingBack = new GoingBack(surroundings, APART_M + forErrorsM + ROOM_M);
+        goingBack = new GoingBack(surroundings, APART_M + errorMarginM + PASSING_CLEARANCE_M);
     }
 
-    /** What boats keep on top of {@link #APART_M}, in metres, where positions have this standard deviation along each axis. */
-    static double forErrorsM(double positionErrorM) {
-        return DEVIATIONS * Math.sqrt(2) * positionErrorM;
+    /** Margin for position errors in metres, added to {@link #APART_M}, for this standard deviation along each axis. */
+    static double errorMarginM(double positionErrorM) {
+        return ERROR_MARGIN_DEVIATIONS * Math.sqrt(2) * positionErrorM;
     }
 
-    /** Whether the boat goes otherwise than it would without others. */
+    /** Whether the boat deviates from its intended course and speed because of others. */
     public boolean isGivingWay() {
         return !Double.isNaN(chosenRad);
     }
 
-    /** Whether a boat that is not to get on is to turn to its course, and not only to stay where it is. */
+    /** Whether a boat that stands turns to its course, instead of only holding its place. */
     public boolean isTurning() {
         return turns;
     }
 
     /**
-     * Where the boat goes now: it chooses anew five times a second, as often as it hears of others, and where it wants to go elsewhere.
+     * The course and speed now. The boat chooses five times a second, as often as it hears of others, and whenever its intention changes.
      *
-     * @param wanted where it would go without others; not astern
+     * @param wanted the intended course and speed, without others; not astern
      * @param towards the vehicle's heading
-     * @param along the line that it is to follow, clear of what it is not to enter
-     * @param hasWay whether it is under way, so that others may have to give way to it
-     * @param seconds since it was asked for last
+     * @param along the line to follow, which stays outside no-go areas
+     * @param hasWay whether the boat is under way, so that others may have to give way to it
+     * @param seconds since the last call
      */
     public CourseAndSpeed choose(
             CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
@@ -154,7 +157,7 @@ public final class GivingWay {
 
     private CourseAndSpeed chooseAmongOthers(
             CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
-        update(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
+        update(Math.max(wanted.speedMps(), SIDESTEP_SPEED_MPS), hasWay, nowMs);
         if (!neighbours.isEmpty() || !border.isEmpty()) {
             heading = towards;
             leastTurn.setHeading(heading);
@@ -163,88 +166,91 @@ public final class GivingWay {
             courseMps = wanted.speedMps();
         }
         boolean isRisky = neighbours.risk(course, courseMps, 0) > 0;
-        boolean isFree = !isRisky && neighbours.allStopApart() && isOnLine; // most of the time
+        boolean isFree = !isRisky && neighbours.allStopApart() && isOnLine; // the usual case
         if (!isFree) {
             measureStopping(along);
         }
         Optional<LineAhead> off = hasWay && !isOnLine ? border.off() : Optional.empty();
-        goesOff = off.isPresent() && off.get().aheadM() > (goesOff ? OFF_M : OFF_M + border.keepM() * OFF_PART);
-        if (goesOff) {
+        leavesEdge = off.isPresent()
+                && off.get().aheadM()
+                        > (leavesEdge ? EDGE_TOLERANCE_M : EDGE_TOLERANCE_M + border.keepM() * EDGE_HYSTERESIS);
+        if (leavesEdge) {
             return goBack(off.get());
         }
         boolean isBarred = !isOnLine && !border.seesLine();
-        Optional<LineAhead> back =
-                hasWay ? goingBack.way(eastM, northM, wanted.courseRad(), stoodS, isBarred, nowMs) : Optional.empty();
+        Optional<LineAhead> back = hasWay
+                ? goingBack.way(eastM, northM, wanted.courseRad(), standingS, isBarred, nowMs)
+                : Optional.empty();
         if (back.isPresent()) {
             return goBack(back.get());
         }
         isFree = isFree || (!isRisky && isSafe(course, courseMps, isOnLine));
-        gaveWayS = hasWay ? gaveWayS(isFree ? -FREE * seconds : seconds) : 0;
+        givingWayS = hasWay ? givingWayS(isFree ? -WAITING_DECAY * seconds : seconds) : 0;
         return isFree ? goOn(wanted, seconds) : giveWay(along, seconds);
     }
 
-    private double gaveWayS(double longerS) {
-        return Math.max(0, Math.min(LONGEST_S, gaveWayS + longerS));
+    private double givingWayS(double longerS) {
+        return Math.max(0, Math.min(LEAST_MARGIN_FROM_S, givingWayS + longerS));
     }
 
     private CourseAndSpeed goOn(CourseAndSpeed wanted, double seconds) {
         chosenRad = Double.NaN;
         waitedS = Math.max(0, waitedS - seconds);
-        if (Math.abs(speedMps) >= SLOW_MPS) { // else it may only turn
-            stoodS = 0;
+        if (Math.abs(speedMps) >= PIVOT_SPEED_MPS) { // a slower boat may only be turning
+            standingS = 0;
         }
         return wanted;
     }
 
     private CourseAndSpeed giveWay(LineAhead along, double seconds) {
         line = new Course(along.courseRad());
-        besideM = along.besideM();
+        offsetM = along.offsetM();
         boolean waits = speedMps * heading.along(course) < courseMps / 5;
-        waitedS = waits ? Math.min(LONGEST_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
-        stoodS = waits ? stoodS + seconds : Math.max(0, stoodS - seconds);
+        waitedS = waits ? Math.min(MAX_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
+        standingS = waits ? standingS + seconds : Math.max(0, standingS - seconds);
         CourseAndSpeed best = best();
         chosenRad = best.courseRad();
         return best;
     }
 
     private CourseAndSpeed goBack(LineAhead along) {
-        stoodS = 0;
+        standingS = 0;
         chosenRad = along.courseRad();
-        isOnLine = false; // nobody has planned that line
+        isOnLine = false; // no planner has checked this line
         if (along.aheadM() == 0) {
             return new CourseAndSpeed(heading.rad(), 0);
         }
         course = new Course(along.courseRad());
-        courseMps = ASIDE_MPS;
+        courseMps = SIDESTEP_SPEED_MPS;
         line = course;
-        besideM = 0;
+        offsetM = 0;
         measureStopping(along);
         return best();
     }
 
-    /** Whether the boat is on its line, and goes on along it: then that keeps it clear of what it is not to enter. */
+    /** Whether the boat is on its line and stays on it: the line then keeps it outside no-go areas. */
     private boolean isOn(LineAhead along) {
-        double nowM = along.besideM();
-        double thenM =
-                nowM + vehicle.speedMps() * StrictMath.sin(vehicle.headingRad() - along.courseRad()) * ON_LINE_AHEAD_S;
-        return Math.abs(nowM) <= ON_LINE_M && Math.abs(thenM) <= ON_LINE_M;
+        double nowM = along.offsetM();
+        double thenM = nowM
+                + vehicle.speedMps() * StrictMath.sin(vehicle.headingRad() - along.courseRad()) * ON_LINE_LOOKAHEAD_S;
+        return Math.abs(nowM) <= ON_LINE_TOLERANCE_M && Math.abs(thenM) <= ON_LINE_TOLERANCE_M;
     }
 
     private void forget() {
         chosenRad = Double.NaN;
         waitedS = 0;
-        stoodS = 0;
-        gaveWayS = 0;
+        standingS = 0;
+        givingWayS = 0;
         goingBack.end();
         last.forget();
     }
 
-    // ---- who is there
+    // ---- who is near
 
     /**
-     * Takes up where this boat is, what it is not to enter, and who can come near.
+     * Updates this boat's position, the no-go edges and the boats that can come near.
      *
-     * @param fastestMps the most that this boat goes, whatever it chooses, in m/s
+     * @param fastestMps highest speed that this boat may choose, in m/s
      */
     private void update(double fastestMps, boolean hasWay, long nowMs) {
         eastM = surroundings.plane().eastM(vehicle.latDeg(), vehicle.lonDeg());
@@ -254,12 +260,13 @@ public final class GivingWay {
         }
         border = surroundings.border();
         speedMps = vehicle.speedMps();
-        double less = KEPT_LESS * Math.max(0, (gaveWayS - LONG_S) / (LONGEST_S - LONG_S));
-        double keptM = APART_M + forErrorsM * (1 - less);
+        double waitShare =
+                Math.max(0, (givingWayS - FULL_MARGIN_UNTIL_S) / (LEAST_MARGIN_FROM_S - FULL_MARGIN_UNTIL_S));
+        double keptM = APART_M + errorMarginM * (1 - MARGIN_REDUCTION * waitShare);
         neighbours.update(eastM, northM, speedMps, fastestMps, hasWay, keptM, nowMs);
     }
 
-    /** Measures where the others can stop, and how far to keep off what is not to be entered, before it is asked what is safe. */
+    /** Measures the stopping segments of the others and the distances to keep from no-go edges; called before {@link #isSafe}. */
     private void measureStopping(LineAhead along) {
         Segment own = Stopping.segment(eastM, northM, heading, speedMps, 0);
         neighbours.measureStopping(eastM, northM, own);
@@ -267,18 +274,18 @@ public final class GivingWay {
         border.measure(eastM, northM, own, along, soonM);
     }
 
-    // ---- what is safe and what it costs
+    // ---- safety and cost of a motion
 
     /**
-     * Whether the boat could still stop apart from all others and from what is not to be entered, had it gone so for a moment; where it is nearer already,
-     * no nearer.
+     * Whether the boat, after its reaction time on this course, can still stop at its distance from others and from no-go edges. Where it is closer
+     * already, it may not come closer still.
      *
-     * @param followsLine whether its line keeps it clear of what is not to be entered
+     * @param followsLine whether the boat follows its line, which keeps it outside no-go areas
      */
     private boolean isSafe(Course direction, double atMps, boolean followsLine) {
         double turn = direction.turnFrom(heading.rad());
         double wantedMps = atMps * Math.max(0, direction.along(heading));
-        double gain = GAINING_MPS2 * Stopping.REACTION_S;
+        double gain = ACCELERATION_MPS2 * Stopping.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
         Course least = leastTurn.after(direction, turn);
         Course farthest = leastTurn.allows(turn) ? least : farthestTurn.after(direction, turn);
@@ -290,9 +297,9 @@ public final class GivingWay {
                         || isClear(Stopping.segment(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine));
     }
 
-    /** Whether a boat that hardly moves can go that way once it has turned, which it can on the spot. */
+    /** Whether a boat that hardly moves can take this course after turning on the spot. */
     private boolean isSafeOnceTurned(Course direction, boolean followsLine) {
-        return isClear(Stopping.segment(eastM, northM, direction, ASTERN_MPS, Stopping.REACTION_S), followsLine);
+        return isClear(Stopping.segment(eastM, northM, direction, ASTERN_SPEED_MPS, Stopping.REACTION_S), followsLine);
     }
 
     private static double clamped(double value, double most) {
@@ -303,19 +310,19 @@ public final class GivingWay {
         return neighbours.isClear(own) && (followsLine || border.allows(own));
     }
 
-    /** The cheapest safe motion; to stop where none is safe. */
+    /** The cheapest safe motion, or a stop where none is safe. */
     private CourseAndSpeed best() {
         Course best = Math.abs(speedMps) > 0.3 ? heading : course;
         double bestMps = 0;
         double least = cost(best, bestMps, Double.MAX_VALUE);
-        double fullMps = Math.max(courseMps, ASIDE_MPS);
-        boolean turnsFirst = !border.isEmpty() && Math.abs(speedMps) < SLOW_MPS;
+        double fullMps = Math.max(courseMps, SIDESTEP_SPEED_MPS);
+        boolean turnsFirst = !border.isEmpty() && Math.abs(speedMps) < PIVOT_SPEED_MPS;
         for (Course offset : OFFSETS) {
             Course other = course.turned(offset);
             boolean followsLine = isOnLine && offset == OFFSETS[0];
-            double toPort = offset.rad() < 0 ? TO_PORT : 0;
-            for (double part : PARTS) {
-                double mps = part * (Math.abs(offset.rad()) < ON_COURSE_RAD ? courseMps : fullMps);
+            double toPort = offset.rad() < 0 ? PORT_WEIGHT : 0;
+            for (double part : SPEED_SHARES) {
+                double mps = part * (Math.abs(offset.rad()) < NEAR_COURSE_RAD ? courseMps : fullMps);
                 double cost = toPort + cost(other, mps, least - toPort);
                 if (cost < least && (!turnsFirst || isSafeOnceTurned(other, followsLine))) {
                     boolean isSafe = isSafe(other, mps, followsLine);
@@ -328,31 +335,32 @@ public final class GivingWay {
                 }
             }
         }
-        boolean astern = cost(heading, -ASTERN_MPS, least) < least && isSafeAstern();
+        boolean astern = cost(heading, -ASTERN_SPEED_MPS, least) < least && isSafeAstern();
         turns &= !astern;
-        return astern ? new CourseAndSpeed(heading.rad(), -ASTERN_MPS) : new CourseAndSpeed(best.rad(), bestMps);
+        return astern ? new CourseAndSpeed(heading.rad(), -ASTERN_SPEED_MPS) : new CourseAndSpeed(best.rad(), bestMps);
     }
 
     private boolean isSafeAstern() {
-        return isClear(Stopping.segment(eastM, northM, heading, -ASTERN_MPS, Stopping.REACTION_S), false);
+        return isClear(Stopping.segment(eastM, northM, heading, -ASTERN_SPEED_MPS, Stopping.REACTION_S), false);
     }
 
-    /** The cost of a motion; exact only where it is less than {@code leastCost}. */
+    /** The cost of a motion; exact only where it is below {@code leastCost}. */
     private double cost(Course direction, double mps, double leastCost) {
-        double onward = mps * direction.along(course) / Math.max(courseMps, ASIDE_MPS);
-        if (onward > 0 && waitedS > HELD_UP_S && neighbours.isBlocked(direction)) {
+        double onward = mps * direction.along(course) / Math.max(courseMps, SIDESTEP_SPEED_MPS);
+        if (onward > 0 && waitedS > AVOID_BLOCKED_AFTER_S && neighbours.isBlocked(direction)) {
             onward = 0;
         }
-        double thenM = Math.abs(besideM + mps * direction.across(line) * SOON_S);
-        double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
-        double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
-        double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
-        boolean waits = Math.abs(mps) < ASIDE_MPS / 4 || (mps < 0 && waitedS > HELD_UP_S); // to and fro is no way on
-        double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
+        double thenM = Math.abs(offsetM + mps * direction.across(line) * LOOKAHEAD_S);
+        double patience = 1 / (1 + IMPATIENCE_WEIGHT_PER_S * waitedS);
+        double offset = patience * OFFSET_WEIGHT_PER_M * Math.max(0, thenM - 0.5);
+        double tooFar = thenM > MAX_OFFSET_M && thenM > Math.abs(offsetM) ? thenM - MAX_OFFSET_M : 0;
+        boolean waits = Math.abs(mps) < SIDESTEP_SPEED_MPS / 4
+                || (mps < 0 && waitedS > AVOID_BLOCKED_AFTER_S); // going to and fro is no headway
+        double waiting = waits ? IMPATIENCE_WEIGHT_PER_S * waitedS : 0;
         double turning = Double.isNaN(chosenRad) || mps <= 0
                 ? 0
-                : TURNING_BACK * Math.abs(direction.turnFrom(chosenRad)) / (Math.PI / 2);
-        double withoutRisk = 1 - onward + beside + tooFar + waiting + turning;
+                : SIDE_CHANGE_WEIGHT * Math.abs(direction.turnFrom(chosenRad)) / (Math.PI / 2);
+        double withoutRisk = 1 - onward + offset + tooFar + waiting + turning;
         return withoutRisk < leastCost
                 ? withoutRisk + neighbours.risk(direction, mps, leastCost - withoutRisk)
                 : withoutRisk;

@@ -4,43 +4,45 @@ import java.util.Optional;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * Finds where a boat goes back to when another one comes towards it and what is not to be entered leaves no room to pass: as it came, until there is
- * room aside, and there it waits until the other one is past. Who has no right of way goes back first. Likewise a boat goes back that has got where
- * its line is out of sight, and one makes room that has stood long beside another one with the right of way.
+ * Makes a boat back up when another boat comes towards it and no-go areas leave no room to pass. It returns the way it came until there is room
+ * aside, and waits there until the other has passed. The boat without right of way backs up first. A boat also backs up when a no-go area lies
+ * between it and its line, and makes room when it has stood for long next to a boat with right of way.
  */
 final class GoingBack {
-    private static final double STOOD_S = 6;
-    private static final double STOOD_FIRST_S = 30; // who goes first goes back too where the other one cannot
-    private static final double STOOD_BESIDE_S = 12; // likewise beside another one that stands and has the right of way
-    private static final double AWAY_M = 3; // so far at a time a boat makes room for that one
-    private static final double[] AWAY_DEG = {0, 45, -45, 90, -90};
-    private static final long LONGEST_WAIT_MS = 20_000; // who is not past by then waits too
+    // how long a boat stands before it backs up
+    private static final double STANDING_S = 6;
+    private static final double STANDING_WITH_RIGHT_OF_WAY_S = 30; // the other boat apparently cannot back up
+    private static final double STANDING_NEXT_TO_S = 12; // next to a standing boat with right of way
+
+    private static final double MAKE_ROOM_STEP_M = 3;
+    private static final double[] MAKE_ROOM_DEG = {0, 45, -45, 90, -90}; // from the direction away from the other
+    private static final long MAX_WAIT_MS = 20_000; // a boat that has not passed by then is waiting too
     private static final double NEAR_M = 10;
-    private static final double FORGOTTEN_M = 30;
+    private static final double OUT_OF_RANGE_M = 30;
     private static final double PASSED_M = 2;
-    private static final double TOWARDS = 0.5; // cosine of what is still towards something
-    private static final double ENOUGH = 0.95; // of the room that is to be made
+    private static final double TOWARDS_COSINE = 0.5; // of the largest angle that still counts as towards
+    private static final double ROOM_TOLERANCE = 0.95; // share of the room that is enough
     private static final LineAhead STAY = LineAhead.straight(0, 0);
 
     private final Surroundings surroundings;
     private final double roomM;
     private final Trail trail = new Trail();
-    private String fromId = ""; // the boat from which it goes back
-    private boolean makesRoom; // for that boat, which does not come towards it
-    private boolean returns; // to where it sees its line
+    private String fromId = ""; // the boat it backs away from
+    private boolean makesRoom; // for that boat, which is not coming towards it
+    private boolean returns; // to where nothing lies between it and its line
     private long waitsSinceMs = Long.MAX_VALUE;
 
     /**
-     * Nobody comes.
+     * At the start no boat is coming.
      *
-     * @param roomM how far from the other's course is room enough, in metres
+     * @param roomM distance from the other's course that lets it pass, in metres
      */
     GoingBack(Surroundings surroundings, double roomM) {
         this.surroundings = surroundings;
         this.roomM = roomM;
     }
 
-    /** Records where the boat is on its way. */
+    /** Records a position on the way here. */
     void record(double latDeg, double lonDeg) {
         trail.add(latDeg, lonDeg);
     }
@@ -53,41 +55,41 @@ final class GoingBack {
     }
 
     /**
-     * The line on which to go back now, which has no length where the boat is to stay; empty where it does not go back.
+     * The line on which to back up now: without length where the boat waits, empty where it does not back up.
      *
-     * @param wantedRad the course on which it would go without others
-     * @param stoodS for how long it has come no farther, in seconds
-     * @param isBarred whether what is not to be entered lies between it and its line
+     * @param wantedRad the intended course, without others
+     * @param standingS how long the boat has made no headway, in seconds
+     * @param isBarred whether a no-go area lies between the boat and its line
      */
     Optional<LineAhead> way(
-            double eastM, double northM, double wantedRad, double stoodS, boolean isBarred, long nowMs) {
-        Optional<OtherBoat> coming = coming(eastM, northM, wantedRad, stoodS, nowMs);
+            double eastM, double northM, double wantedRad, double standingS, boolean isBarred, long nowMs) {
+        Optional<OtherBoat> coming = coming(eastM, northM, wantedRad, standingS, nowMs);
         if (fromId.isEmpty()) {
-            makesRoom = coming.isPresent() && isToMakeRoom(coming.get(), stoodS);
+            makesRoom = coming.isPresent() && isToMakeRoom(coming.get(), standingS);
         }
         fromId = coming.isPresent() ? coming.get().boatId() : "";
         if (!coming.isPresent()) {
             makesRoom = false;
-            returns = isBarred && (returns || stoodS >= STOOD_S);
+            returns = isBarred && (returns || standingS >= STANDING_S);
             return returns ? trail.back(surroundings, eastM, northM) : Optional.empty();
         }
         LineAhead back =
                 makesRoom ? away(coming.get(), eastM, northM, nowMs) : back(coming.get(), eastM, northM, nowMs);
         waitsSinceMs = back == STAY ? Math.min(waitsSinceMs, nowMs) : Long.MAX_VALUE;
-        if (back == STAY && nowMs - waitsSinceMs > LONGEST_WAIT_MS) {
+        if (back == STAY && nowMs - waitsSinceMs > MAX_WAIT_MS) {
             end();
             return Optional.empty();
         }
         return Optional.of(back);
     }
 
-    private Optional<OtherBoat> coming(double eastM, double northM, double wantedRad, double stoodS, long nowMs) {
-        if (fromId.isEmpty() && stoodS < STOOD_S) {
-            return Optional.empty(); // most of the time: nobody goes back so soon
+    private Optional<OtherBoat> coming(double eastM, double northM, double wantedRad, double standingS, long nowMs) {
+        if (fromId.isEmpty() && standingS < STANDING_S) {
+            return Optional.empty(); // the usual case: too soon to back up
         }
         for (OtherBoat other : surroundings.others()) {
             boolean isComing = fromId.isEmpty()
-                    ? isMet(other, eastM, northM, wantedRad, stoodS, nowMs)
+                    ? isMet(other, eastM, northM, wantedRad, standingS, nowMs)
                     : other.boatId().equals(fromId) && isStillComing(other, eastM, northM, nowMs);
             if (isComing) {
                 return Optional.of(other);
@@ -96,10 +98,11 @@ final class GoingBack {
         return Optional.empty();
     }
 
-    /** Whether the two stand before each other, and this one is to go back. */
-    private boolean isMet(OtherBoat other, double eastM, double northM, double wantedRad, double stoodS, long nowMs) {
+    /** Whether the two boats face each other and this one has to back up. */
+    private boolean isMet(
+            OtherBoat other, double eastM, double northM, double wantedRad, double standingS, long nowMs) {
         boolean isFirst = surroundings.ownId().compareTo(other.boatId()) < 0;
-        if (stoodS < (isFirst ? STOOD_FIRST_S : STOOD_S)
+        if (standingS < (isFirst ? STANDING_WITH_RIGHT_OF_WAY_S : STANDING_S)
                 || !other.isUnderWay()
                 || surroundings.border().isEmpty()) {
             return false;
@@ -111,14 +114,14 @@ final class GoingBack {
             return false;
         }
         double onMyWayM = toEastM * StrictMath.sin(wantedRad) + toNorthM * StrictMath.cos(wantedRad);
-        return isToMakeRoom(other, stoodS)
-                || (onMyWayM > TOWARDS * awayM && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs));
+        return isToMakeRoom(other, standingS)
+                || (onMyWayM > TOWARDS_COSINE * awayM && isAhead(other, eastM, northM, TOWARDS_COSINE * awayM, nowMs));
     }
 
-    /** Whether this boat is to make room for another one that has the right of way and stands as well, whether it comes or not. */
-    private boolean isToMakeRoom(OtherBoat other, double stoodS) {
+    /** Whether this boat has to make room for a standing boat with right of way, wherever that one is heading. */
+    private boolean isToMakeRoom(OtherBoat other, double standingS) {
         boolean isFirst = surroundings.ownId().compareTo(other.boatId()) < 0;
-        return !isFirst && stoodS >= STOOD_BESIDE_S && other.isSlow();
+        return !isFirst && standingS >= STANDING_NEXT_TO_S && other.isSlow();
     }
 
     private boolean isStillComing(OtherBoat other, double eastM, double northM, long nowMs) {
@@ -126,10 +129,10 @@ final class GoingBack {
         if (makesRoom) {
             return other.isUnderWay() && awayM < NEAR_M;
         }
-        return other.isUnderWay() && awayM < FORGOTTEN_M && isAhead(other, eastM, northM, -PASSED_M, nowMs);
+        return other.isUnderWay() && awayM < OUT_OF_RANGE_M && isAhead(other, eastM, northM, -PASSED_M, nowMs);
     }
 
-    /** Whether a place is ahead of a boat by more than that, in metres: as it heads, or as it goes once it can. */
+    /** Whether a place lies more than {@code leastM} metres ahead of a boat, along its heading or along the course it takes once it can. */
     private static boolean isAhead(OtherBoat other, double eastM, double northM, double leastM, long nowMs) {
         double awayEastM = eastM - other.eastM(nowMs);
         double awayNorthM = northM - other.northM(nowMs);
@@ -138,13 +141,13 @@ final class GoingBack {
                 || awayEastM * StrictMath.sin(courseRad) + awayNorthM * StrictMath.cos(courseRad) > leastM;
     }
 
-    /** Aside from the other's course where there is room, else back on the trail. */
+    /** Aside from the other's course where there is room, otherwise back on the trail. */
     private LineAhead back(OtherBoat other, double eastM, double northM, long nowMs) {
         double courseRad = other.courseRad(nowMs);
         double starboardEast = StrictMath.cos(courseRad);
         double starboardNorth = -StrictMath.sin(courseRad);
         double besideM = (eastM - other.eastM(nowMs)) * starboardEast + (northM - other.northM(nowMs)) * starboardNorth;
-        if (Math.abs(besideM) >= ENOUGH * roomM) {
+        if (Math.abs(besideM) >= ROOM_TOLERANCE * roomM) {
             return STAY;
         }
         double nearerM = besideM < 0 ? -roomM : roomM;
@@ -164,19 +167,19 @@ final class GoingBack {
     /** Away from the other, where there is room. */
     private LineAhead away(OtherBoat other, double eastM, double northM, long nowMs) {
         double awayRad = StrictMath.atan2(eastM - other.eastM(nowMs), northM - other.northM(nowMs));
-        for (double offsetDeg : AWAY_DEG) {
+        for (double offsetDeg : MAKE_ROOM_DEG) {
             double courseRad = awayRad + Math.toRadians(offsetDeg);
-            double toEastM = eastM + AWAY_M * StrictMath.sin(courseRad);
-            double toNorthM = northM + AWAY_M * StrictMath.cos(courseRad);
+            double toEastM = eastM + MAKE_ROOM_STEP_M * StrictMath.sin(courseRad);
+            double toNorthM = northM + MAKE_ROOM_STEP_M * StrictMath.cos(courseRad);
             if (surroundings.border().allowsStraight(eastM, northM, toEastM, toNorthM)
                     && isFree(toEastM, toNorthM, nowMs)) {
-                return LineAhead.straight(courseRad, AWAY_M);
+                return LineAhead.straight(courseRad, MAKE_ROOM_STEP_M);
             }
         }
         return STAY;
     }
 
-    /** Whether nobody is there. */
+    /** Whether no boat is near that place. */
     private boolean isFree(double eastM, double northM, long nowMs) {
         for (OtherBoat other : surroundings.others()) {
             if (PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < GivingWay.APART_M) {

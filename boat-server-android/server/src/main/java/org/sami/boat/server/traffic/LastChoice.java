@@ -1,15 +1,15 @@
 package org.sami.boat.server.traffic;
 
 /**
- * What a boat chose last among others, and for how long that stays in force: others tell of themselves five times a second, so between that there is
- * nothing new to choose by. For one thread.
+ * The last choice of {@link GivingWay}, and how long it stays in force: other boats report five times a second, and a choice between two reports would
+ * have nothing new to go by. For one thread.
  */
 final class LastChoice {
-    /** At ticks of 100 ms each second one chooses anew; half a tick is left for ticks that are not quite on time. */
+    /** With ticks of 100 ms every second one chooses; half a tick allows for ticks that are not quite on time. */
     private static final long IN_FORCE_MS = 150;
 
-    private static final double SAME =
-            StrictMath.cos(Math.toRadians(10)); // of the turn between courses that are nearly one
+    /** Cosine of the largest turn between two intended courses that count as the same. */
+    private static final double SAME_COURSE_COSINE = StrictMath.cos(Math.toRadians(10));
 
     private CourseAndSpeed wanted = new CourseAndSpeed(0, 0);
     private CourseAndSpeed chosen = wanted;
@@ -17,19 +17,19 @@ final class LastChoice {
     private long atMs = Long.MIN_VALUE / 2;
     private double sinceS;
 
-    /** Whether it is new enough, and the boat still wants to go where it wanted to then. */
+    /** Whether the choice is recent enough and the boat still intends the same course. */
     boolean isInForce(CourseAndSpeed nowWanted, boolean hasWay, long nowMs) {
         return nowMs - atMs < IN_FORCE_MS
                 && hasWay == hadWay
-                && nowWanted.course().along(wanted.course()) > SAME;
+                && nowWanted.course().along(wanted.course()) > SAME_COURSE_COSINE;
     }
 
-    /** It has been in force for so much longer, in seconds. */
+    /** Adds to the time for which the choice has been in force, in seconds. */
     void lasts(double seconds) {
         sinceS += seconds;
     }
 
-    /** For how long it has been in force, in seconds. */
+    /** How long the choice has been in force, in seconds. */
     double sinceS() {
         return sinceS;
     }
@@ -38,7 +38,7 @@ final class LastChoice {
         return chosen;
     }
 
-    /** The boat has chosen now. */
+    /** Records a choice that was made now. */
     void set(CourseAndSpeed nowWanted, boolean hasWay, CourseAndSpeed nowChosen, long nowMs) {
         wanted = nowWanted;
         hadWay = hasWay;
@@ -47,7 +47,7 @@ final class LastChoice {
         sinceS = 0;
     }
 
-    /** Nobody is there to choose among. */
+    /** Forgets the choice: no other boat is near. */
     void forget() {
         atMs = Long.MIN_VALUE / 2;
         sinceS = 0;

@@ -1,9 +1,9 @@
 package org.sami.boat.server.traffic;
 
-/** The straight line along which a boat is to go, as seen from the boat. */
+/** The straight line that a boat follows, relative to the boat. */
 public final class LineAhead {
     private final double courseRad;
-    private final double besideM;
+    private final double offsetM;
     private final double aheadM;
     private final double behindM;
 
@@ -11,18 +11,18 @@ public final class LineAhead {
      * A line.
      *
      * @param courseRad its course in radians, clockwise from true north
-     * @param besideM how far the boat is beside it, to starboard, in metres
-     * @param aheadM how far its end is ahead, along it; negative where the boat has come past it
-     * @param behindM how far its beginning is behind, along it
+     * @param offsetM distance of the boat from the line, in metres; positive to starboard
+     * @param aheadM distance along the line to its end, in metres; negative once the boat has passed it
+     * @param behindM distance along the line back to its beginning, in metres
      */
-    public LineAhead(double courseRad, double besideM, double aheadM, double behindM) {
+    public LineAhead(double courseRad, double offsetM, double aheadM, double behindM) {
         this.courseRad = courseRad;
-        this.besideM = besideM;
+        this.offsetM = offsetM;
         this.aheadM = aheadM;
         this.behindM = behindM;
     }
 
-    /** The line from the boat straight to a place so far away. */
+    /** The line from the boat to a place at this distance. */
     public static LineAhead straight(double courseRad, double lengthM) {
         return new LineAhead(courseRad, 0, lengthM, 0);
     }
@@ -32,17 +32,17 @@ public final class LineAhead {
         return courseRad;
     }
 
-    /** How far the end of the line is ahead, in metres. */
+    /** Distance to the end of the line, in metres. */
     double aheadM() {
         return aheadM;
     }
 
-    /** Metres from the line to the boat, to starboard. */
-    public double besideM() {
-        return besideM;
+    /** Distance of the boat from the line in metres; positive to starboard. */
+    public double offsetM() {
+        return offsetM;
     }
 
-    /** What is nearest on the line to a place that lies so many metres farther along it than the boat: that, or one of its ends. */
+    /** Metres along the line, from the boat, to the point of the line nearest to a place {@code alongM} metres ahead: that, or one of its ends. */
     double onLineM(double alongM) {
         return Math.min(aheadM, Math.max(-behindM, alongM));
     }

@@ -4,52 +4,52 @@ import java.util.List;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * The other boats that can come near this one within seconds: where they can stop, and how near this boat comes to them by a course and speed. Positions
- * are in metres on the plane of {@link Surroundings}.
+ * The boats that can come near this one within seconds: their stopping segments, and how close this boat comes to them on a course and speed.
+ * Positions are in metres on the plane of {@link Surroundings}.
  */
 final class Neighbours {
-    /** How far ahead others are looked at, in seconds. */
-    private static final double AHEAD_S = 8;
+    /** Look-ahead for other boats, in seconds. */
+    private static final double LOOKAHEAD_S = 8;
 
-    /** How far ahead a boat looks at those that have to give way to it, in seconds. */
-    private static final double AHEAD_WITH_RIGHT_OF_WAY_S = 2.5;
+    /** Look-ahead for boats that have to give way to this one, in seconds. */
+    private static final double LOOKAHEAD_WITH_RIGHT_OF_WAY_S = 2.5;
 
-    /** What is nearer in time is a matter of safety, and not of risk, in seconds. */
-    private static final double AT_ONCE_S = 1;
+    /** Earliest approach that counts as a risk, in seconds; earlier ones are excluded by the stopping segments. */
+    private static final double EARLIEST_RISK_S = 1;
 
-    /** Weight of an approach that is to be avoided, where getting on at full speed counts 1. */
-    private static final double RISK = 8;
+    /** Weight of an approach in the cost of a motion, in which headway at full speed counts 1. */
+    private static final double RISK_WEIGHT = 8;
 
-    /** After so many seconds an approach counts half. */
-    private static final double HALF_RISK_S = 5;
+    /** An approach this many seconds ahead counts half. */
+    private static final double RISK_HALVING_S = 5;
 
     private final Surroundings surroundings;
     private double apartM;
-    private double wideM; // where there is room
-    // the first of these arrays' elements, as many as are counted, are in use
+    private double passingM; // separation where there is room
+    // the first count elements of these arrays are in use
     private OtherBoat[] near = new OtherBoat[0];
     private double[] eastM = new double[0]; // from this boat
     private double[] northM = new double[0];
     private double[] aheadS = new double[0];
     private Segment[] stopping = new Segment[0];
-    private double[] leastM = new double[0]; // between the segments on which both stop
+    private double[] leastM = new double[0]; // between both stopping segments
     private int count;
     private boolean allStopApart;
 
-    /** Nobody yet. */
+    /** No boat is near yet. */
     Neighbours(Surroundings surroundings) {
         this.surroundings = surroundings;
     }
 
     /**
-     * Finds those that can come near.
+     * Finds the boats that can come near.
      *
-     * @param atEastM where this boat is
-     * @param atNorthM where this boat is
+     * @param atEastM position of this boat
+     * @param atNorthM position of this boat
      * @param speedMps its speed in m/s
-     * @param fastestMps the most that it goes, whatever it chooses, in m/s
+     * @param fastestMps highest speed that it may choose, in m/s
      * @param hasWay whether it is under way, so that others may have to give way to it
-     * @param keptM how far apart the segments are to be on which two boats stop, in metres
+     * @param keptM separation of the stopping segments of two boats, in metres
      */
     void update(
             double atEastM,
@@ -60,11 +60,11 @@ final class Neighbours {
             double keptM,
             long nowMs) {
         apartM = keptM;
-        wideM = keptM + GivingWay.ROOM_M;
+        passingM = keptM + GivingWay.PASSING_CLEARANCE_M;
         List<OtherBoat> others = surroundings.others();
         makeRoom(others.size());
         count = 0;
-        double gainedMps = Math.max(fastestMps, Math.abs(speedMps) + GivingWay.GAINING_MPS2 * Stopping.REACTION_S);
+        double gainedMps = Math.max(fastestMps, Math.abs(speedMps) + GivingWay.ACCELERATION_MPS2 * Stopping.REACTION_S);
         double ownM = Stopping.distanceM(gainedMps, Stopping.REACTION_S);
         allStopApart = true;
         for (int i = 0; i < others.size(); i++) {
@@ -74,7 +74,7 @@ final class Neighbours {
             double awayNorthM = other.northAfterM(sinceS) - atNorthM;
             double awayM = Math.sqrt(awayEastM * awayEastM + awayNorthM * awayNorthM);
             double spareM = awayM - ownM - other.stopsWithinM() - apartM;
-            if (spareM < 0 || awayM - (fastestMps + Math.abs(other.speedMps())) * AHEAD_S < wideM) {
+            if (spareM < 0 || awayM - (fastestMps + Math.abs(other.speedMps())) * LOOKAHEAD_S < passingM) {
                 near[count] = other;
                 eastM[count] = awayEastM;
                 northM[count] = awayNorthM;
@@ -82,7 +82,7 @@ final class Neighbours {
                         && other.isUnderWay()
                         && !other.isSlow()
                         && surroundings.ownId().compareTo(other.boatId()) < 0;
-                aheadS[count] = precedes ? AHEAD_WITH_RIGHT_OF_WAY_S : AHEAD_S;
+                aheadS[count] = precedes ? LOOKAHEAD_WITH_RIGHT_OF_WAY_S : LOOKAHEAD_S;
                 allStopApart &= spareM >= 0;
                 count++;
             }
@@ -104,15 +104,15 @@ final class Neighbours {
         return count == 0;
     }
 
-    /** Whether all can stop apart whatever this boat does for a moment. */
+    /** Whether all boats can keep their separation, whatever this boat does within its reaction time. */
     boolean allStopApart() {
         return allStopApart;
     }
 
     /**
-     * Measures where they can stop, before {@link #isClear} is asked.
+     * Measures the stopping segments of the others; called before {@link #isClear}.
      *
-     * @param own where this boat can stop
+     * @param own stopping segment of this boat
      */
     void measureStopping(double atEastM, double atNorthM, Segment own) {
         for (int i = 0; i < count; i++) {
@@ -121,7 +121,7 @@ final class Neighbours {
         }
     }
 
-    /** Whether a segment on which this boat would stop is far enough from those of the others; no nearer, where it is nearer now. */
+    /** Whether a stopping segment of this boat keeps its separation from the others, or where it is closer already, comes no closer. */
     boolean isClear(Segment own) {
         for (int i = 0; i < count; i++) {
             if (own.distanceM(stopping[i], leastM[i]) < leastM[i]) {
@@ -131,7 +131,7 @@ final class Neighbours {
         return true;
     }
 
-    /** How near others come by a course and speed, and how soon; zero where they do not. Beyond {@code enough} it is not summed up. */
+    /** Risk of a course and speed: how close others come, and how soon; zero where none does. The sum stops once it exceeds {@code enough}. */
     double risk(Course direction, double atMps, double enough) {
         double eastMps = atMps * direction.east();
         double northMps = atMps * direction.north();
@@ -141,22 +141,22 @@ final class Neighbours {
             double byNorth = near[i].northMps() - northMps;
             double square = byEast * byEast + byNorth * byNorth;
             double closestS = square > 0 ? -(eastM[i] * byEast + northM[i] * byNorth) / square : 0;
-            double atS = Math.max(AT_ONCE_S, Math.min(aheadS[i], closestS));
+            double atS = Math.max(EARLIEST_RISK_S, Math.min(aheadS[i], closestS));
             double thenEastM = eastM[i] + atS * byEast;
             double thenNorthM = northM[i] + atS * byNorth;
-            if (Math.abs(thenEastM) >= wideM || Math.abs(thenNorthM) >= wideM) {
+            if (Math.abs(thenEastM) >= passingM || Math.abs(thenNorthM) >= passingM) {
                 continue;
             }
             double away = PlaneMath.length(thenEastM, thenNorthM);
-            if (away < wideM) {
-                double part = (wideM - away) / wideM;
-                risk += RISK * part * part / (1 + atS / HALF_RISK_S);
+            if (away < passingM) {
+                double part = (passingM - away) / passingM;
+                risk += RISK_WEIGHT * part * part / (1 + atS / RISK_HALVING_S);
             }
         }
         return risk;
     }
 
-    /** Whether a boat that lies still is on that course, or so near to it that it cannot be passed. */
+    /** Whether a boat that lies still blocks this course. */
     boolean isBlocked(Course direction) {
         for (int i = 0; i < count; i++) {
             double aheadM = eastM[i] * direction.east() + northM[i] * direction.north();

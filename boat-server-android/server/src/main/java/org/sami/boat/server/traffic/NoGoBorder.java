@@ -8,22 +8,22 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * The edge of what a boat is not to enter, as far as it is near, on the plane of {@link Surroundings}. A boat that has left its line keeps as far off it as
- * its line does, and where it is nearer already it comes no nearer; and it stays where it can go straight back to its line, so that nothing bars
- * it from there. One that errors or a current have brought nearer goes off ({@link #off}); inside, it goes only where it is less deep (docs/decisions, 0321).
+ * The edges of no-go areas near a boat, on the plane of {@link Surroundings}. A boat away from its line keeps the same distance from them as its line
+ * does; where it is closer already, it comes no closer. It also stays where it can return straight to its line. A boat that errors or a current
+ * have brought closer moves off ({@link #off}); a boat inside an area only moves towards its edge (docs/decisions, 0321).
  */
 final class NoGoBorder {
-    /** Nothing is near. All boats share it: it records nothing. */
+    /** No edge is near. All boats share this instance: it records nothing. */
     static final NoGoBorder NONE = new NoGoBorder(0, new Segment[0]);
 
-    /** How far a boat may have come since it was told of the edges, in metres: they reach that much farther than what is near. */
-    private static final double KNOWN_WITHIN_M = 20;
+    /** How far a boat may move from where it received the edges, in metres: the base sends edges that much beyond those that matter. */
+    private static final double VALID_WITHIN_M = 20;
 
-    /** The part of its distance that a boat keeps on the straight way back to its line. */
-    private static final double BACK = 0.5;
+    /** Share of its distance that a boat keeps on the straight way back to its line. */
+    private static final double WAY_BACK_SHARE = 0.5;
 
-    /** A way that passes an edge nearer than that, in metres, is barred. */
-    private static final double CLOSE_M = 0.3;
+    /** A way that passes an edge closer than this, in metres, is barred. */
+    private static final double BARRED_WITHIN_M = 0.3;
 
     private static final double ROUNDING_M = 1e-6;
 
@@ -31,7 +31,7 @@ final class NoGoBorder {
     private final Segment[] edges;
     private final double[] leastM; // to each edge
     private final double[] backM; // from each edge to the straight way back to the line
-    private double knownEastM = Double.NaN; // where the boat was when it was told of them
+    private double knownEastM = Double.NaN; // position of the boat when it received them
     private double knownNorthM;
     private LineAhead line;
     private double eastM;
@@ -39,7 +39,7 @@ final class NoGoBorder {
     private double alongEast; // unit vector of the line
     private double alongNorth;
     private boolean seesLine = true;
-    private double depthM; // of where the boat is; negative outside
+    private double depthM; // of the boat inside an area; negative outside
     private Optional<LineAhead> off = Optional.empty();
 
     private NoGoBorder(double keepM, Segment[] edges) {
@@ -49,9 +49,9 @@ final class NoGoBorder {
         backM = new double[edges.length];
     }
 
-    /** The edges that a base tells of. */
-    static NoGoBorder of(NoGoEdges told, LocalFrame plane) {
-        List<NoGoEdge> rows = told.edges();
+    /** The edges that the base has sent. */
+    static NoGoBorder of(NoGoEdges received, LocalFrame plane) {
+        List<NoGoEdge> rows = received.edges();
         Segment[] edges = new Segment[rows.size()];
         for (int i = 0; i < edges.length; i++) {
             NoGoEdge row = rows.get(i);
@@ -61,19 +61,19 @@ final class NoGoBorder {
                     plane.eastM(row.toLatDeg(), row.toLonDeg()),
                     plane.northM(row.toLatDeg(), row.toLonDeg()));
         }
-        return new NoGoBorder(told.keepM(), edges);
+        return new NoGoBorder(received.keepM(), edges);
     }
 
     boolean isEmpty() {
         return edges.length == 0;
     }
 
-    /** How far the boat keeps off it where its line does, in metres. */
+    /** Distance from edges that the boat keeps where its line keeps it too, in metres. */
     double keepM() {
         return keepM;
     }
 
-    /** Whether the boat was told of it so far from here that other edges may be near. */
+    /** Whether the boat has moved so far since it received the edges that unknown ones may be near. */
     boolean isPast(double atEastM, double atNorthM) {
         if (isEmpty()) {
             return false;
@@ -82,14 +82,14 @@ final class NoGoBorder {
             knownEastM = atEastM;
             knownNorthM = atNorthM;
         }
-        return PlaneMath.length(atEastM - knownEastM, atNorthM - knownNorthM) > KNOWN_WITHIN_M;
+        return PlaneMath.length(atEastM - knownEastM, atNorthM - knownNorthM) > VALID_WITHIN_M;
     }
 
     /**
-     * Measures how far the boat is to keep off, before {@link #allows} is asked.
+     * Measures the distances to keep; called before {@link #allows}.
      *
-     * @param own where the boat can stop
-     * @param withinM as far along the line as it matters how near the line is
+     * @param own stopping segment of the boat
+     * @param withinM the stretch of the line, ahead and behind, whose distance from edges counts
      */
     void measure(double atEastM, double atNorthM, Segment own, LineAhead along, double withinM) {
         if (isEmpty()) {
@@ -109,19 +109,19 @@ final class NoGoBorder {
         seesLine = true;
         measureNearness(near);
         for (int i = 0; i < edges.length; i++) {
-            backM[i] = back.distanceM(edges[i], BACK * keepM) - ROUNDING_M;
+            backM[i] = back.distanceM(edges[i], WAY_BACK_SHARE * keepM) - ROUNDING_M;
             double mostM = near.distanceM(edges[i], own.distanceM(edges[i], keepM)) - ROUNDING_M;
             leastM[i] = backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM;
             seesLine &= backM[i] > 0;
         }
     }
 
-    /** Measures how deep inside the boat is, and how it gets off an edge to which it is nearer than its line comes. */
+    /** Measures how deep inside an area the boat is, and the way off an edge to which it is closer than its line. */
     private void measureNearness(Segment near) {
         depthM = depthM(eastM, northM);
         off = Optional.empty();
         if (depthM(lineEastM(line.onLineM(0)), lineNorthM(line.onLineM(0))) > 0) {
-            return; // there it has been sent
+            return; // its path leads inside
         }
         double mostM = 0;
         for (Segment edge : edges) {
@@ -136,7 +136,7 @@ final class NoGoBorder {
         }
     }
 
-    /** How deep inside a place is, in metres; negative outside. What is not to be entered lies to starboard of its edges. */
+    /** How deep inside an area a place is, in metres; negative outside. Areas lie to starboard of their edges. */
     private double depthM(double atEastM, double atNorthM) {
         double nearestM = Double.MAX_VALUE;
         double portM = 0;
@@ -152,17 +152,17 @@ final class NoGoBorder {
         return portM < -ROUNDING_M ? nearestM : -nearestM;
     }
 
-    /** The line straight off an edge to which the boat is nearer than its line comes, or out of what it is not to enter; as long as it is too near. */
+    /** The line straight off an edge to which the boat is closer than its line, or out of an area; its length is how much is missing. */
     Optional<LineAhead> off() {
         return off;
     }
 
-    /** Whether nothing bars the boat from going straight back to its line. */
+    /** Whether the boat can return straight to its line. */
     boolean seesLine() {
         return seesLine;
     }
 
-    /** Whether a boat may go where it stops on that way. */
+    /** Whether the boat may enter this stopping segment. */
     boolean allows(Segment way) {
         if (isEmpty()) {
             return true;
@@ -179,7 +179,7 @@ final class NoGoBorder {
         return true;
     }
 
-    /** Whether a boat keeps off as far as where it is, or as it is to keep, on a straight way from there. */
+    /** Whether a straight way comes no closer to any edge than its beginning, or than the distance to keep. */
     boolean allowsStraight(double fromEastM, double fromNorthM, double toEastM, double toNorthM) {
         Segment here = Segment.between(fromEastM, fromNorthM, fromEastM, fromNorthM);
         Segment way = Segment.between(fromEastM, fromNorthM, toEastM, toNorthM);
@@ -195,25 +195,25 @@ final class NoGoBorder {
     boolean bars(double fromEastM, double fromNorthM, double toEastM, double toNorthM) {
         Segment way = Segment.between(fromEastM, fromNorthM, toEastM, toNorthM);
         for (Segment edge : edges) {
-            if (way.distanceM(edge, CLOSE_M) < CLOSE_M) {
+            if (way.distanceM(edge, BARRED_WITHIN_M) < BARRED_WITHIN_M) {
                 return true;
             }
         }
         return false;
     }
 
-    /** From a place to what is nearest to it on the line. */
+    /** From a place to the nearest point of the line. */
     private Segment back(double atEastM, double atNorthM) {
         double onLineM = line.onLineM((atEastM - eastM) * alongEast + (atNorthM - northM) * alongNorth);
         return Segment.between(atEastM, atNorthM, lineEastM(onLineM), lineNorthM(onLineM));
     }
 
-    /** A place on the line, so many metres farther along it than the boat. */
+    /** A point of the line, {@code alongM} metres farther along it than the boat. */
     private double lineEastM(double alongM) {
-        return eastM + alongM * alongEast - line.besideM() * alongNorth;
+        return eastM + alongM * alongEast - line.offsetM() * alongNorth;
     }
 
     private double lineNorthM(double alongM) {
-        return northM + alongM * alongNorth + line.besideM() * alongEast;
+        return northM + alongM * alongNorth + line.offsetM() * alongEast;
     }
 }

@@ -4,10 +4,10 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.server.vehicle.LocalFrame;
 
-/** Another boat as it was seen last, in metres of the plane of {@link Surroundings}. It is taken to go on as it did. For one thread. */
+/** Another boat as last reported, in metres on the plane of {@link Surroundings}. It is assumed to hold its course and speed. For one thread. */
 final class OtherBoat {
     private static final double SLOW_MPS = 0.3;
-    private static final long FORETOLD_MS = 1500; // for longer it is not taken to go straight on
+    private static final long PREDICTED_MS = 1500; // it is assumed to go straight on for no longer
 
     private final String boatId;
     private BoatMode mode;
@@ -16,23 +16,23 @@ final class OtherBoat {
     private double speedMps;
     private double aheadEast; // unit vector of its heading
     private double aheadNorth;
-    private double stopsM; // along it, if it begins to stop now
+    private double stopsM; // stopping distance along it; negative astern
     private double eastMps;
     private double northMps;
     private long seenMs;
     private double toEastM;
     private double toNorthM;
 
-    /** A boat that nobody has seen yet. */
+    /** A boat without a report yet. */
     OtherBoat(String boatId) {
         this.boatId = boatId;
         seenMs = Long.MIN_VALUE;
     }
 
     /**
-     * Takes up where it was seen, which is later than before.
+     * Takes a newer report.
      *
-     * @param plane on which that is so many metres east and north of the origin
+     * @param plane the plane of {@code atEastM} and {@code atNorthM}
      */
     void update(NearbyBoat row, double atEastM, double atNorthM, LocalFrame plane, long atMs) {
         mode = row.mode();
@@ -65,19 +65,19 @@ final class OtherBoat {
         return northAfterM(sinceS(nowMs));
     }
 
-    /** Where it is so many seconds after it was seen. */
+    /** Predicted position, {@code seconds} after the report. */
     double eastAfterM(double seconds) {
         return eastM + eastMps * seconds;
     }
 
-    /** Where it is so many seconds after it was seen. */
+    /** Predicted position, {@code seconds} after the report. */
     double northAfterM(double seconds) {
         return northM + northMps * seconds;
     }
 
-    /** For how long it goes on as it was seen, in seconds. */
+    /** How long the boat has moved on since its report, in seconds; limited to how long it is predicted. */
     double sinceS(long nowMs) {
-        return Math.max(0, Math.min(FORETOLD_MS, nowMs - seenMs)) / 1000.0;
+        return Math.max(0, Math.min(PREDICTED_MS, nowMs - seenMs)) / 1000.0;
     }
 
     double eastMps() {
@@ -102,34 +102,34 @@ final class OtherBoat {
         return aheadNorth;
     }
 
-    /** The course on which it goes, or will once it can, in radians: that to its point, where it waits and the point is known. */
+    /** Its course in radians; for a boat that waits and whose point is known, the course to that point. */
     double courseRad(long nowMs) {
         return isSlow() && isGoing()
                 ? StrictMath.atan2(toEastM - eastM(nowMs), toNorthM - northM(nowMs))
                 : StrictMath.atan2(aheadEast, aheadNorth);
     }
 
-    /** How far it goes until it has stopped, in metres. */
+    /** Stopping distance in metres. */
     double stopsWithinM() {
         return Math.abs(stopsM);
     }
 
-    /** The way on which it stops, if it is at a place. */
+    /** Its stopping segment from a position. */
     Segment stoppingAt(double atEastM, double atNorthM) {
         return Segment.along(atEastM, atNorthM, stopsM, aheadEast, aheadNorth);
     }
 
-    /** Whether it follows its way by itself, so that it gives way as this boat does. */
+    /** Whether it follows a path by itself, and so gives way as this boat does. */
     boolean isUnderWay() {
         return mode == BoatMode.PATH || mode == BoatMode.RETURN;
     }
 
-    /** Whether it lies still, or nearly so, and is not soon out of anybody's way. */
+    /** Whether it lies still or nearly so. */
     boolean isSlow() {
         return Math.abs(speedMps) < SLOW_MPS;
     }
 
-    /** Whether it is under way to a point that is known. */
+    /** Whether it is under way to a known point. */
     boolean isGoing() {
         return isUnderWay() && !Double.isNaN(toEastM);
     }

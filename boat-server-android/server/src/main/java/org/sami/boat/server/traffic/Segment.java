@@ -2,9 +2,9 @@ package org.sami.boat.server.traffic;
 
 import org.sami.boat.server.vehicle.PlaneMath;
 
-/** A straight piece of the plane, in metres: where a boat stops ({@link Stopping}), the edge of an area, a part of a line. */
+/** A straight segment on the plane, in metres: a stopping segment ({@link Stopping}), the edge of an area or a part of a line. */
 final class Segment {
-    private static final double SLACK_M = 1e-6; // more than sums are rounded by
+    private static final double ROUNDING_M = 1e-6; // above the rounding error of the sums here
 
     private final double fromEastM;
     private final double fromNorthM;
@@ -20,7 +20,7 @@ final class Segment {
         this.lengthM = lengthM;
     }
 
-    /** The segment of that length from a place, in the direction of a unit vector; of a negative length against it. */
+    /** The segment of a length from a place along a unit vector, or against it where the length is negative. */
     static Segment along(double eastM, double northM, double alongM, double east, double north) {
         return new Segment(eastM, northM, eastM + alongM * east, northM + alongM * north, Math.abs(alongM));
     }
@@ -36,12 +36,12 @@ final class Segment {
         return Math.sqrt(squareTo(eastM, northM));
     }
 
-    /** How far a place is to port of the line on which the segment lies, in metres; negative to starboard, 0 where it has no length. */
+    /** Distance of a place to port of the segment's line, in metres; negative to starboard, 0 for a segment without length. */
     double portM(double eastM, double northM) {
         return lengthM > 0 ? side(eastM, northM) / lengthM : 0;
     }
 
-    /** Where on it a place is nearest: 0 = at its beginning, 1 = at its end. */
+    /** The point of the segment nearest to a place: 0 = its beginning, 1 = its end. */
     private double partAt(double eastM, double northM) {
         double alongEast = toEastM - fromEastM;
         double alongNorth = toNorthM - fromNorthM;
@@ -50,31 +50,31 @@ final class Segment {
         return Math.max(0, Math.min(1, part));
     }
 
-    /** The course to a place from what is nearest to it on the segment, in radians; to port where the place lies on it. */
+    /** The course in radians from the nearest point of the segment to a place; to port where the place lies on the segment. */
     double awayRad(double eastM, double northM) {
         double part = partAt(eastM, northM);
         double offEastM = eastM - fromEastM - part * (toEastM - fromEastM);
         double offNorthM = northM - fromNorthM - part * (toNorthM - fromNorthM);
-        return PlaneMath.length(offEastM, offNorthM) < SLACK_M
+        return PlaneMath.length(offEastM, offNorthM) < ROUNDING_M
                 ? StrictMath.atan2(fromNorthM - toNorthM, toEastM - fromEastM)
                 : StrictMath.atan2(offEastM, offNorthM);
     }
 
-    /** East of its end. */
+    /** East coordinate of its end. */
     double toEastM() {
         return toEastM;
     }
 
-    /** North of its end. */
+    /** North coordinate of its end. */
     double toNorthM() {
         return toNorthM;
     }
 
-    /** The least distance of two segments in metres, or {@code mostM} if it is more; that is mostly known without computing it. */
+    /** Distance of two segments in metres, or {@code mostM} where it is more: a quick test usually finds that. */
     double distanceM(Segment other, double mostM) {
         double eastM = other.fromEastM - fromEastM;
         double northM = other.fromNorthM - fromNorthM;
-        double reachM = mostM + lengthM + other.lengthM + SLACK_M;
+        double reachM = mostM + lengthM + other.lengthM + ROUNDING_M;
         return eastM * eastM + northM * northM > reachM * reachM ? mostM : Math.min(mostM, distanceM(other));
     }
 

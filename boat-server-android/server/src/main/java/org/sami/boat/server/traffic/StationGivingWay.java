@@ -6,45 +6,44 @@ import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Has a boat that keeps a station give way: finds where it goes aside within its circle, so that another can come to a point on which it
- * lies. It drifts within that circle anyway.
+ * Makes a boat that keeps a station give way: finds a place within its circle to which it moves aside, so that another boat reaches the point where
+ * it lies. It drifts within that circle anyway.
  */
 public final class StationGivingWay {
-    private static final double CLEAR_M = GivingWay.APART_M + 0.5; // of the point to which the other goes
-    private static final double COMING_M = 15; // who is farther from its point is not awaited yet
-    private static final double HELD_UP_M = 7; // who waits farther away waits for somebody else
-    private static final double FROM_EDGE_M = 0.5;
+    private static final double CLEARANCE_M = GivingWay.APART_M + 0.5; // from the point to which the other goes
+    private static final double APPROACH_M = 15; // a boat farther from its point is not approaching yet
+    private static final double BLOCKED_WITHIN_M = 7; // a boat that waits farther away waits for another one
+    private static final double CIRCLE_MARGIN_M = 0.5;
     private static final int SIDES = 24;
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
     private final double radiusM;
     private final double apartM;
-    private Optional<String> takenBy = Optional.empty(); // who has taken the station
+    private Optional<String> takenBy = Optional.empty(); // the boat on the station
 
     /**
-     * That of a boat.
+     * For one boat.
      *
-     * @param radiusM how far from its station it may lie
+     * @param radiusM how far from its station the boat may lie, in metres
      * @param positionErrorM standard deviation of positions along each axis, the boat's own and those of others, in metres
      */
     public StationGivingWay(Surroundings surroundings, Vehicle vehicle, double radiusM, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
-        this.radiusM = radiusM - FROM_EDGE_M;
-        apartM = GivingWay.APART_M + GivingWay.forErrorsM(positionErrorM);
+        this.radiusM = radiusM - CIRCLE_MARGIN_M;
+        apartM = GivingWay.APART_M + GivingWay.errorMarginM(positionErrorM);
     }
 
-    /** From now on the boat keeps another station. */
+    /** The boat keeps another station from now on. */
     public void begin() {
         takenBy = Optional.empty();
     }
 
     /**
-     * Whether another boat lies still so near the station that this one cannot come to it, or lay there when it was told of last: while all lie still,
-     * nothing is told.
+     * Whether another boat lies still so close to the station that this one cannot reach it. The last report counts: boats that lie still send none.
      *
-     * @param withinM how near to its station it is to come
+     * @param withinM how close to its station this boat has to come, in metres
      */
     public boolean isTaken(LocalFrame station, double withinM, long nowMs) {
         LocalFrame plane = surroundings.plane();
@@ -58,16 +57,16 @@ public final class StationGivingWay {
                 return true;
             }
         }
-        takenBy = takenBy.filter(boatId -> !surroundings.knows(boatId)); // else it has gone from there
+        takenBy = takenBy.filter(boatId -> !surroundings.knows(boatId)); // a newer report has it elsewhere
         return takenBy.isPresent();
     }
 
-    /** How near a boat can well come to a station that is taken, in metres. */
-    public double besideTakenM() {
-        return apartM + GivingWay.ROOM_M;
+    /** Distance at which a boat can lie next to a station that is taken, in metres. */
+    public double nextToTakenM() {
+        return apartM + GivingWay.PASSING_CLEARANCE_M;
     }
 
-    /** Where to go aside; empty where the boat lies in nobody's way, or there is no room. */
+    /** Where to move aside; empty where the boat is in nobody's way, or there is no room. */
     public Optional<LocalFrame> aside(LocalFrame station, long nowMs) {
         if (surroundings.isEmpty()) {
             return Optional.empty();
@@ -97,14 +96,14 @@ public final class StationGivingWay {
         return nearest;
     }
 
-    /** Whether nobody who comes wants to go to the station, or past it. */
+    /** Whether no approaching boat is heading for the station or past it. */
     public boolean isClear(LocalFrame station, long nowMs) {
         LocalFrame plane = surroundings.plane();
         double eastM = plane.eastM(station.originLatDeg(), station.originLonDeg());
         return isClear(eastM, plane.northM(station.originLatDeg(), station.originLonDeg()), nowMs);
     }
 
-    /** Whether nobody who comes wants to go there, and nobody waits to go past there. */
+    /** Whether no approaching boat is heading for a place, and none waits to pass it. */
     private boolean isClear(double eastM, double northM, long nowMs) {
         for (OtherBoat other : surroundings.others()) {
             if (other.isGoing() && (isGoal(other, eastM, northM, nowMs) || isAhead(other, eastM, northM, nowMs))) {
@@ -116,15 +115,15 @@ public final class StationGivingWay {
 
     private static boolean isGoal(OtherBoat other, double eastM, double northM, long nowMs) {
         double leftM = PlaneMath.length(other.toEastM() - other.eastM(nowMs), other.toNorthM() - other.northM(nowMs));
-        return leftM < COMING_M
-                && PlaneMath.length(other.toEastM() - eastM, other.toNorthM() - northM) < CLEAR_M - FROM_EDGE_M;
+        return leftM < APPROACH_M
+                && PlaneMath.length(other.toEastM() - eastM, other.toNorthM() - northM) < CLEARANCE_M - CIRCLE_MARGIN_M;
     }
 
-    /** Whether a boat that hardly moves is held up by who lies there, on its straight way. */
+    /** Whether a boat lying at a place blocks the straight way of another one that hardly moves. */
     private static boolean isAhead(OtherBoat other, double eastM, double northM, long nowMs) {
         double awayEastM = eastM - other.eastM(nowMs);
         double awayNorthM = northM - other.northM(nowMs);
-        if (!other.isSlow() || PlaneMath.length(awayEastM, awayNorthM) > HELD_UP_M) {
+        if (!other.isSlow() || PlaneMath.length(awayEastM, awayNorthM) > BLOCKED_WITHIN_M) {
             return false;
         }
         double toEastM = other.toEastM() - other.eastM(nowMs);
@@ -135,10 +134,10 @@ public final class StationGivingWay {
         return along > 0 && along < wayM + GivingWay.APART_M && across < GivingWay.APART_M;
     }
 
-    /** Whether nobody lies there. */
+    /** Whether no boat is near a place. */
     private boolean isFree(double eastM, double northM, long nowMs) {
         for (OtherBoat other : surroundings.others()) {
-            if (PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < CLEAR_M) {
+            if (PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < CLEARANCE_M) {
                 return false;
             }
         }

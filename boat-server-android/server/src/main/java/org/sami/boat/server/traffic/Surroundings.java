@@ -11,28 +11,27 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * The other boats near this one, as its base told of them, and what this one is not to enter near by. Boats that were seen long ago are forgotten. For
- * the thread that ticks the server.
+ * The boats and no-go edges near this boat, as its base has sent them. Old reports are dropped. For the thread that ticks the server.
  */
 public final class Surroundings {
-    /** What is older, in ms, says nothing any more: a link that is silent for so long is lost. */
+    /** Age in ms at which a report is dropped: a link that is silent for that long is lost. */
     public static final long OLDEST_MS = 3500;
 
     private static final double REACH_M = 2000; // of the plane
 
     private final String ownId;
-    private final List<OtherBoat> others = new ArrayList<>(); // in the order in which they were first told of
+    private final List<OtherBoat> others = new ArrayList<>(); // in the order of their first reports
     private final Map<String, OtherBoat> byId = new HashMap<>(); // the same ones
-    private long oldestSeenMs = Long.MAX_VALUE; // or earlier: nobody is too old before it is
+    private long oldestSeenMs = Long.MAX_VALUE; // or earlier: no report is too old before it is
     private LocalFrame plane = new LocalFrame(0, 0);
     private NoGoBorder border = NoGoBorder.NONE;
 
-    /** Nobody is known yet. */
+    /** No boat is known yet. */
     public Surroundings(String ownId) {
         this.ownId = Objects.requireNonNull(ownId, "ownId");
     }
 
-    /** Takes up what the base tells: of each boat the newest row counts, of what this boat is not to enter the newest message. */
+    /** Takes a message of the base. For each boat its newest row counts, for no-go edges the newest message. */
     public void update(Traffic traffic, long nowMs) {
         for (NearbyBoat row : traffic.boats()) {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
@@ -41,7 +40,7 @@ public final class Surroundings {
                 if (PlaneMath.length(eastM, northM) < REACH_M) {
                     take(row, eastM, northM, nowMs);
                 } else {
-                    others.clear(); // they are those of another water
+                    others.clear(); // they are on another water
                     byId.clear();
                     border = NoGoBorder.NONE;
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
@@ -49,12 +48,12 @@ public final class Surroundings {
                 }
             }
         }
-        if (!others.isEmpty()) { // else the plane may be that of another water
-            border = traffic.noGo().map(told -> NoGoBorder.of(told, plane)).orElse(NoGoBorder.NONE);
+        if (!others.isEmpty()) { // otherwise the plane may belong to another water
+            border = traffic.noGo().map(edges -> NoGoBorder.of(edges, plane)).orElse(NoGoBorder.NONE);
         }
     }
 
-    /** Forgets what this boat is not to enter: it has another command, or has come elsewhere. */
+    /** Drops the no-go edges: the boat has another command or has moved too far. */
     public void forgetBorder() {
         border = NoGoBorder.NONE;
     }
@@ -79,7 +78,7 @@ public final class Surroundings {
         return other;
     }
 
-    /** Forgets what is old. */
+    /** Drops old reports. */
     public void tick(long nowMs) {
         if (others.isEmpty() || nowMs - oldestSeenMs <= OLDEST_MS) {
             return;
@@ -96,17 +95,17 @@ public final class Surroundings {
         }
     }
 
-    /** Whether nobody is known. */
+    /** Whether no boat is known. */
     public boolean isEmpty() {
         return others.isEmpty();
     }
 
-    /** Whether something was told of this boat lately. */
+    /** Whether there is a recent report of this boat. */
     boolean knows(String boatId) {
         return byId.containsKey(boatId);
     }
 
-    /** Whether some boat is nearer to a position than so many metres. */
+    /** Whether a boat is closer to a position than {@code metres}. */
     public boolean isNear(double latDeg, double lonDeg, double metres, long nowMs) {
         double eastM = plane.eastM(latDeg, lonDeg);
         double northM = plane.northM(latDeg, lonDeg);
@@ -118,7 +117,7 @@ public final class Surroundings {
         return false;
     }
 
-    /** What this boat is not to enter. */
+    /** The no-go edges near this boat. */
     NoGoBorder border() {
         return border;
     }
@@ -131,7 +130,7 @@ public final class Surroundings {
         return others;
     }
 
-    /** In whose metres the others are. */
+    /** The plane in whose metres the others are given. */
     LocalFrame plane() {
         return plane;
     }

@@ -6,19 +6,19 @@ import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 
-/** The way on which a boat came, of some 200 m, so that it can go back on it. */
+/** The last 200 m or so of the way on which a boat came, for backing up. */
 final class Trail {
     private static final double STEP_DEG = 2e-5; // some 2 m
     private static final int MOST_PLACES = 100;
     private static final double PASSED_M = 2;
-    private static final double REACHED_M = 0.7; // of a place before which the boat may not turn to the next one
+    private static final double CORNER_REACHED_M = 0.7; // where the boat may not cut the corner
 
-    private final Deque<double[]> places = new ArrayDeque<>(); // latitude and longitude in degrees, the newest first
-    // the newest once more, as it is looked at in each tick; not numbers where there is none
+    private final Deque<double[]> places = new ArrayDeque<>(); // latitude and longitude in degrees, newest first
+    // copy of the newest for the test in each tick; NaN where there is none
     private double newestLatDeg = Double.NaN;
     private double newestLonDeg = Double.NaN;
 
-    /** Adds a place, if it is some metres from the last. */
+    /** Adds a place if it is some metres from the last one. */
     void add(double latDeg, double lonDeg) {
         boolean isThere = Math.abs(latDeg - newestLatDeg) <= STEP_DEG && Math.abs(lonDeg - newestLonDeg) <= STEP_DEG;
         if (!isThere) {
@@ -36,8 +36,8 @@ final class Trail {
     }
 
     /**
-     * The line to where the boat was before; what it has come back to is forgotten, at a corner not before it has come quite there. Empty where nothing
-     * is left.
+     * The line to the place before. Places that the boat has come back to are dropped, at a corner only once it has reached them. Empty at the end of the
+     * trail.
      */
     Optional<LineAhead> back(Surroundings surroundings, double eastM, double northM) {
         LocalFrame plane = surroundings.plane();
@@ -46,7 +46,7 @@ final class Trail {
             double toEastM = plane.eastM(place[0], place[1]) - eastM;
             double toNorthM = plane.northM(place[0], place[1]) - northM;
             double lengthM = PlaneMath.length(toEastM, toNorthM);
-            if (lengthM > PASSED_M || (lengthM > REACHED_M && isNextBarred(surroundings, eastM, northM))) {
+            if (lengthM > PASSED_M || (lengthM > CORNER_REACHED_M && isNextBarred(surroundings, eastM, northM))) {
                 addFirst(place);
                 return Optional.of(LineAhead.straight(StrictMath.atan2(toEastM, toNorthM), lengthM));
             }

@@ -1,37 +1,37 @@
 package org.sami.boat.server.traffic;
 
 /**
- * Where a boat may head a moment after it has begun to turn: as far as it is to turn, but at most so far. Most turns that are tried in one choice are
- * farther than that and end in one of two courses, which are computed once, since sines are dear.
+ * The heading of a boat shortly after it has begun to turn: as far as intended, but at most by a limit. Most turns tried in one choice exceed the limit
+ * and end in one of two courses, which are computed once because sines are costly.
  */
 final class TurnLimit {
     private final double mostRad;
     private Course heading = new Course(0);
-    private Course toPort; // of the heading, as far as it may; null until it is wanted
+    private Course toPort; // the heading turned by the limit; null until needed
     private Course toStarboard;
 
-    /** At most so far, in radians. */
+    /** A limit in radians. */
     TurnLimit(double mostRad) {
         this.mostRad = mostRad;
     }
 
-    /** From now on it turns from here. */
+    /** Sets the heading from which the boat turns. */
     void setHeading(Course newHeading) {
         heading = newHeading;
         toPort = null;
         toStarboard = null;
     }
 
-    /** Whether a turn in radians, positive to starboard, is not cut short. */
+    /** Whether a turn in radians, positive to starboard, is within the limit. */
     boolean allows(double turnRad) {
         return Math.abs(turnRad) <= mostRad;
     }
 
     /**
-     * The course after a turn, or after as much of it as is possible.
+     * The course after a turn, or after as much of it as the limit allows.
      *
-     * @param to where it turns to
-     * @param turnRad from its heading to there in radians, positive to starboard
+     * @param to the intended course
+     * @param turnRad the turn from the heading to it in radians, positive to starboard
      */
     Course after(Course to, double turnRad) {
         if (allows(turnRad)) {

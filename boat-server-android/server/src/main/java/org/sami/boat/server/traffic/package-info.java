@@ -1,5 +1,5 @@
 /**
- * Other boats near this one: what is known of them, and how this one gives way to them (docs/decisions, 0320 and 0321). Not here: who tells of them, which is
- * the base over the link, and how motors are set.
+ * Other boats near this one, and how this boat gives way to them (docs/decisions, 0320 and 0321). Not here: the reports of other boats, which the base sends
+ * over the link, and the control of the motors.
  */
 package org.sami.boat.server.traffic;
