@@ -93,7 +93,7 @@ class DeepChecksOfPanoramasTest {
                 .satisfies(found -> {
                     assertThat(found.finding().code()).isEqualTo("W-WAITS-FOR-NOBODY");
                     assertThat(found.finding().elements()).containsExactly("ready", "go2");
-                    assertThat(found.finding().message()).contains("Nobody ever waits in \"ready\"", "Camera");
+                    assertThat(found.finding().message()).contains("Nobody ever waits in place 12", "Camera");
                     assertThat(found.witness()).isPresent();
                 });
     }

@@ -386,7 +386,7 @@ class EventWizardTest {
         Plan before = add("StartSystemTimer", SOMEWHERE);
         Plan after = add("OperatorSelectBoat", new EventTarget.OnVertex(behind(before, "TimerExpired")));
 
-        PlanChange change = PlanChange.between(before, after);
+        PlanChange change = PlanChange.between(before, after, BOATS.vocabulary());
 
         assertThat(change.vertices()).hasSize(2);
         assertThat(change.edges()).hasSize(2);
@@ -394,7 +394,7 @@ class EventWizardTest {
         assertThat(change.lines())
                 .contains(
                         "Transition \"Operator Selects Boat\"",
-                        "Changed \"Timer Expired\" → \"place\": Take 1 Generic, Take All Proxy");
+                        "Changed \"Timer Expired\" → \"Operator Select Boat\": Take 1 Generic, Take All Proxy");
     }
 
     @Test

@@ -69,7 +69,7 @@ final class ElementRoleCommands {
                 "Extract to a sub-mission",
                 this::extract,
                 () -> actions.whyNotEdit("net-extract")
-                        .or(() -> ExtractSubMission.whyNot(net.plan(), actions.selection())),
+                        .or(() -> ExtractSubMission.whyNot(net.plan(), actions.selection(), context.vocabulary())),
                 "X");
         commands.add(
                 "net-recovery",

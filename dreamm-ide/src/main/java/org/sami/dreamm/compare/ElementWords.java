@@ -20,51 +20,48 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
-import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Vertices and edges by the names that people call them, and in what two versions of one differ. */
 final class ElementWords {
     private final Vocabulary vocabulary;
+    private final Plan before;
+    private final Plan after;
 
-    ElementWords(Vocabulary vocabulary) {
+    /** Words for the elements of two versions of a plan; those that both have are called as in the later one. */
+    ElementWords(Plan before, Plan after, Vocabulary vocabulary) {
+        this.before = before;
+        this.after = after;
         this.vocabulary = vocabulary;
     }
 
-    private static String quoted(String name, String id) {
-        return "\"" + (name.isBlank() ? id : name) + "\"";
-    }
-
     String name(Place place) {
-        return "The place " + quoted(place.name(), place.id());
+        return "The " + names(after.place(place.id()).isPresent()).withKind(place);
     }
 
     String name(Transition transition) {
-        return "The transition " + quoted(transition.name(), transition.id());
+        return "The " + names(after.transition(transition.id()).isPresent()).withKind(transition);
     }
 
-    String name(InEdge edge, Plan before, Plan after) {
-        return "The edge from " + place(edge.place(), before, after) + " to "
-                + transition(edge.transition(), before, after);
+    String name(InEdge edge) {
+        return "The edge from " + vertex(edge.place()) + " to " + vertex(edge.transition());
     }
 
-    String name(OutEdge edge, Plan before, Plan after) {
-        return "The edge from " + transition(edge.transition(), before, after) + " to "
-                + place(edge.place(), before, after);
+    String name(OutEdge edge) {
+        return "The edge from " + vertex(edge.transition()) + " to " + vertex(edge.place());
     }
 
-    private static String place(String id, Plan before, Plan after) {
-        return after.place(id)
-                .or(() -> before.place(id))
-                .map(p -> quoted(p.name(), id))
-                .orElse(id);
+    private ElementNames names(boolean isAfter) {
+        return new ElementNames(isAfter ? after : before, vocabulary);
     }
 
-    private static String transition(String id, Plan before, Plan after) {
-        return after.transition(id)
-                .or(() -> before.transition(id))
-                .map(t -> quoted(t.name(), id))
-                .orElse(id);
+    private String vertex(String id) {
+        return names(true)
+                .of(id)
+                .or(() -> names(false).of(id))
+                .map(name -> "\"" + name + "\"")
+                .orElse("nothing");
     }
 
     List<String> changes(Place was, Place is) {
@@ -78,7 +75,13 @@ final class ElementWords {
         }
         mode(was.mode(), is.mode(), changes);
         disabled(was.disabled(), is.disabled(), changes);
-        parts("output event ", was.outputs(), is.outputs(), OutputEventSpec::id, o -> label(o.type()), changes);
+        parts(
+                "output event ",
+                was.outputs(),
+                is.outputs(),
+                OutputEventSpec::id,
+                o -> vocabulary.title(o.type()),
+                changes);
         parts("sub-mission ", was.subMissions(), is.subMissions(), SubMissionSpec::id, SubMissionSpec::plan, changes);
         if (!was.transitionOrder().equals(is.transitionOrder())) {
             changes.add("its transitions are looked at in another order");
@@ -94,7 +97,7 @@ final class ElementWords {
         if (was.waitFor() != is.waitFor()) {
             changes.add(is.waitFor() == WaitFor.ALL ? "it waits for all" : "it fires for each");
         }
-        parts("input event ", was.inputs(), is.inputs(), InputEventSpec::id, i -> label(i.type()), changes);
+        parts("input event ", was.inputs(), is.inputs(), InputEventSpec::id, i -> vocabulary.title(i.type()), changes);
         return changes;
     }
 
@@ -107,7 +110,7 @@ final class ElementWords {
     List<String> changes(InEdge was, InEdge is) {
         List<String> changes = new ArrayList<>();
         if (!was.place().equals(is.place()) || !was.transition().equals(is.transition())) {
-            changes.add("it joined " + was.place() + " and " + was.transition());
+            changes.add("it joined " + vertex(was.place()) + " and " + vertex(was.transition()));
         }
         mode(was.mode(), is.mode(), changes);
         if (!was.requirements().equals(is.requirements())) {
@@ -120,7 +123,7 @@ final class ElementWords {
     List<String> changes(OutEdge was, OutEdge is) {
         List<String> changes = new ArrayList<>();
         if (!was.place().equals(is.place()) || !was.transition().equals(is.transition())) {
-            changes.add("it joined " + was.transition() + " and " + was.place());
+            changes.add("it joined " + vertex(was.transition()) + " and " + vertex(was.place()));
         }
         mode(was.mode(), is.mode(), changes);
         if (!was.requirements().equals(is.requirements())) {
@@ -190,13 +193,5 @@ final class ElementWords {
         if (!other && !was.stream().map(id).toList().equals(is.stream().map(id).toList())) {
             changes.add("its events stand in another order");
         }
-    }
-
-    private String label(String type) {
-        return vocabulary
-                .event(type)
-                .map(EventType::label)
-                .filter(label -> !label.isEmpty())
-                .orElse(type);
     }
 }

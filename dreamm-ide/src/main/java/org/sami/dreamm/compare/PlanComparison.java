@@ -79,7 +79,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
         Builder(Plan before, Plan after, Vocabulary vocabulary) {
             this.before = before;
             this.after = after;
-            this.words = new ElementWords(vocabulary);
+            this.words = new ElementWords(before, after, vocabulary);
         }
 
         PlanComparison build() {
@@ -93,20 +93,10 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
                     compared(before.places(), after.places(), Place::id, words::name, words::changes, kept);
             List<Transition> goneTransitions = compared(
                     before.transitions(), after.transitions(), Transition::id, words::name, words::changes, kept);
-            List<InEdge> goneIn = compared(
-                    before.inEdges(),
-                    after.inEdges(),
-                    InEdge::id,
-                    e -> words.name(e, before, after),
-                    words::changes,
-                    kept);
-            List<OutEdge> goneOut = compared(
-                    before.outEdges(),
-                    after.outEdges(),
-                    OutEdge::id,
-                    e -> words.name(e, before, after),
-                    words::changes,
-                    kept);
+            List<InEdge> goneIn =
+                    compared(before.inEdges(), after.inEdges(), InEdge::id, words::name, words::changes, kept);
+            List<OutEdge> goneOut =
+                    compared(before.outEdges(), after.outEdges(), OutEdge::id, words::name, words::changes, kept);
             moved();
             PlanWords.testCases(before, after).forEach(text -> differences.add(new Difference(text, Set.of())));
             return new PlanComparison(both(gonePlaces, goneTransitions, goneIn, goneOut), changes, differences);

@@ -2,14 +2,15 @@ package org.sami.dreamm.inspector;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
-import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.net.NetScene;
 
@@ -114,8 +115,12 @@ record Selected(
         }
         if (vertices() == 1 && edges() == 0) {
             return places.isEmpty()
-                    ? "Transition " + ElementNames.of(transitions.get(0), vocabulary)
-                    : "Place " + ElementNames.of(places.get(0), vocabulary);
+                    ? ElementNames.called(transitions.get(0), vocabulary)
+                            .map(name -> "Transition " + name)
+                            .orElseGet(() -> capital(names.of(transitions.get(0))))
+                    : ElementNames.called(places.get(0), vocabulary)
+                            .map(name -> "Place " + name)
+                            .orElseGet(() -> capital(names.of(places.get(0))));
         }
         if (vertices() == 0 && edges() == 1) {
             return names.of(edgeIds().iterator().next()).orElse("Edge");
@@ -123,6 +128,10 @@ record Selected(
         return (vertices() > 0 ? count(vertices(), "vertex", "vertices") : "")
                 + (vertices() > 0 && edges() > 0 ? ", " : "")
                 + (edges() > 0 ? count(edges(), "edge", "edges") : "");
+    }
+
+    private static String capital(String words) {
+        return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
     }
 
     private static String count(int n, String one, String many) {

@@ -22,6 +22,7 @@ import org.sami.dreamm.replay.PlanReplay.Moment;
 import org.sami.dreamm.tryout.Breakpoint;
 import org.sami.dreamm.tryout.TryOut;
 import org.sami.dreamm.tryout.TryOutOverlay;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.replay.JournalRun;
 import org.sami.spn.replay.TimeLine;
 import org.sami.ui.EventThread;
@@ -210,7 +211,7 @@ public final class ReplayPanel extends JPanel {
             player.goTo(next.atMillis());
             context.editor().open(at.plan());
             context.editor().highlight(Set.of(at.vertex()));
-            context.notices().told("The replay stopped at the breakpoint " + at.vertex());
+            context.notices().told("The replay stopped at the breakpoint at " + name(at));
         });
         refresh();
         String open = context.editor().planId().orElse("");
@@ -219,6 +220,13 @@ public final class ReplayPanel extends JPanel {
                         .filter(vertex -> vertex.plan().equals(open))
                         .map(Breakpoint::vertex)
                         .collect(Collectors.toSet()));
+    }
+
+    private String name(Breakpoint at) {
+        return context.document()
+                .plan(at.plan())
+                .flatMap(plan -> new ElementNames(plan, context.vocabulary()).of(at.vertex()))
+                .orElse(at.vertex());
     }
 
     private void refresh() {

@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
-import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.edit.Usage;
 import org.sami.spn.model.FieldSource;
@@ -18,9 +17,9 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
-import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.value.ValueSummary;
 
@@ -112,7 +111,8 @@ final class ProjectSearch {
     }
 
     private void place(Plan plan, Place place) {
-        add(plan, place.id(), ElementNames.of(place, vocabulary), "place · " + PlanTree.name(plan));
+        ElementNames names = new ElementNames(plan, vocabulary);
+        add(plan, place.id(), names.of(place), "place · " + PlanTree.name(plan));
         place.outputs().forEach(event -> {
             StringBuilder detail = new StringBuilder(label(event.type()));
             event.fields()
@@ -121,7 +121,7 @@ final class ProjectSearch {
             add(plan, place.id(), event.type(), rest(detail, event.writes(), event.markups(), plan));
         });
         place.subMissions().forEach(sub -> {
-            StringBuilder detail = new StringBuilder("sub-mission at ").append(ElementNames.of(place, vocabulary));
+            StringBuilder detail = new StringBuilder("sub-mission at ").append(names.of(place));
             sub.variables()
                     .forEach((child, parent) ->
                             detail.append(", ").append(child).append(" from ").append(parent));
@@ -130,7 +130,8 @@ final class ProjectSearch {
     }
 
     private void transition(Plan plan, Transition transition) {
-        add(plan, transition.id(), ElementNames.of(transition, vocabulary), "transition · " + PlanTree.name(plan));
+        ElementNames names = new ElementNames(plan, vocabulary);
+        add(plan, transition.id(), names.of(transition), "transition · " + PlanTree.name(plan));
         transition.inputs().forEach(event -> {
             StringBuilder detail = new StringBuilder(label(event.type()));
             event.fields()
@@ -161,7 +162,7 @@ final class ProjectSearch {
     }
 
     private String label(String type) {
-        return vocabulary.event(type).map(EventType::label).orElse(type);
+        return vocabulary.title(type);
     }
 
     private static String words(FieldSource source) {

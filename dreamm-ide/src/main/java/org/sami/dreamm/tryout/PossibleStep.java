@@ -8,6 +8,7 @@ import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.stepping.Possible;
+import org.sami.spn.stepping.StepText;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.vocabulary.EventType;
@@ -51,12 +52,13 @@ record PossibleStep(String key, String who, String what, What of) {
     static List<PossibleStep> of(Stepper stepper) {
         List<PossibleStep> all = new ArrayList<>();
         Possible possible = stepper.possible();
+        StepText words = stepper.words();
         for (Decision d : possible.decisions()) {
             String asking = stepper.eventAsking(d);
             all.add(new PossibleStep(
                     "decision-" + d.id(),
                     "Operator",
-                    d.prompt() + (asking.isEmpty() ? "" : " (" + asking + ")"),
+                    d.prompt() + (asking.isEmpty() ? "" : " (" + words.deciding(asking) + ")"),
                     new What.Decide(d)));
         }
         for (Possible.OpenActivation open : possible.activations()) {
@@ -65,7 +67,7 @@ record PossibleStep(String key, String who, String what, What of) {
                 all.add(new PossibleStep(
                         "answer-" + asked.id() + "-" + type.name(),
                         "Answer",
-                        type.label() + " to " + asked.event() + whom(asked),
+                        type.title() + " to " + words.asking(asked.event(), type.name()) + whom(asked),
                         new What.Respond(asked, type)));
             }
         }
@@ -82,7 +84,7 @@ record PossibleStep(String key, String who, String what, What of) {
         all.add(new PossibleStep(
                 "time", "Time", next < 0 ? "passes; no timer runs" : "passes; the next timer", new What.Wait(next)));
         for (EventType type : possible.news()) {
-            all.add(new PossibleStep("news-" + type.name(), "News", type.label(), new What.News(type)));
+            all.add(new PossibleStep("news-" + type.name(), "News", type.title(), new What.News(type)));
         }
         List<String> known = stepper.view().proxies();
         String another = "robot-" + (known.size() + 1);

@@ -212,12 +212,14 @@ final class PossibleStepEditor {
             return answer(decide.decision(), answer.get());
         } else if (what instanceof PossibleStep.What.Respond respond) {
             Activation asked = respond.asked();
-            String words = respond.type().name() + whom() + ", answering " + asked.event();
+            String words = respond.type().title() + whom() + ", answering "
+                    + stepper.words().asking(asked.event(), respond.type().name());
             return tryOut.done(words, s -> s.occur(asked.id(), respond.type().name(), checked(), about(), given()))
                     .refusal();
         } else if (what instanceof PossibleStep.What.News news) {
             return tryOut.done(
-                            news.type().name() + whom(), s -> s.news(news.type().name(), checked(), about(), given()))
+                            news.type().title() + whom(),
+                            s -> s.news(news.type().name(), checked(), about(), given()))
                     .refusal();
         } else if (what instanceof PossibleStep.What.Press press) {
             return tryOut.take(new TestStep.Press(press.button().name(), checked()))
@@ -239,8 +241,15 @@ final class PossibleStepEditor {
     }
 
     private Optional<String> answer(Decision decision, Answer answer) {
-        return tryOut.done("operator: " + AnswerWords.of(answer), s -> s.answer(decision.id(), answer))
+        return tryOut.done(
+                        "operator: " + AnswerWords.of(answer, stepper.words()) + asked(decision),
+                        s -> s.answer(decision.id(), answer))
                 .refusal();
+    }
+
+    private String asked(Decision decision) {
+        String asking = stepper.eventAsking(decision);
+        return asking.isEmpty() ? "" : " to " + stepper.words().deciding(asking);
     }
 
     private String whom() {

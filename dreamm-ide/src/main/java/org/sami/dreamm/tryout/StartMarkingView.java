@@ -20,6 +20,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TaskSpec;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
@@ -95,6 +96,13 @@ final class StartMarkingView extends JPanel {
                 .findFirst();
     }
 
+    private String name(Place place) {
+        return context.editor()
+                .plan()
+                .map(plan -> new ElementNames(plan, context.vocabulary()).of(place))
+                .orElse(place.id());
+    }
+
     private void refresh() {
         if (filling) {
             return;
@@ -102,8 +110,8 @@ final class StartMarkingView extends JPanel {
         Optional<Place> place = place();
         LookColors.foreground(title, place.isPresent() ? SemanticColor.TEXT : SemanticColor.MUTED);
         title.setText(place.map(p -> p.end()
-                        ? "A mission that stands in the end place " + p.id() + " is over"
-                        : "What stands in " + (p.name().isEmpty() ? p.id() : p.name()))
+                        ? "A mission that stands in the end place \"" + name(p) + "\" is over"
+                        : "What stands in " + name(p))
                 .orElse("Select a place on the net to put tokens into it"));
         tokens.removeAll();
         place.filter(p -> !p.end()).ifPresent(this::fill);

@@ -3,11 +3,13 @@ package org.sami.dreamm.tryout;
 import java.awt.BorderLayout;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JPanel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.stepping.Stepper;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
@@ -47,11 +49,14 @@ final class StateView extends JPanel {
 
     private void rows(Stepper stepper, MissionView mission, List<Row> rows) {
         String key = mission.id() + " ";
-        mission.marking()
-                .forEach((place, tokens) ->
-                        rows.add(new Row(key + place, mission.plan(), place, StepWords.tokens(tokens))));
-        List<VariableSpec> variables = new ArrayList<>(
-                stepper.view().planOf(mission.id()).map(Plan::variables).orElse(List.of()));
+        Optional<Plan> plan = stepper.view().planOf(mission.id());
+        String title = plan.map(Plan::title).orElse(mission.plan());
+        mission.marking().forEach((place, tokens) -> {
+            String name = plan.flatMap(of -> new ElementNames(of, context.vocabulary()).of(place))
+                    .orElse(place);
+            rows.add(new Row(key + place, title, name, StepWords.tokens(tokens)));
+        });
+        List<VariableSpec> variables = new ArrayList<>(plan.map(Plan::variables).orElse(List.of()));
         if (mission.id() == stepper.mission()) {
             variables.addAll(context.document().project().globals());
         }
@@ -60,7 +65,7 @@ final class StateView extends JPanel {
                     .variable(mission.id(), variable.name())
                     .map(ValueSummary::of)
                     .orElse("no value yet");
-            rows.add(new Row(key + variable.name(), mission.plan(), variable.name(), value));
+            rows.add(new Row(key + variable.name(), title, variable.name(), value));
         }
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.dreamm.tryout;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -34,10 +35,10 @@ final class StepWords {
                     .filter(Question.FillIn.class::isInstance)
                     .findFirst()
                     .map(asked -> filled((Question.FillIn) asked, given.values()))
-                    .map(all -> of(new TestStep.Answer(s.event(), new TestStep.Reply.Values(all))))
-                    .orElseGet(() -> of(step));
+                    .map(all -> of(new TestStep.Answer(s.event(), new TestStep.Reply.Values(all)), stepper.words()))
+                    .orElseGet(() -> of(step, stepper.words()));
         }
-        return of(step);
+        return of(step, stepper.words());
     }
 
     private static Map<String, Value> filled(Question.FillIn asked, Map<String, Value> given) {
@@ -50,21 +51,32 @@ final class StepWords {
         return all;
     }
 
-    static String of(TestStep step) {
+    static String of(TestStep step, StepText words) {
         if (step instanceof TestStep.Answer s && s.reply() instanceof TestStep.Reply.Values given) {
-            return "operator: " + values(given.values()) + (s.event().isEmpty() ? " (start)" : " to " + s.event());
+            return "operator: " + values(given.values(), words) + words.whom(s);
         }
         return step instanceof TestStep.Advance s
                 ? ValueSummary.of(new DurationValue(s.millis())) + " pass"
-                : StepText.of(step);
+                : words.of(step);
     }
 
-    static String values(Map<String, Value> values) {
+    /** Values by their fields; of fields with one name also by their events. */
+    static String values(Map<String, Value> values, StepText words) {
+        List<String> fields = values.keySet().stream().map(StepWords::field).toList();
         return values.isEmpty()
                 ? "as proposed"
                 : values.entrySet().stream()
-                        .map(value -> value.getKey() + " = " + ValueSummary.of(value.getValue()))
+                        .map(value -> {
+                            String field = field(value.getKey());
+                            boolean isAlone = Collections.frequency(fields, field) == 1;
+                            return (isAlone ? field : words.asked(value.getKey())) + " = "
+                                    + ValueSummary.of(value.getValue());
+                        })
                         .collect(Collectors.joining("; "));
+    }
+
+    private static String field(String key) {
+        return key.substring(key.lastIndexOf('.') + 1);
     }
 
     /**

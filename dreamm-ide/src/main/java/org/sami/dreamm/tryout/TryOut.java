@@ -205,7 +205,7 @@ public final class TryOut {
     }
 
     private String words(TestStep step) {
-        return stepper().map(stepper -> StepWords.of(step, stepper)).orElseGet(() -> StepWords.of(step));
+        return stepper().map(stepper -> StepWords.of(step, stepper)).orElse("");
     }
 
     /** Takes a step that a stepper knows, such as an answer to one of several open questions. */

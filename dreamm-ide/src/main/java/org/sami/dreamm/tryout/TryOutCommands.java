@@ -7,8 +7,9 @@ import java.util.function.Supplier;
 import javax.swing.Timer;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
-import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.model.Plan;
+import org.sami.spn.naming.ElementNames;
+import org.sami.spn.stepping.StepText;
 import org.sami.ui.command.Command;
 
 /** What can be done with a plan that is tried, and the timer that runs it on. On the event thread. */
@@ -125,7 +126,16 @@ public final class TryOutCommands {
                         .or(() -> context.editor()
                                 .plan()
                                 .flatMap(plan -> setup.missing(plan, context.vocabulary()))
-                                .map(key -> "the plan asks for " + key + " at its start: give it below the tokens"));
+                                .map(key ->
+                                        "the plan asks for " + asked(key) + " at its start: give it below the tokens"));
+    }
+
+    private String asked(String key) {
+        return context.editor()
+                .planId()
+                .map(plan -> StepText.of(context.document().project(), plan, context.vocabulary())
+                        .asked(key))
+                .orElse(key);
     }
 
     private List<String> selected(boolean onlyTransitions) {

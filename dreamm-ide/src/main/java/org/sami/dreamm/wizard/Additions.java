@@ -21,6 +21,7 @@ import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.spn.wiring.FieldProposal;
 import org.sami.spn.wiring.Wires;
@@ -168,6 +169,13 @@ public final class Additions {
         });
     }
 
+    /** What people call a vertex of the open plan. */
+    String vertexName(String id) {
+        return editor.plan()
+                .flatMap(plan -> new ElementNames(plan, document.vocabulary()).of(id))
+                .orElse(id);
+    }
+
     /** What an edit would make of the open plan, or why it would be refused. */
     public Preview preview(Edit edit) {
         EditResult result = edit.apply(document.project(), document.vocabulary());
@@ -177,7 +185,8 @@ public final class Additions {
         Optional<Plan> before = editor.plan();
         Optional<Plan> planned = before.flatMap(plan -> result.project().flatMap(p -> p.plan(plan.id())));
         return new Preview(
-                before.flatMap(plan -> planned.map(changed -> PlanChange.between(plan, changed))),
+                before.flatMap(
+                        plan -> planned.map(changed -> PlanChange.between(plan, changed, document.vocabulary()))),
                 planned,
                 Optional.empty());
     }

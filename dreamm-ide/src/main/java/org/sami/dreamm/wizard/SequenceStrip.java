@@ -206,12 +206,12 @@ public final class SequenceStrip extends JPanel {
         return where + shown.change().map(PlanChange::summary).orElse("");
     }
 
-    private static String where(EventTarget target) {
+    private String where(EventTarget target) {
         if (target instanceof EventTarget.OnVertex on) {
-            return "Enter adds it to " + on.vertex() + ". ";
+            return "Enter adds it to " + additions.vertexName(on.vertex()) + ". ";
         }
         return target instanceof EventTarget.Behind behind
-                ? "Enter adds it behind " + behind.vertex() + ". "
+                ? "Enter adds it behind " + additions.vertexName(behind.vertex()) + ". "
                 : "Enter adds it as a vertex of its own. ";
     }
 }

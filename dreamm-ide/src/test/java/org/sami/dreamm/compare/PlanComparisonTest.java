@@ -51,7 +51,7 @@ class PlanComparisonTest {
                 new EdgeEdit.Connect("clv", CLV.transitions().get(0).id(), "wait", Mode.NOMINAL));
 
         assertThat(comparison.changes()).containsEntry("wait", NetChange.ADDED).hasSize(2);
-        assertThat(texts(comparison)).anyMatch(text -> text.equals("The place \"wait\" is new"));
+        assertThat(texts(comparison)).anyMatch(text -> text.equals("The place 13 is new"));
     }
 
     @Test

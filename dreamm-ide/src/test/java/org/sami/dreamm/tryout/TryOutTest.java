@@ -104,6 +104,34 @@ class TryOutTest {
     }
 
     @Test
+    void whatIsDoneAndWhatCanHappenIsSaidWithoutIds() {
+        tryOut.start(PLAN);
+        for (int i = 0; i < 8 && !tryOut.isOver(); i++) {
+            assertThat(PossibleStep.of(tryOut.stepper().orElseThrow()))
+                    .extracting(PossibleStep::what)
+                    .noneMatch(this::speaksOfAnId);
+            tryOut.stepOn();
+        }
+
+        assertThat(tryOut.lines())
+                .hasSizeGreaterThan(2)
+                .extracting(TryOut.Line::done)
+                .noneMatch(this::speaksOfAnId);
+        assertThat(tryOut.lines()).extracting(TryOut.Line::done).anyMatch(done -> done.contains("answering "));
+    }
+
+    /** An id that is no word as well: of an event, or the name of an event's type in one word. */
+    private boolean speaksOfAnId(String words) {
+        return plan().places().stream()
+                        .flatMap(place -> place.outputs().stream())
+                        .anyMatch(event -> words.contains(event.type())
+                                || (event.id().contains("-") && words.contains(event.id())))
+                || plan().transitions().stream()
+                        .flatMap(transition -> transition.inputs().stream())
+                        .anyMatch(event -> words.contains(event.type()));
+    }
+
+    @Test
     void runStopsWhereABreakpointIsMet() {
         String place = plan().places().get(2).id();
         Breakpoint at = new Breakpoint(PLAN, place);
@@ -255,7 +283,7 @@ class TryOutTest {
         assertThat(tried.lines()).hasSize(1);
         assertThat(tried.lines().get(0).done())
                 .startsWith("operator: ")
-                .contains("ask-stations.location = 45.7", "ask-stations.spacing = ")
+                .contains("location = 45.7", "; spacing = ", "; duration of ")
                 .endsWith("(start)");
         assertThat(tried.message()).startsWith("Started with 3 robots; ");
     }

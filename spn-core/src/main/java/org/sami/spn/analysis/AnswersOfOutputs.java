@@ -28,25 +28,30 @@ final class AnswersOfOutputs implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-UNANSWERED",
                         output.pointer(),
-                        "The " + PlanContext.name(output.place()) + " asks for "
-                                + output.type().name() + ", but no transition after it waits for "
-                                + String.join(" or ", output.type().answers()),
+                        "The " + plan.name(output.place()) + " asks for "
+                                + output.type().title() + ", but no transition after it waits for "
+                                + plan.titles(output.type().answers()),
                         output.place().id(),
                         output.spec().id()));
             } else {
-                output.type().decision().ifPresent(d -> checkBothAnswers(output, d, awaited, report));
+                output.type().decision().ifPresent(d -> checkBothAnswers(plan, output, d, awaited, report));
             }
         }
     }
 
     private static void checkBothAnswers(
-            PlacedOutput output, DecisionType decision, Set<String> awaited, Consumer<Finding> report) {
+            PlanContext plan,
+            PlacedOutput output,
+            DecisionType decision,
+            Set<String> awaited,
+            Consumer<Finding> report) {
         for (String answer : List.of(decision.accepted(), decision.rejected())) {
             if (!answer.isEmpty() && !awaited.contains(answer)) {
                 report.accept(Finding.warning(
                         "W-ANSWER-IGNORED",
                         output.pointer(),
-                        "When the operator answers " + answer + " at the " + PlanContext.name(output.place())
+                        "When the operator answers " + plan.vocabulary().title(answer) + " at the "
+                                + plan.name(output.place())
                                 + ", nothing happens: no transition after it waits for that",
                         output.place().id(),
                         output.spec().id()));

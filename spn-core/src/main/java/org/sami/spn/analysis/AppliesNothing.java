@@ -20,8 +20,7 @@ final class AppliesNothing implements PlanCheck {
                 report.accept(Finding.error(
                         "E-APPLIES-NOTHING",
                         output.pointer(),
-                        output.type().name() + " at the " + PlanContext.name(output.place())
-                                + " is given no allocation: read one that somebody chose from a variable",
+                        plan.name(output) + " is given no allocation: read one that somebody chose from a variable",
                         output.place().id(),
                         output.spec().id()));
             }

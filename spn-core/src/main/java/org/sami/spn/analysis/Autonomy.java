@@ -20,29 +20,29 @@ final class Autonomy implements PlanCheck {
         for (PlacedOutput output : plan.outputs()) {
             for (MarkupSpec markup : output.spec().markups()) {
                 if (markup.type().equals(Reserved.MIXED_INITIATIVE_TRIGGER)) {
-                    check(plan.plan().id(), output, markup, report);
+                    check(plan, output, markup, report);
                 }
             }
         }
     }
 
-    private static void check(String plan, PlacedOutput output, MarkupSpec markup, Consumer<Finding> report) {
+    private static void check(PlanContext plan, PlacedOutput output, MarkupSpec markup, Consumer<Finding> report) {
         Optional<Value> trigger = markup.option(Reserved.TRIGGER);
         String constant = trigger.isPresent() && trigger.get() instanceof EnumValue e ? e.constant() : Reserved.NEVER;
         if (constant.equals(Reserved.TIMER) && markup.option(Reserved.TIMEOUT).isEmpty()) {
             report.accept(Finding.error(
                             "E-NO-TIMEOUT",
                             output.pointer(),
-                            output.type().name() + " at the " + PlanContext.name(output.place())
-                                    + " lets autonomy answer after a time, but does not say after which",
+                            plan.name(output) + " lets autonomy answer after a time, but does not say after which",
                             output.place().id(),
                             output.spec().id())
                     .fixedBy(
                             "Let the operator alone answer",
-                            new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
+                            new EventEdit.RemoveMarkup(
+                                    plan.plan().id(), output.spec().id(), markup.type())));
         }
         if (!constant.equals(Reserved.NEVER) && !canAnswer(output)) {
-            String where = output.type().name() + " at the " + PlanContext.name(output.place());
+            String where = plan.name(output);
             Finding finding = isDrawing(output)
                     ? Finding.error(
                             "E-DRAWN-BY-AUTONOMY",
@@ -58,7 +58,7 @@ final class Autonomy implements PlanCheck {
                             output.spec().id());
             report.accept(finding.fixedBy(
                     "Let the operator alone answer",
-                    new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
+                    new EventEdit.RemoveMarkup(plan.plan().id(), output.spec().id(), markup.type())));
         }
     }
 

@@ -41,12 +41,12 @@ final class CausesOfInputs implements PlanCheck {
                         Finding.error(
                                 "E-NO-CAUSE",
                                 input.pointer(),
-                                "The " + PlanContext.name(input.transition()) + " waits for "
-                                        + input.type().name() + ", but no place before it has "
+                                "The " + plan.name(input.transition()) + " waits for "
+                                        + input.type().title() + ", but no place before it has "
                                         + String.join(
                                                 " or ",
                                                 causes.stream()
-                                                        .map(EventType::name)
+                                                        .map(EventType::title)
                                                         .toList()),
                                 input.transition().id(),
                                 input.spec().id())));

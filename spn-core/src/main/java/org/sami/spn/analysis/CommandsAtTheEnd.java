@@ -16,8 +16,7 @@ final class CommandsAtTheEnd implements PlanCheck {
                 Finding finding = Finding.warning(
                         "W-COMMAND-AT-END",
                         output.pointer(),
-                        output.type().name() + " at the end " + PlanContext.name(output.place())
-                                + " is sent as the mission ends: nobody waits for it",
+                        plan.name(output) + " is sent as the mission ends: nobody waits for it",
                         output.place().id(),
                         output.spec().id());
                 report.accept(

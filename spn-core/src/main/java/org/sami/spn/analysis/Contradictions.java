@@ -19,7 +19,7 @@ final class Contradictions implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-CONTRADICTION",
                         plan.at(edge),
-                        "The requirements of the edge from " + edge.place() + " to " + edge.transition()
+                        "The requirements of the " + plan.name(edge)
                                 + " contradict each other: the transition never fires",
                         edge.id(),
                         edge.transition()));

@@ -19,7 +19,7 @@ final class DisabledForTrying implements PlanCheck {
                 .forEach(place -> report.accept(Finding.warning(
                                 CODE,
                                 plan.at(place),
-                                "The " + PlanContext.name(place)
+                                "The " + plan.name(place)
                                         + " is disabled while the plan is tried; a mission sends its events and starts its sub-missions",
                                 place.id())
                         .fixedBy("Enable it", new SetDisabled(id, Set.of(place.id()), false))));
@@ -28,7 +28,7 @@ final class DisabledForTrying implements PlanCheck {
                 .forEach(transition -> report.accept(Finding.warning(
                                 CODE,
                                 plan.at(transition),
-                                "The " + PlanContext.name(transition)
+                                "The " + plan.name(transition)
                                         + " is disabled while the plan is tried; in a mission it fires",
                                 transition.id())
                         .fixedBy("Enable it", new SetDisabled(id, Set.of(transition.id()), false))));

@@ -26,11 +26,7 @@ final class EdgesWithoutRequirement implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (InEdge e : plan.plan().inEdges()) {
             if (e.requirements().isEmpty()) {
-                report.accept(Finding.error(
-                                CODE,
-                                plan.at(e),
-                                "The edge from " + e.place() + " to " + e.transition() + " has no requirement",
-                                e.id())
+                report.accept(Finding.error(CODE, plan.at(e), "The " + plan.name(e) + " has no requirement", e.id())
                         .fixedBy(
                                 "Ask for at least 1 generic token",
                                 in(plan, e, InRequirement.of(TokenKind.GENERIC, Match.AT_LEAST, 1)))
@@ -42,11 +38,7 @@ final class EdgesWithoutRequirement implements PlanCheck {
                 report.accept(taking(
                         plan,
                         e,
-                        Finding.error(
-                                CODE,
-                                plan.at(e),
-                                "The edge from " + e.transition() + " to " + e.place() + " has no requirement",
-                                e.id())));
+                        Finding.error(CODE, plan.at(e), "The " + plan.name(e) + " has no requirement", e.id())));
             }
         }
     }

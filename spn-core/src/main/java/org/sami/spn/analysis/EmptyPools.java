@@ -25,7 +25,7 @@ final class EmptyPools implements PlanCheck {
                     Finding finding = Finding.warning(
                             "W-EMPTY-POOL",
                             plan.at(e),
-                            "The " + PlanContext.name(t) + " has no place before it to take tokens from",
+                            "The " + plan.name(t) + " has no place before it to take tokens from",
                             e.id(),
                             t.id());
                     report.accept(

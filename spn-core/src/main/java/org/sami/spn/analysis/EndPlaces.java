@@ -17,13 +17,14 @@ final class EndPlaces implements PlanCheck {
             report.accept(Finding.warning(
                     "W-NO-END",
                     plan.pointer(),
-                    "The plan \"" + plan.plan().id() + "\" has no end place: it runs until it is aborted or completed",
+                    "The plan \"" + plan.plan().title()
+                            + "\" has no end place: it runs until it is aborted or completed",
                     plan.plan().id()));
         } else if (ends.stream().noneMatch(p -> reached.contains(p.id()))) {
             report.accept(Finding.warning(
                     "W-END-UNREACHABLE",
                     plan.pointer(),
-                    "No end place of the plan \"" + plan.plan().id() + "\" can be reached from its start",
+                    "No end place of the plan \"" + plan.plan().title() + "\" can be reached from its start",
                     ends.stream().map(Place::id).toArray(String[]::new)));
         }
         for (Place place : plan.plan().places()) {
@@ -31,7 +32,7 @@ final class EndPlaces implements PlanCheck {
                 report.accept(Finding.warning(
                                 "W-ENDS-NOTHING",
                                 plan.at(place),
-                                "The " + PlanContext.name(place) + " ends the shared instance, but is no end place",
+                                "The " + plan.name(place) + " ends the shared instance, but is no end place",
                                 place.id())
                         .fixedBy(
                                 "Do not end the shared instance there",
@@ -43,7 +44,7 @@ final class EndPlaces implements PlanCheck {
                 report.accept(Finding.error(
                                 "E-END-GOES-ON",
                                 plan.at(end),
-                                "The end " + PlanContext.name(end)
+                                "The end " + plan.name(end)
                                         + " has a transition after it: nothing happens after an end",
                                 end.id(),
                                 plan.outTransitions(end).get(0).id())

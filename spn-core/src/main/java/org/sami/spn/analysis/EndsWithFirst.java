@@ -55,8 +55,8 @@ final class EndsWithFirst implements PlanCheck {
             report.accept(Finding.warning(
                             "W-ENDS-WITH-FIRST",
                             plan.at(t),
-                            plan.transitionName(t.id()) + " ends the mission at the " + PlanContext.name(end)
-                                    + " as soon as the first in the " + PlanContext.name(place)
+                            plan.transitionName(t.id()) + " ends the mission at the " + plan.name(end)
+                                    + " as soon as the first in the " + plan.name(place)
                                     + " answers, while others may be on their way. Lead it into a place of those who"
                                     + " have finished, and end when none is left, or wait for all",
                             t.id(),
@@ -89,9 +89,9 @@ final class EndsWithFirst implements PlanCheck {
                             Finding.warning(
                                     "W-ENDS-WITH-FIRST",
                                     plan.at(t),
-                                    plan.transitionName(t.id()) + " ends the mission at the " + PlanContext.name(end)
+                                    plan.transitionName(t.id()) + " ends the mission at the " + plan.name(end)
                                             + " as soon as the first is in the " + plan.placeName(edge.place())
-                                            + ", while others may be in the " + PlanContext.name(before.get(0))
+                                            + ", while others may be in the " + plan.name(before.get(0))
                                             + ". Ask for none left (= 0) in each place where somebody may still be",
                                     t.id(),
                                     end.id())));

@@ -30,8 +30,9 @@ final class FailuresOfOutputs implements PlanCheck {
                     .forEach(failure -> report.accept(Finding.warning(
                             "W-FAILURE-IGNORED",
                             output.pointer(),
-                            "When " + output.type().name() + " at the " + PlanContext.name(output.place())
-                                    + " ends with " + failure.name() + ", nothing happens: no transition after it waits"
+                            "When " + plan.name(output)
+                                    + " ends with " + failure.title()
+                                    + ", nothing happens: no transition after it waits"
                                     + " for that, and the mission may hang. Draw what is to be done then",
                             output.place().id(),
                             output.spec().id())));

@@ -64,7 +64,7 @@ final class FixedNumbers implements PlanCheck {
                         "W-FIXED-NUMBER",
                         plan.at(edge),
                         plan.transitionName(edge.transition()) + " waits for " + wanted + " " + what + " in the "
-                                + PlanContext.name(place) + ", but how many there are shows only when the mission runs:"
+                                + plan.name(place) + ", but how many there are shows only when the mission runs:"
                                 + " with another number it never fires. Ask for at least 1 here and for none in the"
                                 + " places before, or draw what happens with another number",
                         edge.id(),

@@ -40,7 +40,7 @@ final class Fixes {
         return needed || !input.spec().writes().isEmpty()
                 ? finding
                 : finding.fixedBy(
-                        "Do not wait for " + input.type().name(),
+                        "Do not wait for " + input.type().title(),
                         new RemoveElements(plan.plan().id(), Set.of(input.spec().id())));
     }
 

@@ -135,7 +135,7 @@ final class ForgottenPlaces implements PlanCheck {
 
     private static void report(
             PlanContext plan, Transition t, List<Place> forgotten, Set<Kind> kinds, Consumer<Finding> report) {
-        String names = forgotten.stream().map(PlanContext::name).collect(Collectors.joining(" and the "));
+        String names = forgotten.stream().map(plan::name).collect(Collectors.joining(" and the "));
         List<String> elements = new ArrayList<>(List.of(t.id()));
         forgotten.forEach(place -> elements.add(place.id()));
         report.accept(askingForNone(

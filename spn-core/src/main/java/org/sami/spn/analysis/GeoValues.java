@@ -38,7 +38,7 @@ final class GeoValues {
                 }
                 given(source)
                         .ifPresent(value -> known.add(new Known(
-                                output.spec().id() + "." + field,
+                                field + " of " + plan.name(output),
                                 value,
                                 pointer + (source instanceof FieldSource.Fixed ? "/value" : "/default"),
                                 output.spec().id())));
@@ -90,16 +90,18 @@ final class GeoValues {
     /** The value that a field of an output event will have, where that is known: its own, or the first value of its variable. */
     Optional<Known> of(PlacedOutput output, String field) {
         FieldSource source = output.spec().fields().get(field);
-        String name = source instanceof FieldSource.FromVariable from
-                ? from.variable()
-                : output.spec().id() + "." + field;
-        return known.stream().filter(k -> k.name().equals(name)).findFirst();
+        boolean isRead = source instanceof FieldSource.FromVariable;
+        String name = isRead ? ((FieldSource.FromVariable) source).variable() : field + " of " + plan.name(output);
+        String element = isRead ? name : output.spec().id();
+        return known.stream()
+                .filter(k -> k.name().equals(name) && k.element().equals(element))
+                .findFirst();
     }
 
     /**
      * A value whose place in the document is known.
      *
-     * @param name a variable, or an event's or task's id and its field
+     * @param name a variable, or a field with its event or task, as messages speak of it
      * @param element what is to be highlighted
      */
     record Known(String name, Value value, String pointer, String element) {

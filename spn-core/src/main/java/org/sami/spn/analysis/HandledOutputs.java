@@ -24,8 +24,8 @@ final class HandledOutputs implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-NO-HANDLER",
                         output.pointer(),
-                        "Nothing in this program handles " + output.type().name() + " at the "
-                                + PlanContext.name(output.place()) + ": nothing will happen, and nothing answers",
+                        "Nothing in this program handles " + plan.name(output)
+                                + ": nothing will happen, and nothing answers",
                         output.place().id(),
                         output.spec().id()));
             }

@@ -26,8 +26,8 @@ final class HealthyLedAway implements PlanCheck {
                         .ifPresent(work -> report.accept(Finding.warning(
                                 "W-HEALTHY-LED-AWAY",
                                 input.pointer(),
-                                input.type().name() + " says that a robot is well, and the " + PlanContext.name(t)
-                                        + " takes it from its command in the " + PlanContext.name(work)
+                                input.type().title() + " says that a robot is well, and the " + plan.name(t)
+                                        + " takes it from its command in the " + plan.name(work)
                                         + ": wait for the news that it is not well instead",
                                 t.id(),
                                 input.spec().id(),

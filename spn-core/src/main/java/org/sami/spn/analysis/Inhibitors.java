@@ -23,7 +23,7 @@ final class Inhibitors implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-INHIBITORS-ONLY",
                         plan.at(t),
-                        "The " + PlanContext.name(t)
+                        "The " + plan.name(t)
                                 + " asks only that tokens are absent: it also fires when nobody has been there",
                         t.id()));
             }

@@ -29,8 +29,8 @@ final class InterruptNames implements PlanCheck {
                     report.accept(Finding.warning(
                             "W-INTERRUPT-TWICE",
                             later.pointer(),
-                            "The " + PlanContext.name(later.transition()) + " has the same interrupt name as the "
-                                    + PlanContext.name(same.get(0).transition()) + " and takes from the same place",
+                            "The " + plan.name(later.transition()) + " has the same interrupt name as the "
+                                    + plan.name(same.get(0).transition()) + " and takes from the same place",
                             same.get(0).transition().id(),
                             later.transition().id()));
                 }

@@ -46,7 +46,7 @@ final class KnownFields {
     /** Those of one output event. */
     static List<Known> of(PlanContext plan, PlacedOutput output) {
         List<Known> known = new ArrayList<>();
-        String where = output.type().name() + " at the " + PlanContext.name(output.place());
+        String where = plan.name(output);
         String event = output.spec().id();
         output.spec().fields().forEach((name, source) -> {
             Optional<FieldType> field = output.type().field(name);
@@ -76,7 +76,7 @@ final class KnownFields {
     }
 
     private void addInput(PlacedInput input) {
-        String where = input.type().name() + " at the " + PlanContext.name(input.transition());
+        String where = plan.name(input);
         String event = input.spec().id();
         input.spec()
                 .fields()

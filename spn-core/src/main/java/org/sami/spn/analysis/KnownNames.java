@@ -56,7 +56,13 @@ final class KnownNames implements PlanCheck {
             PlanContext plan, String place, String transition, String pointer, String id, Consumer<Finding> report) {
         if (plan.plan().place(place).isEmpty()
                 || plan.plan().transition(transition).isEmpty()) {
-            report.accept(Finding.error("E-DANGLING", pointer, "The edge " + id + " hangs in the air", id)
+            String end = plan.place(place)
+                    .map(plan::name)
+                    .or(() -> plan.transition(transition).map(plan::name))
+                    .map(name -> "An edge at the " + name)
+                    .orElse("An edge");
+            report.accept(Finding.error(
+                            "E-DANGLING", pointer, end + " hangs in the air: there is nothing at its other end", id)
                     .fixedBy("Remove the edge", new RemoveElements(plan.plan().id(), Set.of(id))));
         }
     }

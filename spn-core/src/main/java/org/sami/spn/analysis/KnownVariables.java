@@ -56,7 +56,7 @@ final class KnownVariables implements PlanCheck {
                         Finding.error(
                                 "E-VARIABLE-UNKNOWN",
                                 pointer,
-                                "The sub-mission " + s.id() + " is given " + parent
+                                "The sub-mission \"" + plan.title(s) + "\" is given " + parent
                                         + ", which the plan neither declares nor writes"
                                         + Suggestions.meant(scope.names(), parent),
                                 s.id())));
@@ -69,7 +69,7 @@ final class KnownVariables implements PlanCheck {
         Finding finding = Finding.error(
                 "E-VARIABLE-UNKNOWN",
                 use.pointer(),
-                "The event " + use.event() + " " + verb + " " + use.variable() + ", which nobody declares or writes"
+                plan.eventName(use.event()) + " " + verb + " " + use.variable() + ", which nobody declares or writes"
                         + Suggestions.meant(scope.names(), use.variable()),
                 use.event());
         List<String> meant = Suggestions.alike(scope.names(), use.variable()).stream()

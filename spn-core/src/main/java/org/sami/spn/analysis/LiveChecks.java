@@ -162,11 +162,12 @@ public final class LiveChecks {
         reached.addAll(seen);
     }
 
-    /** Whether two versions of a plan are the same but for what no check looks at: names, notes, layout, test cases. */
+    /** Whether two versions of a plan are the same but for what no finding speaks of: descriptions, notes, layout, test cases. */
     @SuppressWarnings("ReferenceEquality") // an edit leaves the lists that it does not change as they are
     private static boolean sameNet(Plan a, Plan b) {
         return a == b
                 || (a.id().equals(b.id())
+                        && a.title().equals(b.title())
                         && a.places() == b.places()
                         && a.transitions() == b.transitions()
                         && a.inEdges() == b.inEdges()

@@ -88,7 +88,7 @@ final class Livelocks implements PlanCheck {
         report.accept(Finding.warning(
                 "W-LIVELOCK",
                 plan.at(t),
-                "The " + PlanContext.name(t)
+                "The " + plan.name(t)
                         + " stands in a ring of transitions without input events, which may fire without end",
                 ids));
     }

@@ -61,8 +61,8 @@ final class MissedAnswers implements PlanCheck {
         return Finding.warning(
                 "W-ANSWER-MISSED",
                 plan.at(asking),
-                "The " + PlanContext.name(t) + " watches the " + PlanContext.name(first) + " and the "
-                        + PlanContext.name(second) + ", but asks that all whom its answer names stand in the first: "
+                "The " + plan.name(t) + " watches the " + plan.name(first) + " and the "
+                        + plan.name(second) + ", but asks that all whom its answer names stand in the first: "
                         + "an answer of one that stands in the second is never taken. Ask for \"at least 1 relevant\","
                         + " or draw a transition for each place",
                 asking.id(),

@@ -40,8 +40,8 @@ final class MissingSubMissions implements PlanCheck {
                         Finding.error(
                                 NO_SUB_MISSION,
                                 input.pointer(),
-                                "The " + PlanContext.name(t) + " waits for "
-                                        + input.type().name() + ", but no place before it has a sub-mission",
+                                "The " + plan.name(t) + " waits for "
+                                        + input.type().title() + ", but no place before it has a sub-mission",
                                 t.id(),
                                 input.spec().id())));
             }
@@ -58,7 +58,7 @@ final class MissingSubMissions implements PlanCheck {
                     report.accept(Finding.error(
                                     NO_SUB_MISSION,
                                     plan.at(e),
-                                    "The " + PlanContext.name(t)
+                                    "The " + plan.name(t)
                                             + " moves sub-mission tokens, but no place before it has a sub-mission",
                                     e.id(),
                                     t.id())

@@ -103,7 +103,7 @@ final class NamedTasks implements PlanCheck {
                 report.accept(Finding.error(
                                 CODE,
                                 pointer,
-                                "The sub-mission " + s.id() + " is given the task \"" + parentTask
+                                "The sub-mission \"" + plan.title(s) + "\" is given the task \"" + parentTask
                                         + "\", which this plan does not have",
                                 s.id())
                         .fixedBy("Do not give the task " + parentTask, withoutTask(plan, s, parentTask)));
@@ -112,7 +112,8 @@ final class NamedTasks implements PlanCheck {
                 report.accept(Finding.error(
                                 CODE,
                                 pointer,
-                                "The sub-mission " + s.id() + " has no task \"" + childTask + "\" to be given",
+                                "The sub-mission \"" + plan.title(s) + "\" has no task \"" + childTask
+                                        + "\" to be given",
                                 s.id())
                         .fixedBy("Do not give the task " + parentTask, withoutTask(plan, s, parentTask)));
             }

@@ -65,10 +65,10 @@ final class OpenGates implements PlanCheck {
                     Finding.warning(
                             "W-OPEN-GATE",
                             plan.at(t),
-                            plan.transitionName(t.id()) + " lets the first in the " + PlanContext.name(place)
-                                    + " go on at once, while others may be in the " + PlanContext.name(before.get(0))
+                            plan.transitionName(t.id()) + " lets the first in the " + plan.name(place)
+                                    + " go on at once, while others may be in the " + plan.name(before.get(0))
                                     + ". To go on together, ask for none left (= 0) there as well; else leave out the "
-                                    + PlanContext.name(place),
+                                    + plan.name(place),
                             t.id(),
                             place.id())));
         }

@@ -21,7 +21,7 @@ final class PhaseBranches implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-PHASE-BRANCH",
                         output.pointer(),
-                        words(output.type().name(), PlanContext.name(output.place())),
+                        words(plan.name(output)),
                         output.place().id(),
                         output.spec().id()));
             }
@@ -31,15 +31,15 @@ final class PhaseBranches implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-PHASE-BRANCH",
                         input.pointer(),
-                        words(input.type().name(), PlanContext.name(input.transition())),
+                        words(plan.name(input)),
                         input.transition().id(),
                         input.spec().id()));
             }
         }
     }
 
-    private static String words(String event, String vertex) {
-        return event + " at the " + vertex + " has the markup Phase Branch, but no event before it has Phase Item: "
+    private static String words(String event) {
+        return event + " has the markup Phase Branch, but no event before it has Phase Item: "
                 + "the phase chart has no action to put the branch on";
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.spn.analysis;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -20,6 +21,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.Transition;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -42,6 +44,7 @@ final class PlanContext {
     private final Map<String, List<InEdge>> edgesOutOf;
     private final Map<String, List<OutEdge>> edgesInto;
     private final VariableScope scope;
+    private final ElementNames names;
     private Optional<KnownFields> known = Optional.empty();
     private Optional<TokenFlow> flow = Optional.empty();
 
@@ -53,6 +56,7 @@ final class PlanContext {
         transitions = new LinkedHashMap<>();
         outputs = new ArrayList<>();
         inputs = new ArrayList<>();
+        names = new ElementNames(plan, project.vocabulary());
         plan.places().forEach(p -> places.putIfAbsent(p.id(), p));
         plan.transitions().forEach(t -> transitions.putIfAbsent(t.id(), t));
         placeIndex = index(plan.places(), Place::id);
@@ -90,6 +94,7 @@ final class PlanContext {
         this.edgesOutOf = known.edgesOutOf;
         this.edgesInto = known.edgesInto;
         this.scope = known.scope.in(this);
+        this.names = known.names;
     }
 
     /** This plan in another version of its project, in which it stands at the same index. */
@@ -260,37 +265,76 @@ final class PlanContext {
         return pointer + "/outEdges/" + edgeIndex.get(edge.id());
     }
 
-    /** A place as messages speak of it: by its name, or what it does where the author gave none. */
-    static String name(Place place) {
-        if (!place.name().isBlank()) {
-            return "place \"" + place.name() + "\"";
-        }
-        return place.outputs().stream()
-                .findFirst()
-                .map(event -> "place of " + event.type())
-                .or(() -> place.subMissions().stream().findFirst().map(sub -> "place of the sub-mission " + sub.plan()))
-                .orElse(place.start() ? "unnamed start" : place.end() ? "unnamed end" : "unnamed place");
+    /** A place as messages speak of it, after an article. */
+    String name(Place place) {
+        return names.withKind(place);
     }
 
-    /** A transition as messages speak of it: by its name, or what it waits for where the author gave none. */
-    static String name(Transition transition) {
-        if (!transition.name().isBlank()) {
-            return "transition \"" + transition.name() + "\"";
-        }
-        return transition.inputs().stream()
+    /** A transition as messages speak of it, after an article. */
+    String name(Transition transition) {
+        return names.withKind(transition);
+    }
+
+    /** An output event as messages speak of it: with its place, unless that is called by the event. */
+    String name(PlacedOutput output) {
+        String title = output.type().title();
+        boolean isPlace = ElementNames.called(output.place(), vocabulary()).equals(Optional.of(title));
+        return isPlace ? title : title + " at the " + name(output.place());
+    }
+
+    /** An input event as messages speak of it: with its transition, unless that is called by the event. */
+    String name(PlacedInput input) {
+        boolean isTransition = input.transition().name().isBlank()
+                && input.transition().inputs().indexOf(input.spec()) == 0;
+        return input.type().title() + (isTransition ? "" : " at the " + name(input.transition()));
+    }
+
+    /** An event, or what else reads or writes variables, as messages speak of it, by its id. */
+    String eventName(String id) {
+        return outputs.stream()
+                .filter(output -> output.spec().id().equals(id))
+                .map(this::name)
                 .findFirst()
-                .map(event -> "transition of " + event.type())
-                .orElse("unnamed transition");
+                .or(() -> inputs.stream()
+                        .filter(input -> input.spec().id().equals(id))
+                        .map(this::name)
+                        .findFirst())
+                .or(() -> names.of(id))
+                .orElse(id);
+    }
+
+    /** What people call the plan that a sub-mission runs. */
+    String title(SubMissionSpec subMission) {
+        return child(subMission).map(Plan::title).orElse(subMission.plan());
+    }
+
+    /** The titles of event types, such as "Yes or No". */
+    String titles(Collection<String> types) {
+        return types.stream().map(vocabulary()::title).collect(Collectors.joining(" or "));
     }
 
     /** A place as messages speak of it, by its id. */
     String placeName(String id) {
-        return place(id).map(PlanContext::name).orElse("place \"" + id + "\"");
+        return place(id).map(this::name).orElse("place \"" + id + "\"");
+    }
+
+    /** An edge as messages speak of it, after an article: {@code edge from the place "Go" to the transition 3}. */
+    String name(InEdge edge) {
+        return "edge from the " + placeName(edge.place()) + " to the " + nameOfTransition(edge.transition());
+    }
+
+    /** An edge as messages speak of it, after an article. */
+    String name(OutEdge edge) {
+        return "edge from the " + nameOfTransition(edge.transition()) + " to the " + placeName(edge.place());
     }
 
     /** A transition at the beginning of a message, by its id. */
     String transitionName(String id) {
-        return "The " + transition(id).map(PlanContext::name).orElse("transition \"" + id + "\"");
+        return "The " + nameOfTransition(id);
+    }
+
+    private String nameOfTransition(String id) {
+        return transition(id).map(this::name).orElse("transition \"" + id + "\"");
     }
 
     /** An output event of a known type, where it stands. */

@@ -24,6 +24,7 @@ import org.sami.spn.vocabulary.Reserved;
  * runs, are the same. A check that looks at more of a neighbour adds it here; {@link LiveChecks} depends on it.
  */
 record PlanInterface(
+        String title,
         Map<String, ValueType> variables,
         List<String> reads,
         Set<String> readByEvents,
@@ -66,6 +67,7 @@ record PlanInterface(
         Set<String> tasks = new LinkedHashSet<>();
         plan.tasks().stream().map(TaskSpec::name).forEach(tasks::add);
         return new PlanInterface(
+                plan.title(),
                 variables,
                 plan.reads(),
                 read,
@@ -73,7 +75,7 @@ record PlanInterface(
                 VariableScope.subMissions(plan).toList(),
                 inputTypes,
                 plan.places().stream().anyMatch(Place::end),
-                SharedInstancesOver.ending(plan).map(PlanContext::name),
+                SharedInstancesOver.ending(plan).map(place -> context.name(place)),
                 returned,
                 tasks,
                 context.flow().brought(),

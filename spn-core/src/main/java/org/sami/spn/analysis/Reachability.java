@@ -56,8 +56,8 @@ final class Reachability implements PlanCheck {
                 .findFirst()
                 .orElseGet(() -> part.iterator().next());
         String name = plan.place(first)
-                .map(PlanContext::name)
-                .orElseGet(() -> plan.transition(first).map(PlanContext::name).orElseThrow());
+                .map(plan::name)
+                .orElseGet(() -> plan.transition(first).map(plan::name).orElseThrow());
         String pointer = plan.place(first)
                 .map(plan::at)
                 .orElseGet(() -> plan.transition(first).map(plan::at).orElseThrow());

@@ -72,14 +72,14 @@ final class ReadsBeforeWrites implements PlanCheck {
         Set<String> writers = new TreeSet<>();
         for (Transition t : plan.plan().transitions()) {
             if (t.inputs().stream().anyMatch(i -> i.writes().containsValue(variable))) {
-                writers.add("the " + PlanContext.name(t));
+                writers.add("the " + plan.name(t));
             }
         }
         String where = writers.isEmpty() ? "" : "; it is written by " + String.join(" and ", writers);
         report.accept(Finding.warning(
                 "W-NOT-YET-WRITTEN",
                 output.pointer() + "/fields/" + field,
-                output.type().name() + " at the " + PlanContext.name(output.place()) + " reads " + variable
+                plan.name(output) + " reads " + variable
                         + ", and a way leads there on which nobody has given it a value" + where
                         + ": let each way pass what writes it",
                 output.place().id(),

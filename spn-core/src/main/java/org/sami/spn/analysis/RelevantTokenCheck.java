@@ -28,15 +28,13 @@ final class RelevantTokenCheck implements PlanCheck {
             }
             for (InEdge e : plan.inEdges(t)) {
                 if (e.requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)) {
-                    String edge = "The edge from the " + plan.placeName(e.place()) + " to the " + PlanContext.name(t)
-                            + " asks for";
+                    String edge = "The " + plan.name(e) + " asks for";
                     report(t, plan.at(e), e.id(), edge, finding -> report.accept(askingFor(plan, e, finding)));
                 }
             }
             for (OutEdge e : plan.outEdges(t)) {
                 if (e.requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)) {
-                    String edge = "The edge from the " + PlanContext.name(t) + " to the " + plan.placeName(e.place())
-                            + " moves";
+                    String edge = "The " + plan.name(e) + " moves";
                     report(t, plan.at(e), e.id(), edge, finding -> report.accept(moving(plan, t, e, finding)));
                 }
             }

@@ -25,8 +25,7 @@ final class RequiredFields implements PlanCheck {
                             Finding.error(
                                     "E-FIELD-MISSING",
                                     output.pointer(),
-                                    output.type().name() + " at the " + PlanContext.name(output.place())
-                                            + " lacks its field " + field.name(),
+                                    plan.name(output) + " lacks its field " + field.name(),
                                     output.place().id(),
                                     output.spec().id())));
                 }
@@ -40,8 +39,7 @@ final class RequiredFields implements PlanCheck {
                     report.accept(Finding.error(
                             "E-FIELD-MISSING",
                             input.pointer(),
-                            input.type().name() + " on the " + PlanContext.name(input.transition())
-                                    + " lacks its field " + field.name(),
+                            plan.name(input) + " lacks its field " + field.name(),
                             input.transition().id(),
                             input.spec().id()));
                 }

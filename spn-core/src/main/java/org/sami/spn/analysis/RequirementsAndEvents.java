@@ -34,8 +34,8 @@ final class RequirementsAndEvents implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-NAMED-IGNORED",
                         plan.at(t),
-                        "The " + PlanContext.name(t) + " waits for "
-                                + naming.get(0).type().name()
+                        "The " + plan.name(t) + " waits for "
+                                + naming.get(0).type().title()
                                 + ", which names proxies or tasks, but none of its requirements speaks of them",
                         t.id()));
             }

@@ -58,8 +58,7 @@ final class ReturnValues implements PlanCheck {
             report.accept(Finding.warning(
                     "W-NEVER-RETURNED",
                     input.pointer(),
-                    "The " + PlanContext.name(input.transition())
-                            + " waits for a value that no sub-mission before it returns",
+                    "The " + plan.name(input.transition()) + " waits for a value that no sub-mission before it returns",
                     input.transition().id(),
                     input.spec().id()));
         }

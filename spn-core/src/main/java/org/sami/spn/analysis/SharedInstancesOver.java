@@ -37,9 +37,9 @@ final class SharedInstancesOver implements PlanCheck {
                     report.accept(Finding.warning(
                             "W-SHARED-OVER",
                             plan.at(place) + "/subMissions/" + i,
-                            "The " + PlanContext.name(place) + " can be entered when the shared instance of \""
+                            "The " + plan.name(place) + " can be entered when the shared instance of \""
                                     + spec.plan()
-                                    + "\" is over, which its " + PlanContext.name(ending.get())
+                                    + "\" is over, which its " + plan.name(ending.get())
                                     + " ends: nobody brings back who enters then",
                             spec.id()));
                 }

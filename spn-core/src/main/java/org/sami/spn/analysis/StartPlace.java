@@ -16,11 +16,11 @@ final class StartPlace implements PlanCheck {
             Finding finding = Finding.error(
                     "E-NO-START",
                     plan.pointer(),
-                    "The plan \"" + plan.plan().id() + "\" has no start place",
+                    "The plan \"" + plan.plan().title() + "\" has no start place",
                     plan.plan().id());
             report.accept(beginning(plan)
                     .map(place -> finding.fixedBy(
-                            "Start at the " + PlanContext.name(place),
+                            "Start at the " + plan.name(place),
                             new VertexEdit.SetStart(plan.plan().id(), place.id())))
                     .orElse(finding));
         }
@@ -28,11 +28,11 @@ final class StartPlace implements PlanCheck {
             report.accept(Finding.error(
                             "E-TWO-STARTS",
                             plan.at(place),
-                            "A second start: " + PlanContext.name(place) + " beside " + PlanContext.name(starts.get(0)),
+                            "A second start: " + plan.name(place) + " beside " + plan.name(starts.get(0)),
                             starts.get(0).id(),
                             place.id())
                     .fixedBy(
-                            "Start at the " + PlanContext.name(starts.get(0)) + " alone",
+                            "Start at the " + plan.name(starts.get(0)) + " alone",
                             new VertexEdit.SetStart(
                                     plan.plan().id(), starts.get(0).id())));
         }
@@ -41,7 +41,7 @@ final class StartPlace implements PlanCheck {
                 .forEach(place -> report.accept(Finding.error(
                                 "E-START-IS-END",
                                 plan.at(place),
-                                "The start " + PlanContext.name(place) + " is also an end",
+                                "The start " + plan.name(place) + " is also an end",
                                 place.id())
                         .fixedBy(
                                 "Do not end there",

@@ -25,7 +25,7 @@ final class SubMissionCheck implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-SHARED-AT-START",
                         plan.at(place),
-                        "A shared sub-mission on the start " + PlanContext.name(place) + " gets every token there is",
+                        "A shared sub-mission on the start " + plan.name(place) + " gets every token there is",
                         place.id()));
             }
         }
@@ -38,7 +38,7 @@ final class SubMissionCheck implements PlanCheck {
             Finding finding = Finding.error(
                     "E-UNKNOWN-PLAN",
                     pointer,
-                    "The " + PlanContext.name(place) + " runs the plan \"" + s.plan() + "\", which is not there",
+                    "The " + plan.name(place) + " runs the plan \"" + s.plan() + "\", which is not there",
                     s.id());
             report.accept(
                     plan.outTransitions(place).stream().anyMatch(t -> movesSubMissionTokens(plan, t))
@@ -52,8 +52,8 @@ final class SubMissionCheck implements PlanCheck {
             report.accept(Finding.error(
                     "E-RECURSION",
                     pointer,
-                    "The " + PlanContext.name(place) + " runs \"" + s.plan() + "\", which runs \""
-                            + plan.plan().id() + "\" again, without end",
+                    "The " + plan.name(place) + " runs \"" + plan.title(s) + "\", which runs \""
+                            + plan.plan().title() + "\" again, without end",
                     s.id()));
         }
         List<Place> ends = child.get().places().stream().filter(Place::end).toList();
@@ -61,7 +61,7 @@ final class SubMissionCheck implements PlanCheck {
             report.accept(Finding.warning(
                     "W-SUB-MISSION-ENDLESS",
                     pointer,
-                    "Transitions after the " + PlanContext.name(place) + " wait for the end of \"" + s.plan()
+                    "Transitions after the " + plan.name(place) + " wait for the end of \"" + plan.title(s)
                             + "\", which has no end place",
                     s.id()));
         }

@@ -23,7 +23,7 @@ final class TaskFields implements PlanCheck {
                             Finding.error(
                                     "E-TASK-FIELD",
                                     output.pointer() + "/fields/" + name,
-                                    output.type().name() + " at the " + PlanContext.name(output.place())
+                                    plan.name(output)
                                             + " reads the field " + name
                                             + " from a task, but no class of tasks has it with that type",
                                     output.place().id(),

@@ -57,7 +57,7 @@ final class TasksMadeAgain implements PlanCheck {
                 "W-TASKS-MADE-AGAIN",
                 plan.at(edge),
                 plan.transitionName(edge.transition()) + " leads tasks back to the " + plan.placeName(edge.place())
-                        + ", from where " + output.type().name() + " at the " + PlanContext.name(output.place())
+                        + ", from where " + plan.name(output)
                         + " makes tasks once more: lead them to a place after it",
                 edge.id(),
                 edge.transition()));

@@ -41,8 +41,7 @@ final class TokensForOutputs implements PlanCheck {
             if (!entering.isEmpty() && entering.stream().noneMatch(r -> useful.contains(r.kind()))) {
                 boolean byNobody = entering.stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL);
                 String what = need == TokenNeed.TASK ? "tasks" : "proxies";
-                String message = output.type().name() + " at the " + PlanContext.name(output.place()) + " needs " + what
-                        + ", but no edge brings any there";
+                String message = plan.name(output) + " needs " + what + ", but no edge brings any there";
                 report.accept(
                         byNobody
                                 ? Finding.warning("W-NO-TOKENS", output.pointer(), message, ids(output))

@@ -15,15 +15,14 @@ final class TransitionsThatNeverFire implements PlanCheck {
                 report.accept(Finding.warning(
                         "W-NEVER-FIRES",
                         plan.at(t),
-                        "The " + PlanContext.name(t)
-                                + " has neither a place before it nor an input event: it never fires",
+                        "The " + plan.name(t) + " has neither a place before it nor an input event: it never fires",
                         t.id()));
             }
             if (t.inputs().isEmpty() && t.waitFor() == WaitFor.ALL) {
                 report.accept(Finding.warning(
                                 "W-WAITS-FOR-NOTHING",
                                 plan.at(t),
-                                "The " + PlanContext.name(t) + " waits for all, but has no input event to wait for",
+                                "The " + plan.name(t) + " waits for all, but has no input event to wait for",
                                 t.id())
                         .fixedBy(
                                 "Fire without waiting",

@@ -31,8 +31,8 @@ final class TwoCommands implements PlanCheck {
                 report.accept(Finding.warning(
                         CODE,
                         commands.get(1).pointer(),
-                        commands.get(0).type().name() + " and "
-                                + commands.get(1).type().name() + " at the " + PlanContext.name(place)
+                        commands.get(0).type().title() + " and "
+                                + commands.get(1).type().title() + " at the " + plan.name(place)
                                 + " command the same robots at once: give the second in a place that follows when the"
                                 + " first is done",
                         place.id(),

@@ -107,8 +107,8 @@ final class TwoTakers implements PlanCheck {
         report.accept(Finding.warning(
                 "W-TWO-TAKERS",
                 plan.at(second),
-                plan.transitionName(second.id()) + " waits in the " + PlanContext.name(place) + " for the same "
-                        + plan.inputsOf(second).get(0).type().name() + " as the " + PlanContext.name(first)
+                plan.transitionName(second.id()) + " waits in the " + plan.name(place) + " for the same "
+                        + plan.inputsOf(second).get(0).type().title() + " as the " + plan.name(first)
                         + ", which is looked at first and takes all: let the two ask for different things, or draw one",
                 second.id(),
                 first.id(),

@@ -20,14 +20,14 @@ final class VariableTypes implements PlanCheck {
             write.type().ifPresent(type -> {
                 Optional<ValueType> variable = scope.declared(write.variable());
                 ValueType target = variable.orElseGet(() -> written.computeIfAbsent(write.variable(), v -> type));
-                check(type, target, target, write, "is written by", report);
+                check(plan, type, target, target, write, "is written by", report);
             });
         }
         for (VariableScope.Use read : scope.reads()) {
             Optional<ValueType> variable =
                     scope.declared(read.variable()).or(() -> Optional.ofNullable(written.get(read.variable())));
-            variable.ifPresent(
-                    source -> read.type().ifPresent(type -> check(source, type, source, read, "is read by", report)));
+            variable.ifPresent(source ->
+                    read.type().ifPresent(type -> check(plan, source, type, source, read, "is read by", report)));
         }
         for (VariableSpec v : plan.plan().variables()) {
             if (v.initial().isPresent()
@@ -47,6 +47,7 @@ final class VariableTypes implements PlanCheck {
     }
 
     private static void check(
+            PlanContext plan,
             ValueType from,
             ValueType to,
             ValueType variable,
@@ -59,7 +60,7 @@ final class VariableTypes implements PlanCheck {
                     "E-VARIABLE-TYPE",
                     use.pointer(),
                     "The variable " + use.variable() + " is of type " + TypeNames.of(variable) + " and " + verb
-                            + " a field of type " + TypeNames.of(field) + " in the event " + use.event(),
+                            + " a field of type " + TypeNames.of(field) + " in " + plan.eventName(use.event()),
                     use.event()));
         }
     }

@@ -4,13 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Collectors;
-import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
-import org.sami.spn.value.TextValue;
-import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -39,7 +37,7 @@ public record VertexWords(String name, List<String> events) {
         }
         if (detail.events()) {
             place.outputs().forEach(output -> {
-                lines.add("→ " + label(output.type(), vocabulary));
+                lines.add("→ " + vocabulary.title(output.type()));
                 addMarkups(output.markups(), detail, lines);
             });
             place.subMissions()
@@ -64,7 +62,7 @@ public record VertexWords(String name, List<String> events) {
         }
         if (detail.events()) {
             transition.inputs().forEach(input -> {
-                lines.add("← " + label(input, vocabulary));
+                lines.add("← " + ElementNames.waitedFor(input, vocabulary));
                 addMarkups(input.markups(), detail, lines);
             });
             if (transition.waitFor() == WaitFor.ALL) {
@@ -82,22 +80,5 @@ public record VertexWords(String name, List<String> events) {
         if (detail.markups() && !markups.isEmpty()) {
             lines.add("with " + markups.stream().map(MarkupSpec::type).collect(Collectors.joining(", ")));
         }
-    }
-
-    static String label(InputEventSpec input, Vocabulary vocabulary) {
-        StringBuilder text = new StringBuilder(label(input.type(), vocabulary));
-        input.fields().values().stream()
-                .filter(TextValue.class::isInstance)
-                .map(value -> ((TextValue) value).value())
-                .forEach(value -> text.append(": ").append(value));
-        return text.toString();
-    }
-
-    static String label(String type, Vocabulary vocabulary) {
-        return vocabulary
-                .event(type)
-                .map(EventType::label)
-                .filter(label -> !label.isEmpty())
-                .orElse(type);
     }
 }

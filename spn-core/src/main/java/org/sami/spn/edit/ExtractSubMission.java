@@ -26,6 +26,7 @@ import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Makes a plan of its own of some vertices; a place with that plan as static sub-mission stands in their stead, and behind it a transition
@@ -50,9 +51,9 @@ public record ExtractSubMission(String plan, Set<String> elements, String id, St
     }
 
     /** Why the elements cannot be extracted, in one sentence; empty where they can. */
-    public static Optional<String> whyNot(Plan plan, Set<String> elements) {
+    public static Optional<String> whyNot(Plan plan, Set<String> elements, Vocabulary vocabulary) {
         try {
-            ExtractionBorder.of(plan, elements);
+            ExtractionBorder.of(plan, elements, vocabulary);
             return Optional.empty();
         } catch (EditRefusedException e) {
             return Optional.of(e.getMessage());
@@ -65,7 +66,7 @@ public record ExtractSubMission(String plan, Set<String> elements, String id, St
         if (project.plan(id).isPresent()) {
             throw new EditRefusedException("The project has a plan \"" + id + "\" already");
         }
-        ExtractionBorder border = ExtractionBorder.of(before, elements);
+        ExtractionBorder border = ExtractionBorder.of(before, elements, context.vocabulary());
         Plan child = child(before, border, project);
         Plan parent = parent(before, border, child);
         Project extracted = project.withPlans(Parts.replaced(project.plans(), p -> p.id().equals(plan), p -> parent));

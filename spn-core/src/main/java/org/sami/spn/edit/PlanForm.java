@@ -19,6 +19,7 @@ import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.TaskClass;
@@ -31,6 +32,7 @@ final class PlanForm {
     private final Plan plan;
     private final Set<String> planIds;
     private final Vocabulary vocabulary;
+    private final ElementNames names;
     private final List<String> problems = new ArrayList<>();
     private final Set<String> ids = new HashSet<>();
     private final Set<String> places = new HashSet<>();
@@ -40,6 +42,7 @@ final class PlanForm {
         this.plan = plan;
         this.planIds = planIds;
         this.vocabulary = vocabulary;
+        this.names = new ElementNames(plan, vocabulary);
     }
 
     List<String> problems() {
@@ -103,7 +106,7 @@ final class PlanForm {
                     + (places.contains(place) ? transition : place));
         }
         if (!pairs.add(way)) {
-            problem("an edge leads from " + way + " already");
+            problem("the edge " + names.of(id).orElse(way) + " is there already");
         }
     }
 

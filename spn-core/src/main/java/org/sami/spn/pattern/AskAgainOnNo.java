@@ -71,7 +71,7 @@ final class AskAgainOnNo implements Pattern {
                 target(spot),
                 spot.mode(),
                 spot.library());
-        return new PatternEdit(spot.plan().id(), title() + ": " + PatternSpot.name(asking), (plan, context) -> {
+        return new PatternEdit(spot.plan().id(), title() + ": " + spot.name(asking), (plan, context) -> {
             Plan cleared =
                     unused.isEmpty() ? plan : new RemoveElements(plan.id(), Set.copyOf(unused)).change(plan, context);
             Plan without = cleared.withOutEdges(cleared.outEdges().stream()

@@ -8,6 +8,7 @@ import org.sami.spn.model.Mode;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.spn.wizard.AuthoringLibrary;
 
@@ -40,7 +41,7 @@ public record PatternSpot(
     }
 
     /** What a place is called. */
-    static String name(Place place) {
-        return "\"" + (place.name().isBlank() ? place.id() : place.name()) + "\"";
+    String name(Place place) {
+        return "\"" + new ElementNames(plan, vocabulary).of(place) + "\"";
     }
 }

@@ -37,14 +37,14 @@ final class UntilNoneIsLeft implements Pattern {
         }
         Optional<Place> end = done.stream().filter(Place::end).findFirst();
         if (end.isPresent()) {
-            return Optional.of("The mission ends with the first who comes to " + PatternSpot.name(end.get()));
+            return Optional.of("The mission ends with the first who comes to " + spot.name(end.get()));
         }
         Optional<TokenKind> kind = kind(spot, done);
         if (kind.isEmpty()) {
-            return Optional.of("Neither robots nor tasks come to " + PatternSpot.name(done.get(0)));
+            return Optional.of("Neither robots nor tasks come to " + spot.name(done.get(0)));
         }
         return empty(spot, done, kind.get()).isEmpty()
-                ? Optional.of("Nobody is at work before " + PatternSpot.name(done.get(0)))
+                ? Optional.of("Nobody is at work before " + spot.name(done.get(0)))
                 : Optional.empty();
     }
 
@@ -53,7 +53,7 @@ final class UntilNoneIsLeft implements Pattern {
         List<Place> done = done(spot);
         TokenKind kind = kind(spot, done).orElseThrow();
         Set<String> empty = empty(spot, done, kind);
-        return new PatternEdit(spot.plan().id(), title() + ": " + PatternSpot.name(done.get(0)), (plan, context) -> {
+        return new PatternEdit(spot.plan().id(), title() + ": " + spot.name(done.get(0)), (plan, context) -> {
             Plan drawn = plan;
             Optional<String> end = Optional.empty();
             for (Place place : done) {

@@ -49,13 +49,13 @@ final class WatchAroundThis implements Pattern {
         }
         Place place = places.get(0);
         if (place.end()) {
-            return Optional.of("The mission ends in " + PatternSpot.name(place));
+            return Optional.of("The mission ends in " + spot.name(place));
         }
         if (!spot.coming().comes(ComingTokens.Kind.PROXY, place.id())) {
-            return Optional.of("No robots come to " + PatternSpot.name(place));
+            return Optional.of("No robots come to " + spot.name(place));
         }
         return place.outputs().stream().anyMatch(o -> o.type().equals(sequence.event()))
-                ? Optional.of(PatternSpot.name(place) + " is watched already")
+                ? Optional.of(spot.name(place) + " is watched already")
                 : Optional.empty();
     }
 
@@ -71,7 +71,7 @@ final class WatchAroundThis implements Pattern {
                 .withSequence(sequence.id());
         return new PatternEdit(
                 spot.plan().id(),
-                title() + ": " + PatternSpot.name(place),
+                title() + ": " + spot.name(place),
                 (plan, context) -> alsoAway(plan, watch.change(plan, context), place.id()));
     }
 

@@ -39,14 +39,14 @@ final class WhenAllAreHere implements Pattern {
                             : "None of the selected places is reached from all the others");
         }
         if (here.get().end()) {
-            return Optional.of("The mission ends with the first who comes to " + PatternSpot.name(here.get()));
+            return Optional.of("The mission ends with the first who comes to " + spot.name(here.get()));
         }
         Optional<TokenKind> kind = new PlacesBefore(spot).kind(here.get().id());
         if (kind.isEmpty()) {
-            return Optional.of("Neither robots nor tasks come to " + PatternSpot.name(here.get()));
+            return Optional.of("Neither robots nor tasks come to " + spot.name(here.get()));
         }
         return empty(spot, here.get(), kind.get()).isEmpty()
-                ? Optional.of("Nobody can be missing in " + PatternSpot.name(here.get()) + ": nobody waits before it")
+                ? Optional.of("Nobody can be missing in " + spot.name(here.get()) + ": nobody waits before it")
                 : Optional.empty();
     }
 
@@ -57,7 +57,7 @@ final class WhenAllAreHere implements Pattern {
         InhibitedTransition drawn = new InhibitedTransition(
                 here.id(), empty(spot, here, kind), kind, "All are here", "All together", false, spot.mode());
         return new PatternEdit(
-                spot.plan().id(), title() + ": " + PatternSpot.name(here), (plan, context) -> drawn.drawn(plan));
+                spot.plan().id(), title() + ": " + spot.name(here), (plan, context) -> drawn.drawn(plan));
     }
 
     /** The selected place that is reached from all others, over the fewest firings. */

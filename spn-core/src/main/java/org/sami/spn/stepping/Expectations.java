@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.TestStep;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
@@ -28,7 +29,7 @@ final class Expectations {
         return moment.outcome.isPresent() && moment.outcome.get() == Outcome.ENDED
                 ? Optional.empty()
                 : Optional.of("the mission has not ended; tokens stand in "
-                        + marking().keySet());
+                        + marking().keySet().stream().map(this::name).toList());
     }
 
     Optional<String> tokens(TestStep.ExpectTokens s) {
@@ -38,7 +39,7 @@ final class Expectations {
         List<Token> found = marking().getOrDefault(s.place(), List.of());
         return count(expected).equals(count(found))
                 ? Optional.empty()
-                : Optional.of("expected in " + s.place() + " are " + words(expected) + ", found " + words(found));
+                : Optional.of("expected in " + name(s.place()) + " are " + words(expected) + ", found " + words(found));
     }
 
     /** What stands in a place now, as an expectation. */
@@ -59,6 +60,12 @@ final class Expectations {
 
     private Map<String, List<Token>> marking() {
         return view.mission(moment.mission).map(MissionView::marking).orElse(Map.of());
+    }
+
+    private String name(String place) {
+        return view.planOf(moment.mission)
+                .flatMap(plan -> new ElementNames(plan, view.vocabulary()).of(place))
+                .orElse(place);
     }
 
     private static Map<Token, Long> count(List<Token> tokens) {

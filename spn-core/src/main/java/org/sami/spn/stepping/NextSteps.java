@@ -132,8 +132,8 @@ public final class NextSteps {
             items.forEach(item -> samples.of(item.type())
                     .ifPresentOrElse(
                             value -> values.put(item.key(), value),
-                            () -> unlooked.add("the operator is asked for " + item.key() + ", and "
-                                    + samples.whyNone(item.type()))));
+                            () -> unlooked.add("the operator is asked for "
+                                    + stepper.words().asked(item.key()) + ", and " + samples.whyNone(item.type()))));
             if (values.size() == items.size()) {
                 NextStep.Kind kind = size == 0 ? NextStep.Kind.EMPTY : NextStep.Kind.DECISION;
                 add(kind, new TestStep.Answer(event, new TestStep.Reply.Values(values)));
@@ -233,7 +233,7 @@ public final class NextSteps {
             value.ifPresent(sample -> values.put(field.name(), sample));
             if (value.isEmpty() && field.required()) {
                 unlooked.add(
-                        type.name() + " is tried without its " + field.name() + ": " + samples.whyNone(field.type()));
+                        type.title() + " is tried without its " + field.name() + ": " + samples.whyNone(field.type()));
             }
         }
         return new TestStep.Occur(

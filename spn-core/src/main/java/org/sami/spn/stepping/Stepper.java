@@ -141,7 +141,7 @@ public final class Stepper {
         if (step instanceof TestStep.Answer s) {
             Optional<Decision> decision = meaning().decision(s.event());
             return decision.isEmpty()
-                    ? refused("nothing is asked of the operator by \"" + s.event() + "\"")
+                    ? refused("nothing is asked of the operator by \"" + words().deciding(s.event()) + "\"")
                     : step(meaning().answer(s.reply(), decision.get()), s);
         } else if (step instanceof TestStep.Occur s) {
             return occur(s);
@@ -165,7 +165,8 @@ public final class Stepper {
         }
         Optional<Activation> asked = meaning().activation(s);
         return asked.isEmpty()
-                ? refused("\"" + s.answers() + "\" has asked for nothing that " + s.type() + " could answer")
+                ? refused("\"" + words().asking(s.answers(), s.type()) + "\" has asked for nothing that "
+                        + engine.vocabulary().title(s.type()) + " could answer")
                 : step(meaning().answer(s, asked.get()), s);
     }
 
@@ -184,7 +185,8 @@ public final class Stepper {
         Optional<String> other =
                 meaning().decision(event).filter(d -> d.id() == decision).isPresent()
                         ? Optional.empty()
-                        : Optional.of("it answers another than the oldest open decision of \"" + event + "\"");
+                        : Optional.of("it answers another than the oldest open decision of \"" + words().deciding(event)
+                                + "\"");
         return step(
                 new Input.AnswerDecision(decision, answer, Answerer.OPERATOR),
                 new TestStep.Answer(event, StepMeaning.reply(answer)),
@@ -198,7 +200,8 @@ public final class Stepper {
                 .filter(a -> a.id() == activation)
                 .findFirst();
         if (open.isEmpty()) {
-            return refused("the activation " + activation + " is not open: nothing waits for " + type);
+            return refused("the activation " + activation + " is not open: nothing waits for "
+                    + engine.vocabulary().title(type));
         }
         TestStep.Occur said = new TestStep.Occur(type, open.get().event(), robots, names(tasks), values);
         Optional<String> other =
@@ -207,7 +210,8 @@ public final class Stepper {
                                 .filter(task -> !open.get().tasks().contains(task))
                                 .toList())
                         : Optional.of("of the open activations of \""
-                                + open.get().event() + "\" it answers another than a test case would");
+                                + words().asking(open.get().event(), type)
+                                + "\" it answers another than a test case would");
         return step(new Input.Received(Occurrence.answer(type, open.get(), robots, tasks, values)), said, other);
     }
 
@@ -315,6 +319,11 @@ public final class Stepper {
     }
 
     // ---- Questions
+
+    /** The words for steps of its plan. */
+    public StepText words() {
+        return StepText.of(engine.project(), plan, engine.vocabulary());
+    }
 
     /** The steps taken, in order, without those that were refused or undone. */
     public List<TakenStep> steps() {

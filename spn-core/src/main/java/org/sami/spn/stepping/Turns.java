@@ -199,20 +199,21 @@ public final class Turns {
                 : "Nothing goes on by itself; what leads on, by hand: " + what;
     }
 
-    private static String remark(boolean round, Way way) {
+    private String remark(boolean round, Way way) {
         return way.steps().stream().allMatch(step -> EXPECTED.contains(step.kind()))
                 ? ""
                 : (round ? "it went round; " : "nothing went on by itself; ") + words(way) + " leads out";
     }
 
     /** The steps of a way that nobody expects; where all are expected, the first. */
-    private static String words(Way way) {
+    private String words(Way way) {
+        StepText text = stepper.words();
         List<String> unexpected = way.steps().stream()
                 .filter(step -> !EXPECTED.contains(step.kind()))
-                .map(step -> StepText.of(step.step()))
+                .map(step -> text.of(step.step()))
                 .distinct()
                 .toList();
-        return unexpected.isEmpty() ? StepText.of(way.steps().get(0).step()) : String.join(", then ", unexpected);
+        return unexpected.isEmpty() ? text.of(way.steps().get(0).step()) : String.join(", then ", unexpected);
     }
 
     /** The shortest way of such steps to an end; else, unless only that is wanted, to a moment that was not there yet. */

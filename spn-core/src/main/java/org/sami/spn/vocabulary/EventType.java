@@ -42,6 +42,11 @@ public record EventType(
         Objects.requireNonNull(help, "help");
     }
 
+    /** What people call it: its label, or its name where it has none. */
+    public String title() {
+        return label.isBlank() ? name : label;
+    }
+
     /** The field of that name, empty where the event has none. */
     public Optional<FieldType> field(String field) {
         return fields.stream().filter(f -> f.name().equals(field)).findFirst();

@@ -97,6 +97,11 @@ public final class Vocabulary {
         return Optional.ofNullable(event != null ? event : eventsByAlias.get(name));
     }
 
+    /** What people call an event type: its title, else its name; of one that is not declared, what it is called here. */
+    public String title(String type) {
+        return event(type).map(EventType::title).orElse(type);
+    }
+
     /** The first event type that has a role. */
     public Optional<EventType> eventWithRole(EventRole role) {
         return events.values().stream().filter(e -> e.role() == role).findFirst();

@@ -1,6 +1,5 @@
 package org.sami.spn.wiring;
 
-import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -11,7 +10,7 @@ public final class SourceWords {
     /** What a source is, and how far away: {@code Operator Creates Locations: locations, 1 step before}. */
     public static String of(DataSource source, Vocabulary vocabulary) {
         if (source instanceof DataSource.AnswerField answer) {
-            return vocabulary.event(answer.type()).map(EventType::label).orElse(answer.type()) + ": "
+            return vocabulary.title(answer.type()) + ": "
                     + answer.field()
                     + answer.variable().map(v -> " (" + v + ")").orElse("") + ", " + steps(answer.steps());
         }
@@ -30,7 +29,7 @@ public final class SourceWords {
     /** What a source is, where there is room for a name alone: the answer's, or the variable's. */
     public static String brief(DataSource source, Vocabulary vocabulary) {
         if (source instanceof DataSource.AnswerField answer) {
-            return vocabulary.event(answer.type()).map(EventType::label).orElse(answer.type());
+            return vocabulary.title(answer.type());
         }
         return source instanceof DataSource.Variable variable ? variable.name() : Reserved.TASK_VARIABLE;
     }

@@ -12,6 +12,8 @@ import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Plan;
+import org.sami.spn.naming.ElementNames;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * What a change of a plan makes, as a preview shows it.
@@ -33,8 +35,8 @@ public record PlanChange(
     }
 
     /** What lies between two versions of a plan. */
-    public static PlanChange between(Plan before, Plan after) {
-        Comparison comparison = new Comparison(before, after);
+    public static PlanChange between(Plan before, Plan after, Vocabulary vocabulary) {
+        Comparison comparison = new Comparison(before, after, vocabulary);
         comparison.compareVertices();
         comparison.compareEdges();
         return new PlanChange(
@@ -44,14 +46,16 @@ public record PlanChange(
     private static final class Comparison {
         private final Plan before;
         private final Plan after;
+        private final ElementNames names;
         private final Set<String> vertices = new LinkedHashSet<>();
         private final Set<String> edges = new LinkedHashSet<>();
         private final Set<String> changed = new LinkedHashSet<>();
         private final List<String> lines = new ArrayList<>();
 
-        Comparison(Plan before, Plan after) {
+        Comparison(Plan before, Plan after, Vocabulary vocabulary) {
             this.before = before;
             this.after = after;
+            this.names = new ElementNames(after, vocabulary);
         }
 
         void compareVertices() {
@@ -124,10 +128,7 @@ public record PlanChange(
         }
 
         private String title(String vertex) {
-            String name = after.place(vertex)
-                    .map(p -> p.name())
-                    .orElseGet(() -> after.transition(vertex).map(t -> t.name()).orElse(""));
-            return "\"" + (name.isBlank() ? vertex : name) + "\"";
+            return "\"" + names.of(vertex).orElse(vertex) + "\"";
         }
     }
 }

@@ -175,7 +175,7 @@ class GeographyChecksTest {
                 check(visit(Map.of("locations", fixed(points)))),
                 "W-FAR-AWAY",
                 "/plans/0/places/0/outputs/0/fields/locations/value/3",
-                ".locations is ",
+                "locations of Visit at the place \"start\" is ",
                 "49.9 km",
                 "5.0 km");
     }

@@ -277,7 +277,7 @@ class EditTest {
         assertThat(refused(project, new EdgeEdit.Connect("p", "start", "end", Mode.NOMINAL)))
                 .contains("both places");
         assertThat(refused(project, new EdgeEdit.Connect("p", "start", "t", Mode.NOMINAL)))
-                .contains("start to t already");
+                .contains("start → t is there already");
         assertThat(refused(project, new EdgeEdit.Connect("q", "start", "t", Mode.NOMINAL)))
                 .contains("no plan \"q\"");
         assertThat(refused(

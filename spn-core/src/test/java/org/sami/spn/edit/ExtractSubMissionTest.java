@@ -55,7 +55,8 @@ class ExtractSubMissionTest {
                 .apply(NetBuilder.project(plan), TestVocabulary.TEST);
         assertThat(result).isInstanceOf(EditResult.Refused.class);
         String message = ((EditResult.Refused) result).message();
-        assertThat(ExtractSubMission.whyNot(plan, Set.of(selection))).contains(message);
+        assertThat(ExtractSubMission.whyNot(plan, Set.of(selection), TestVocabulary.TEST))
+                .contains(message);
         return message;
     }
 
@@ -124,13 +125,14 @@ class ExtractSubMissionTest {
         Plan plan = net().build();
 
         assertThat(refused(plan, "a")).contains("at least one of each");
-        assertThat(refused(plan, "s", "send", "a")).contains("start place s has to stay");
-        assertThat(refused(plan, "gathered", "over", "end")).contains("end place end has to stay");
-        assertThat(refused(plan, "ok", "b")).contains("The transition ok inside takes tokens from a outside");
-        assertThat(refused(plan, "a", "ok", "b")).contains("The transition ok2 outside takes tokens from b inside");
+        assertThat(refused(plan, "s", "send", "a")).contains("start place \"s\" has to stay");
+        assertThat(refused(plan, "gathered", "over", "end")).contains("end place \"end\" has to stay");
+        assertThat(refused(plan, "ok", "b")).contains("The transition \"ok\" inside takes tokens from \"a\" outside");
+        assertThat(refused(plan, "a", "ok", "b"))
+                .contains("The transition \"ok2\" outside takes tokens from \"b\" inside");
         assertThat(refused(net().out("send", "b", "take 1 generic").build(), "a", "ok", "b", "ok2"))
-                .contains("come into the selection at a and b");
+                .contains("come into the selection at \"a\" and \"b\"");
         assertThat(refused(net().out("ok", "end", "take 1 generic").build(), "a", "ok", "b", "ok2"))
-                .contains("leave the selection to end and gathered");
+                .contains("leave the selection to \"end\" and \"gathered\"");
     }
 }

@@ -170,6 +170,6 @@ class TurnsTest {
 
         assertThat(run(stepper, false, true)).isZero();
         assertThat(remarks)
-                .containsExactly("Nothing goes on by itself; what leads on, by hand: operator: yes to ask.Approve");
+                .containsExactly("Nothing goes on by itself; what leads on, by hand: operator: yes to Approve at ask");
     }
 }

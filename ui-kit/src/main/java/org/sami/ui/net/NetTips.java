@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.sami.spn.drawing.ElementNames;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.drawing.VertexWords;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Plan;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -27,13 +27,14 @@ final class NetTips {
     static List<String> of(
             Plan plan, Vocabulary vocabulary, NetMarking marking, String id, Function<Token, String> tokenName) {
         List<String> lines = new ArrayList<>();
+        ElementNames names = new ElementNames(plan, vocabulary);
         plan.place(id).ifPresent(place -> {
-            lines.add(ElementNames.of(place, vocabulary));
+            lines.add(names.of(place));
             lines.addAll(VertexWords.of(place, vocabulary).events());
             tokens(marking, id, tokenName).ifPresent(lines::add);
         });
         plan.transition(id).ifPresent(transition -> {
-            lines.add(ElementNames.of(transition, vocabulary));
+            lines.add(names.of(transition));
             lines.addAll(VertexWords.of(transition, vocabulary).events());
         });
         plan.inEdges().stream().filter(edge -> edge.id().equals(id)).forEach(edge -> {

@@ -251,8 +251,8 @@ class CheckCommandTest {
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out())
-                .contains("warning W-WAITS-FOR-NOBODY at /plans/0 (ready, go2): Nobody ever waits in \"ready\"")
-                .contains("    TaskStarted of Camera 1")
+                .contains("warning W-WAITS-FOR-NOBODY at /plans/0 (ready, go2): Nobody ever waits in place 12")
+                .contains("    Task Started of Camera 1")
                 .contains("plan: Of the first 300 states with 2 robots");
     }
 
@@ -282,7 +282,7 @@ class CheckCommandTest {
                 .get("findings")
                 .get(0);
         assertThat(found.get("code").asText()).isEqualTo("W-WAITS-FOR-NOBODY");
-        assertThat(found.get("run").get(2).asText()).isEqualTo("TaskStarted of Camera 1");
+        assertThat(found.get("run").get(2).asText()).isEqualTo("Task Started of Camera 1");
     }
 
     @Test

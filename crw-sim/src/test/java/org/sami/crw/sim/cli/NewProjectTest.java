@@ -101,7 +101,7 @@ class NewProjectTest {
                         "0 passed, 1 failed");
         assertThat(json.get("failed").asInt()).isEqualTo(1);
         assertThat(json.at("/testCases/0/passed").asBoolean()).isFalse();
-        assertThat(json.at("/testCases/0/message").asText()).contains("expected in lost");
+        assertThat(json.at("/testCases/0/message").asText()).contains("expected in Not there");
     }
 
     @Test

@@ -39,9 +39,9 @@ final class LeftAtTheEnd implements SpaceQuestion {
     }
 
     private static DeepFinding finding(DeepRequest request, Plan plan, EndsOfRuns.Left left, EndsOfRuns.Seen seen) {
-        String ends = "The plan \"" + plan.name() + "\" ends by " + SearchWords.transition(plan, left.transition());
+        String ends = "The plan \"" + plan.title() + "\" ends by " + SearchWords.transition(request, left.transition());
         String who = SearchWords.tokens(seen.left());
-        String where = SearchWords.place(plan, left.place());
+        String where = SearchWords.place(request, left.place());
         String message = switch (left.why()) {
             case UNDER_WAY ->
                 ends + " with " + SearchWords.tokens(seen.atEnd()) + " while " + who

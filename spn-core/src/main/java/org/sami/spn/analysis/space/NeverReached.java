@@ -50,13 +50,14 @@ final class NeverReached implements SpaceQuestion {
         for (int i = 0; i < plan.places().size(); i++) {
             Place place = plan.places().get(i);
             if (!found.visited().contains(place.id()) && !untried.contains(place.id()) && !onlyConsumes(plan, place)) {
-                findings.add(finding(request, plan, found, "/places/" + i, place.id(), words(place)));
+                findings.add(finding(request, plan, found, "/places/" + i, place.id(), words(request, place)));
             }
         }
         for (int i = 0; i < plan.transitions().size(); i++) {
             Transition transition = plan.transitions().get(i);
             if (!found.fired().contains(transition.id()) && !untried.contains(transition.id())) {
-                findings.add(finding(request, plan, found, "/transitions/" + i, transition.id(), words(transition)));
+                findings.add(finding(
+                        request, plan, found, "/transitions/" + i, transition.id(), words(request, transition)));
             }
         }
         return findings;
@@ -65,7 +66,7 @@ final class NeverReached implements SpaceQuestion {
     @Override
     public String result(Exploration found, DeepRequest request) {
         Plan plan = request.project().plan(request.plan()).orElseThrow();
-        List<String> untried = new UntriedTransitions(plan, request.vocabulary(), found.fired()).words();
+        List<String> untried = new UntriedTransitions(plan, request.vocabulary(), found.fired()).words(request);
         return words(plan.places().size(), found.visited(), "places") + ", "
                 + words(plan.transitions().size(), found.fired(), "transitions")
                 + (untried.isEmpty() ? "" : " (not tried: " + String.join(", ", untried) + ")");
@@ -73,7 +74,7 @@ final class NeverReached implements SpaceQuestion {
 
     private static DeepFinding endsAtOnce(DeepRequest request, Plan plan, Exploration found) {
         String message =
-                "The plan \"" + plan.name() + "\" ends as it starts (" + SearchWords.robots(request) + "): only "
+                "The plan \"" + plan.title() + "\" ends as it starts (" + SearchWords.robots(request) + "): only "
                         + found.visited().size() + " of its " + plan.places().size() + " places are reached";
         Finding finding = Finding.warning(NEVER, SearchWords.pointer(request, plan), message);
         return new DeepFinding(finding.inPlan(plan.id()), Optional.empty());
@@ -94,13 +95,12 @@ final class NeverReached implements SpaceQuestion {
         return reached.size() + " of " + all + " " + what + " reached";
     }
 
-    private static String words(Place place) {
-        return "Nothing enters the place \"" + (place.name().isEmpty() ? place.id() : place.name()) + "\"";
+    private static String words(DeepRequest request, Place place) {
+        return "Nothing enters the " + SearchWords.names(request).withKind(place);
     }
 
-    private static String words(Transition transition) {
-        return "The transition \"" + (transition.name().isEmpty() ? transition.id() : transition.name())
-                + "\" never fires";
+    private static String words(DeepRequest request, Transition transition) {
+        return "The " + SearchWords.names(request).withKind(transition) + " never fires";
     }
 
     private static DeepFinding finding(

@@ -3,34 +3,35 @@ package org.sami.spn.analysis.space;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
-import org.sami.spn.model.Transition;
+import org.sami.spn.naming.ElementNames;
 import org.sami.spn.protocol.Token;
 
 /** Words for what searches find. */
 final class SearchWords {
     private SearchWords() {}
 
-    static String place(Plan plan, String id) {
-        return plan.place(id)
-                .map(Place::name)
-                .filter(name -> !name.isEmpty())
-                .map(name -> "\"" + name + "\"")
-                .orElse("\"" + id + "\"");
+    /** A place of the plan that is searched: its name in quotes, else what it does. */
+    static String place(DeepRequest request, String id) {
+        return plan(request).place(id).map(names(request)::inSentence).orElse("\"" + id + "\"");
     }
 
-    static String transition(Plan plan, String id) {
-        return plan.transition(id)
-                .map(Transition::name)
-                .filter(name -> !name.isEmpty())
-                .map(name -> "\"" + name + "\"")
-                .orElse("\"" + id + "\"");
+    /** A transition of the plan that is searched: its name in quotes, else what it waits for. */
+    static String transition(DeepRequest request, String id) {
+        return plan(request).transition(id).map(names(request)::inSentence).orElse("\"" + id + "\"");
     }
 
-    static String places(Plan plan, List<String> ids) {
-        return ids.stream().map(id -> place(plan, id)).collect(Collectors.joining(", "));
+    static String places(DeepRequest request, List<String> ids) {
+        return ids.stream().map(id -> place(request, id)).collect(Collectors.joining(", "));
+    }
+
+    static ElementNames names(DeepRequest request) {
+        return new ElementNames(plan(request), request.vocabulary());
+    }
+
+    private static Plan plan(DeepRequest request) {
+        return request.project().plan(request.plan()).orElseThrow();
     }
 
     static String tokens(List<Token> tokens) {

@@ -93,10 +93,11 @@ final class StuckStates implements SpaceQuestion {
 
     private static DeepFinding finding(DeepRequest request, Plan plan, Node node) {
         List<String> marked = node.marked();
-        String where =
-                marked.isEmpty() ? "no token is left anywhere" : "tokens stand in " + SearchWords.places(plan, marked);
+        String where = marked.isEmpty()
+                ? "no token is left anywhere"
+                : "tokens stand in " + SearchWords.places(request, marked);
         String how = node.isHalted() ? "fires without end and is halted" : "can end no more";
-        String message = "The plan \"" + plan.name() + "\" " + how + " where " + where
+        String message = "The plan \"" + plan.title() + "\" " + how + " where " + where
                 + SearchWords.when(request, node.steps()) + "; play it to see what is missing";
         Finding finding = Finding.warning(
                         STUCK, SearchWords.pointer(request, plan), message, marked.toArray(String[]::new))

@@ -52,8 +52,8 @@ final class TokensPileUp implements SpaceQuestion {
                 .map(place -> place.id())
                 .filter(id -> pile.what().stream().anyMatch(what -> what.startsWith(id + " in " + plan.id() + ": ")))
                 .toList();
-        String where = places.isEmpty() ? "a sub-mission" : SearchWords.places(plan, places);
-        String message = "Tokens pile up in " + where + " of the plan \"" + plan.name() + "\""
+        String where = places.isEmpty() ? "a sub-mission" : SearchWords.places(request, places);
+        String message = "Tokens pile up in " + where + " of the plan \"" + plan.title() + "\""
                 + SearchWords.when(request, pile.node().steps())
                 + ": each round adds the same ones and nothing takes them away; take or consume them";
         Finding finding = Finding.warning(

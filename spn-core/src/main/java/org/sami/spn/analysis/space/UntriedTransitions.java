@@ -24,8 +24,10 @@ final class UntriedTransitions {
                 .toList();
     }
 
-    List<String> words() {
-        return untried.stream().map(t -> SearchWords.transition(plan, t.id())).toList();
+    List<String> words(DeepRequest request) {
+        return untried.stream()
+                .map(t -> SearchWords.transition(request, t.id()))
+                .toList();
     }
 
     /** Their ids and those of all places and transitions that they lead to. */

@@ -33,10 +33,10 @@ final class WaitsForNobody implements SpaceQuestion {
     }
 
     private static DeepFinding finding(DeepRequest request, Plan plan, FirstOfMany.Gate gate, FirstOfMany.Seen seen) {
-        String place = SearchWords.place(plan, gate.place());
-        String message = "Nobody ever waits in " + place + ": " + SearchWords.transition(plan, gate.transition())
+        String place = SearchWords.place(request, gate.place());
+        String message = "Nobody ever waits in " + place + ": " + SearchWords.transition(request, gate.transition())
                 + " takes " + SearchWords.tokens(seen.went()) + " on while " + SearchWords.token(seen.other())
-                + " is still in " + SearchWords.place(plan, seen.otherPlace())
+                + " is still in " + SearchWords.place(request, seen.otherPlace())
                 + SearchWords.when(request, seen.from().steps() + 1)
                 + ". Where all are to go on together, require that nobody is left there; else the place can go";
         Finding finding = Finding.warning(

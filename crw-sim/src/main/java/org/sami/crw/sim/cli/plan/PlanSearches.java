@@ -28,7 +28,7 @@ final class PlanSearches {
 
     private final List<Search> done = new ArrayList<>();
 
-    private record Search(Plan plan, DeepResult result) {}
+    private record Search(Plan plan, DeepResult result, StepText words) {}
 
     /**
      * Searches one plan after the other; those with errors are left out.
@@ -49,7 +49,10 @@ final class PlanSearches {
                     PlanChecks.check(project, vocabulary, plan.id()).stream().noneMatch(Finding::isError);
             if (isSound && !plan.places().isEmpty() && !isStopped.getAsBoolean()) {
                 DeepRequest request = new DeepRequest(project, vocabulary, plan.id(), names, mostStates);
-                done.add(new Search(plan, EVERYTHING.run(request, watch(plan, progress, isStopped))));
+                done.add(new Search(
+                        plan,
+                        EVERYTHING.run(request, watch(plan, progress, isStopped)),
+                        StepText.of(project, plan.id(), vocabulary)));
                 progress.end();
             }
         }
@@ -81,7 +84,7 @@ final class PlanSearches {
         for (Search search : done) {
             for (DeepFinding found : search.result().findings()) {
                 FindingsText.print(out, source, List.of(found.finding()));
-                steps(found).forEach(step -> out.println("    " + step));
+                steps(found, search.words()).forEach(step -> out.println("    " + step));
             }
             out.printf("%s: %s%n", search.plan().id(), search.result().summary());
         }
@@ -100,16 +103,16 @@ final class PlanSearches {
             node.put("summary", search.result().summary());
             for (int i = 0; i < findings.size(); i++) {
                 ArrayNode run = ((ObjectNode) node.get("findings").get(i)).putArray("run");
-                steps(findings.get(i)).forEach(run::add);
+                steps(findings.get(i), search.words()).forEach(run::add);
             }
             plans.add(node);
         }
     }
 
-    private static List<String> steps(DeepFinding found) {
+    private static List<String> steps(DeepFinding found, StepText words) {
         return found.witness().stream()
                 .flatMap(witness -> witness.steps().stream())
-                .map(StepText::of)
+                .map(words::of)
                 .toList();
     }
 }
