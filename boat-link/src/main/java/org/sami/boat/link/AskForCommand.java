@@ -4,8 +4,8 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /**
- * An observer wishes to command. Nobody commands: it does from now on. Somebody does: the boat passes the wish on as {@link
- * CommandAsked}, and the commander may {@link GrantCommand}. The {@link Ack} says only that the wish has arrived.
+ * An observer asks for the command. If no client commands, the boat appoints it. Otherwise the boat passes the request on as {@link CommandAsked}, and the
+ * commander may {@link GrantCommand}. The {@link Ack} only confirms that the request has arrived.
  */
 public final class AskForCommand extends CommandMessage {
     static final String TYPE = "ask-command";

@@ -15,7 +15,7 @@ public enum BoatMode {
     /** Stopped for the whole fleet: motors at zero until released. */
     FLEET_STOP;
 
-    /** Whether a boat that does this has a way to go, though it may wait on it for others to pass. */
+    /** Whether a boat in this mode is under way, even while it waits for others to pass. */
     public boolean isUnderWay() {
         return this == PATH || this == TELEOPERATION || this == RETURN;
     }

@@ -3,7 +3,7 @@ package org.sami.boat.link;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
-/** Tells the commander that another client wishes to command; {@link GrantCommand} is the answer, if it agrees. */
+/** To the commander: another client asks for the command; {@link GrantCommand} grants it. */
 public final class CommandAsked extends LinkMessage {
     static final String TYPE = "command-asked";
 
@@ -18,7 +18,7 @@ public final class CommandAsked extends LinkMessage {
         return new CommandAsked(in.text("client"));
     }
 
-    /** The client that wishes to command, by the name in its hello. */
+    /** The client that asks, by the name in its hello. */
     public String clientId() {
         return clientId;
     }

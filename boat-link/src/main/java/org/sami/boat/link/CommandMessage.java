@@ -4,10 +4,9 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /**
- * A message that asks something of the boat and is answered by {@link Ack} or {@link Nack} with the same command id.
+ * A command to the boat; {@link Ack} or {@link Nack} with the same command id answers it.
  *
- * <p>The id is what makes it safe to send again: a boat answers a repeated id with its first answer and does not execute
- * it a second time.
+ * <p>The id makes it safe to send a command again: the boat answers a repeated id with its first answer and does not execute it a second time.
  */
 public abstract class CommandMessage extends LinkMessage {
     private final String commandId;
@@ -27,6 +26,6 @@ public abstract class CommandMessage extends LinkMessage {
         writeCommand(out);
     }
 
-    /** Writes what this kind of command has beside its id. */
+    /** Writes the members of this kind of command, without its id. */
     abstract void writeCommand(JsonGenerator out) throws IOException;
 }

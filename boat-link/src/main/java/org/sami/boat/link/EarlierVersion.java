@@ -2,7 +2,7 @@ package org.sami.boat.link;
 
 import java.nio.ByteBuffer;
 
-/** What is said to a peer of an earlier version of the link in its own frames, so that it can tell its people what is wrong. */
+/** Messages to a peer of an earlier link version, in that version's frames, so that its users see what is wrong. */
 public final class EarlierVersion {
     private static final int VERSION_1 = 1;
 
@@ -11,8 +11,8 @@ public final class EarlierVersion {
     /**
      * A goodbye for a client.
      *
-     * @param version what the client speaks
-     * @return the whole frame; of this version, if that is none that had other frames
+     * @param version the client's version
+     * @return the whole frame, in this version's form unless the client's version had another one
      */
     public static byte[] goodbye(int version, String boatId, String reason) {
         Goodbye goodbye = new Goodbye(boatId, reason);

@@ -20,12 +20,12 @@ public final class Frame {
         return sequence;
     }
 
-    /** The term of the welcome that the sender had read last when it sent this; empty if it commanded nobody. */
+    /** The term of the last welcome that the sender had read; empty if it did not command. */
     public String term() {
         return term;
     }
 
-    /** What is said. */
+    /** The message. */
     public LinkMessage message() {
         return message;
     }

@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.sami.boat.link.LinkException.Fault;
 
 /**
- * Cuts frames out of a stream of bytes. It bounds the memory that a peer can make it use: no more is set aside than has
- * arrived, whatever length is declared.
+ * Cuts frames out of a stream of bytes. It bounds the memory that a peer can make it use: it allocates no more than has arrived, whatever length a frame
+ * declares.
  *
  * <p>After an exception the place in the stream is lost; the stream must be closed. For one thread at a time.
  */

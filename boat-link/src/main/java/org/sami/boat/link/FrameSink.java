@@ -1,7 +1,7 @@
 package org.sami.boat.link;
 
 /**
- * Where one end of a link puts its outgoing frames: a socket's writer, or the in-memory pipe of the simulator.
+ * Takes the outgoing frames of one end of a link: a socket's writer, or the simulator's pipe in memory.
  *
  * <p>Bytes are whole frames as {@link LinkCodec#encode} makes them, and belong to the sink once sent. A sink does not
  * block and does not throw for a link that is down: what cannot be sent is lost, and the host of the link reports the

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * The two threads of one connection: one reads a {@link FramePump}, one writes it. Closing the connection ends both. Knows no sockets: a
- * connection is what can be closed. Safe for use by several threads.
+ * The two threads of one connection: one reads frames into a {@link FramePump}, one writes frames from it. Closing the connection ends both. A connection is
+ * anything closeable, not necessarily a socket. Safe for use by several threads.
  */
 public final class FrameThreads {
     private final FramePump pump;
@@ -16,12 +16,12 @@ public final class FrameThreads {
     private final Thread writer;
 
     /**
-     * Threads that do not run yet.
+     * Threads that are not started yet.
      *
      * @param connection closing it makes reads and writes on its streams fail
-     * @param name the threads are named so, with {@code -reads} and {@code -writes} behind
-     * @param read what the one does until the end of the stream
-     * @param write what the other does until the pump is closed
+     * @param name prefix of the threads' names, before {@code -reads} and {@code -writes}
+     * @param read the reading thread's work, until the end of the stream
+     * @param write the writing thread's work, until the pump is closed
      */
     public FrameThreads(FramePump pump, Closeable connection, String name, Runnable read, Runnable write) {
         this.pump = pump;

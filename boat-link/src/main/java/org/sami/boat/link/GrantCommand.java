@@ -4,8 +4,8 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /**
- * The commander hands the command over to another client and observes from now on. Both get a {@link Welcome} that says what
- * they are now. The boat goes on with what it does.
+ * The commander hands the command over to another client and becomes an observer. The boat sends both a {@link Welcome} with their new roles and goes on
+ * with what it does.
  */
 public final class GrantCommand extends CommandMessage {
     static final String TYPE = "grant-command";

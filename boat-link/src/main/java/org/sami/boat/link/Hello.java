@@ -5,8 +5,7 @@ import java.io.IOException;
 import java.util.Objects;
 
 /**
- * The first message of a client: which boat it means to reach, as what, and how often it wants telemetry. Sent again, it
- * changes role and rate.
+ * The first message of a client: the boat that it means to reach, its role, and its rate of telemetry. Sent again, it changes role and rate.
  */
 public final class Hello extends LinkMessage {
     static final String TYPE = "hello";
@@ -35,22 +34,22 @@ public final class Hello extends LinkMessage {
                 in.text("auth"));
     }
 
-    /** The boat that the client means; another boat refuses. Empty for whichever boat answers. */
+    /** The boat that the client means to reach; any other boat refuses. Empty to reach whichever boat answers. */
     public String boatId() {
         return boatId;
     }
 
-    /** Who asks, for logs and for the people who see who commands. */
+    /** The client's name, for logs and for people who see who commands. */
     public String clientId() {
         return clientId;
     }
 
-    /** What the client asks to be. */
+    /** The role that the client asks for. */
     public Role role() {
         return role;
     }
 
-    /** Wished telemetry messages a second; 0 leaves it to the boat. */
+    /** Telemetry messages a second; 0 leaves the rate to the boat. */
     public double telemetryHz() {
         return telemetryHz;
     }

@@ -63,7 +63,7 @@ public final class LinkException extends Exception {
         return where;
     }
 
-    /** The id of the command that the frame tried to give, so that it can be refused by name; empty if unreadable. */
+    /** The id of the command in the frame, for a refusal that names it; empty if unreadable. */
     public String commandId() {
         return commandId;
     }

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.util.Objects;
 
 /**
- * Where a boat is and how it moves, between two {@link Telemetry} messages: said up to five times a second while it moves near others, for the base to
- * pass on as {@link Traffic}. The newest counts.
+ * Position and motion of a boat between two {@link Telemetry} messages. A boat near others sends it up to five times a second while it moves, and the base passes it
+ * on as {@link Traffic}. The newest counts.
  */
 public final class Motion extends LinkMessage {
     static final String TYPE = "motion";

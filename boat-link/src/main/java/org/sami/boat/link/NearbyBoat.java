@@ -13,16 +13,16 @@ public final class NearbyBoat {
     private final double latDeg;
     private final double lonDeg;
     private final double headingRad;
-    private final double headingEast; // computed once for all whom the row is told
+    private final double headingEast; // computed once for all receivers of the row
     private final double headingNorth;
     private final double speedMps;
     private final BoatMode mode;
     private final long ageMs;
     private final boolean going;
-    private final double toLatDeg; // 0 where it is not known
+    private final double toLatDeg; // 0 where unknown
     private final double toLonDeg;
 
-    /** A boat that goes nowhere that is known. */
+    /** A boat without a known destination. */
     public NearbyBoat(
             String boatId,
             double latDeg,
@@ -37,8 +37,8 @@ public final class NearbyBoat {
     /**
      * Makes a row of checked values; a value out of its range is an {@link IllegalArgumentException}.
      *
-     * @param toLatDeg where the boat goes, WGS 84 degrees; NaN, like the next, where that is not known
-     * @param toLonDeg likewise
+     * @param toLatDeg next point of the boat's way, WGS 84 degrees; NaN where unknown
+     * @param toLonDeg next point of the boat's way, WGS 84 degrees; NaN where unknown
      */
     public NearbyBoat(
             String boatId,
@@ -133,12 +133,12 @@ public final class NearbyBoat {
         return mode;
     }
 
-    /** How old all this was when the row was sent, in milliseconds. */
+    /** Age of the row when it was sent, in milliseconds. */
     public long ageMs() {
         return ageMs;
     }
 
-    /** Whether it is known where the boat goes. */
+    /** Whether the boat's destination is known. */
     public boolean isGoing() {
         return going;
     }

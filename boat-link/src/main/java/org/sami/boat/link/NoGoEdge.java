@@ -6,7 +6,7 @@ import java.io.IOException;
 import org.sami.boat.link.Checks.BadValueException;
 import org.sami.boat.link.LinkException.Fault;
 
-/** A straight piece of the edge of what a boat is not to enter, which lies to starboard of it; one row of {@link NoGoEdges}. */
+/** A straight edge of a no-go area, which lies to starboard of the edge; one row of {@link NoGoEdges}. */
 public final class NoGoEdge {
     private static final int NUMBERS = 4;
 
@@ -15,7 +15,7 @@ public final class NoGoEdge {
     private final double toLatDeg;
     private final double toLonDeg;
 
-    /** A piece between two positions in WGS 84 degrees; a value out of its range is an {@link IllegalArgumentException}. */
+    /** An edge between two positions in WGS 84 degrees; a value out of its range is an {@link IllegalArgumentException}. */
     public NoGoEdge(double fromLatDeg, double fromLonDeg, double toLatDeg, double toLonDeg) {
         this.fromLatDeg = Checks.latitude(fromLatDeg);
         this.fromLonDeg = Checks.longitude(fromLonDeg);

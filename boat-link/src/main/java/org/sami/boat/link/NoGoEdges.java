@@ -9,11 +9,10 @@ import java.util.List;
 import org.sami.boat.link.Checks.BadValueException;
 
 /**
- * The edge of what a boat is not to enter, as far as it is near it, and how far the boat keeps off it: for a boat that leaves its line, as it gives
- * way to others. Part of {@link Traffic}.
+ * The edges of no-go areas near a boat, and the distance that the boat keeps from them when it leaves its path to give way. Part of {@link Traffic}.
  */
 public final class NoGoEdges {
-    /** The most pieces that one message names. */
+    /** Most edges in one message. */
     public static final int MOST_EDGES = 64;
 
     private static final double MOST_KEPT_M = 10_000;
@@ -26,7 +25,7 @@ public final class NoGoEdges {
     /**
      * Edges of checked values; a value out of its range, and too many edges, are an {@link IllegalArgumentException}.
      *
-     * @param keepM how far the boat keeps off them where its line does, in metres, from 0
+     * @param keepM distance that the boat keeps from them where its path does too, in metres, from 0
      */
     public NoGoEdges(double keepM, List<NoGoEdge> edges) {
         this.keepM = Checks.range(KEEP, keepM, 0, MOST_KEPT_M);
@@ -58,12 +57,12 @@ public final class NoGoEdges {
         out.writeEndArray();
     }
 
-    /** How far the boat keeps off the edges where its line does, in metres. */
+    /** Distance that the boat keeps from the edges where its path does too, in metres. */
     public double keepM() {
         return keepM;
     }
 
-    /** The pieces; unmodifiable. */
+    /** The edges; unmodifiable. */
     public List<NoGoEdge> edges() {
         return edges;
     }

@@ -16,7 +16,7 @@ public final class PanoramaReport extends LinkMessage {
      * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
      *
      * @param commandId of the command that asked for them
-     * @param latDeg where the boat took itself to be at the last one
+     * @param latDeg position of the boat at the last picture, by its own estimate
      */
     public PanoramaReport(String commandId, int pictures, double latDeg, double lonDeg) {
         this.commandId = Checks.id("command", commandId);

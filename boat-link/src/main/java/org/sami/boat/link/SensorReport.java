@@ -9,11 +9,10 @@ import java.util.List;
 import org.sami.boat.link.Checks.BadValueException;
 
 /**
- * What one channel of one sensor of the boat measured at a place and a time. Sent to every client, by the sensor's own rate; no
- * reading is sent again.
+ * A reading of one channel of one sensor, with place and time. Sent once to every client, at the sensor's own rate.
  */
 public final class SensorReport extends LinkMessage {
-    /** The most values that one reading has. */
+    /** Most values in one reading. */
     public static final int MAX_VALUES = 64;
 
     static final String TYPE = "reading";
@@ -97,12 +96,12 @@ public final class SensorReport extends LinkMessage {
         return unit;
     }
 
-    /** Where the boat took itself to be: WGS 84 latitude in degrees. */
+    /** Position of the boat by its own estimate: WGS 84 latitude in degrees. */
     public double latDeg() {
         return latDeg;
     }
 
-    /** Where the boat took itself to be: WGS 84 longitude in degrees. */
+    /** Position of the boat by its own estimate: WGS 84 longitude in degrees. */
     public double lonDeg() {
         return lonDeg;
     }

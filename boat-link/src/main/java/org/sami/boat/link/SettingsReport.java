@@ -6,8 +6,8 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * The settings that are in force on the boat. Sent with every welcome, and to all clients after a command has set one of them,
- * behind its answer: so that whoever set it sees what it has come to, and whoever watches sees that it was set.
+ * The settings in force on the boat. Sent with every welcome, and to all clients after the answer to a command that changed one: the sender sees the
+ * result, and observers see the change.
  */
 public final class SettingsReport extends LinkMessage {
     static final String TYPE = "settings";
@@ -23,12 +23,12 @@ public final class SettingsReport extends LinkMessage {
     private final Optional<TrackingError> error;
     private final String stoppedBy;
 
-    /** That of a boat which tells neither its home nor its errors, as older ones do not. */
+    /** The report of an older boat, which sends neither its home nor its errors. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
         this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty(), Optional.empty());
     }
 
-    /** That of a boat whose fleet stop is not latched, or which does not tell by whom, as older ones do not. */
+    /** The report of a boat whose fleet stop is not latched, or of an older one, which does not say who latched it. */
     public SettingsReport(
             Gains heading,
             Gains speed,
@@ -43,7 +43,7 @@ public final class SettingsReport extends LinkMessage {
      * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
      *
      * @param home where the boat returns to, at the speed at which it does
-     * @param error how far it may be beside its lines, if it knows
+     * @param error how far the boat may be off its path, if it knows
      * @param stoppedBy the client that has latched the fleet stop; empty where it is not latched, or not known by whom
      */
     public SettingsReport(

@@ -5,9 +5,9 @@ import java.util.function.LongSupplier;
 /**
  * Milliseconds that never run back, for timeouts at both ends of a link.
  *
- * <p>Made by {@link #ofThisMachine} it counts from zero and knows nothing of the wall clock. Over another source it takes the
- * steps that lead back out: where the source jumps back, this clock goes on from where it was, so that nothing that is timed
- * by it fires early, and late at most by what passed between two readings. Safe for use by several threads.
+ * <p>{@link #ofThisMachine} makes one that counts from zero, independent of the wall clock. Over another source it removes backward jumps: where the source
+ * jumps back, this clock goes on from where it was. A timeout then never fires early, and at most as late as the time between two readings. Safe for
+ * use by several threads.
  */
 public final class SteadyClock implements LongSupplier {
     private final LongSupplier sourceMs;

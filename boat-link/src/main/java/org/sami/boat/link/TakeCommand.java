@@ -4,8 +4,8 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /**
- * A client commands from now on, whoever did before: for a person who knows why. Both get a {@link Welcome} that says what
- * they are now. The boat goes on with what it does.
+ * A client takes the command, whoever had it before: for a person who knows why. The boat sends both a {@link Welcome} with their new roles and goes on
+ * with what it does.
  */
 public final class TakeCommand extends CommandMessage {
     static final String TYPE = "take-command";

@@ -4,11 +4,11 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /**
- * Keep station here, turn once all round, and take pictures at equal turns; told of by {@link PanoramaReport} when it is done. The waypoint
- * list and its progress stay.
+ * Keep station here, turn once all round and take pictures at equal angles; {@link PanoramaReport} reports the end. The waypoint list and its progress
+ * stay.
  */
 public final class TakePanorama extends CommandMessage {
-    /** The most pictures of one turn. */
+    /** Most pictures of one turn. */
     public static final int MAX_PICTURES = 360;
 
     static final String TYPE = "panorama";
@@ -25,7 +25,7 @@ public final class TakePanorama extends CommandMessage {
         return new TakePanorama(in.text("command"), in.index("pictures"));
     }
 
-    /** How many pictures. */
+    /** Number of pictures. */
     public int pictures() {
         return pictures;
     }

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Objects;
 
-/** Where the boat is and what it does. The newest counts; the sequence number of its frame tells which that is. */
+/** Position, motion and mode of the boat. The newest counts, by the sequence number of its frame. */
 public final class Telemetry extends LinkMessage {
     static final String TYPE = "telemetry";
 
@@ -70,7 +70,7 @@ public final class Telemetry extends LinkMessage {
         return batteryPercent;
     }
 
-    /** What the boat does. */
+    /** The boat's mode. */
     public BoatMode mode() {
         return mode;
     }

@@ -4,10 +4,10 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /**
- * Drive by hand: the wished efforts of this moment.
+ * Driving by hand: the efforts asked for at this moment.
  *
- * <p>It is a state and not a command: it has no id and no answer, the newest counts, and an older one that arrives late is
- * dropped by its sequence number. The boat stops its motors when none has come for two seconds.
+ * <p>A state and no command: it has no id and no answer, the newest counts, and the boat drops older ones by their sequence number. The boat stops its
+ * motors when it has received none for two seconds.
  */
 public final class Teleoperate extends LinkMessage {
     static final String TYPE = "teleop";

@@ -3,7 +3,7 @@ package org.sami.boat.link;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
-/** How far a boat may be beside the line that it follows, as far as it knows: its position errs, and the water carries it. */
+/** How far a boat may be off its path, as far as it knows: by the error of its position and by drift. */
 public final class TrackingError {
     private static final double MOST_POSITION_M = 1000;
 

@@ -10,11 +10,11 @@ import java.util.Optional;
 import org.sami.boat.link.Checks.BadValueException;
 
 /**
- * The boats near the one that is told, as the base knows them, so that it gives way, and what it is not to enter as it does. A state and no command: it has no id and no answer. It is
- * sent only to boats whose {@link Welcome} says that they take it.
+ * The boats near the receiving boat, as the base knows them, and the no-go edges near it: what the boat needs to give way. A state and no command: it has no id
+ * and no answer. Sent only to boats whose {@link Welcome} says that they take it.
  */
 public final class Traffic extends LinkMessage {
-    /** The most boats that one message names. */
+    /** Most boats in one message. */
     public static final int MOST_BOATS = 64;
 
     static final String TYPE = "traffic";
@@ -25,7 +25,7 @@ public final class Traffic extends LinkMessage {
     private final List<NearbyBoat> boats;
     private final Optional<NoGoEdges> noGo;
 
-    /** Makes a message to a boat that may go everywhere near by; too many boats are an {@link IllegalArgumentException}. */
+    /** Makes a message to a boat without no-go edges near it; too many boats are an {@link IllegalArgumentException}. */
     public Traffic(List<NearbyBoat> boats) {
         this(boats, Optional.empty());
     }
@@ -33,7 +33,7 @@ public final class Traffic extends LinkMessage {
     /**
      * Makes a message; too many boats are an {@link IllegalArgumentException}.
      *
-     * @param noGo the edge of what the boat that is told is not to enter; empty where there is none near by
+     * @param noGo the no-go edges near the receiving boat; empty where there are none
      */
     public Traffic(List<NearbyBoat> boats, Optional<NoGoEdges> noGo) {
         if (boats.size() > MOST_BOATS) {
@@ -55,12 +55,12 @@ public final class Traffic extends LinkMessage {
         return new Traffic(boats, in.has(NO_GO) ? Optional.of(NoGoEdges.read(in.object(NO_GO))) : Optional.empty());
     }
 
-    /** The boats; unmodifiable. Who is not named is not near, or not known any longer. */
+    /** The boats; unmodifiable. A boat that is not listed is not near, or no longer known. */
     public List<NearbyBoat> boats() {
         return boats;
     }
 
-    /** The edge of what the boat is not to enter; earlier bases do not tell it. */
+    /** The no-go edges near the boat; earlier bases do not send them. */
     public Optional<NoGoEdges> noGo() {
         return noGo;
     }

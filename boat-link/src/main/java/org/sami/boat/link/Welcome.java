@@ -4,7 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Objects;
 
-/** A boat's answer to {@link Hello}: who it is, since which start, and what the client may do. */
+/** A boat's answer to {@link Hello}: its name, its start, and the client's role. */
 public final class Welcome extends LinkMessage {
     static final String TYPE = "welcome";
 
@@ -45,17 +45,17 @@ public final class Welcome extends LinkMessage {
         return boatId;
     }
 
-    /** Names this start of the boat server; another id means that it forgot its list and commands. */
+    /** Names this start of the boat server; another id means that the server has lost its list and commands. */
     public String bootId() {
         return bootId;
     }
 
-    /** What the client is now: an observer, if somebody else commands. */
+    /** The client's role: an observer if another client commands. */
     public Role role() {
         return role;
     }
 
-    /** What a commander names in all that it sends from now on, so that older motion is known as such; empty for observers. */
+    /** The term that a commander names in every frame, so that the boat recognizes older commands; empty for observers. */
     public String term() {
         return term;
     }
@@ -65,7 +65,7 @@ public final class Welcome extends LinkMessage {
         return auth;
     }
 
-    /** Whether the boat gives way to others by {@link Traffic}; earlier servers do not know that message. */
+    /** Whether the boat takes {@link Traffic} to give way; earlier servers do not know that message. */
     public boolean takesTraffic() {
         return takesTraffic;
     }

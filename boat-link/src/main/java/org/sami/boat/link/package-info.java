@@ -4,16 +4,13 @@
  * <p>A frame is a length (four bytes, big endian, of what follows), a version byte, a check value (four bytes) and a body: one JSON
  * object in UTF-8 with {@code type}, {@code seq}, {@code term} and the members of that type. {@link org.sami.boat.link.LinkCodec} writes and reads
  * frames, {@link org.sami.boat.link.FrameReader} cuts them out of a stream, and a
- * {@link org.sami.boat.link.FrameSink} is all that is known of the transport. A reader ignores members that it does not
- * know, so that a newer peer can add some.
+ * {@link org.sami.boat.link.FrameSink} stands for the transport. A reader ignores unknown members, so that a newer peer can add some.
  *
  * <p>Units are SI: metres, metres per second, milliseconds; headings are radians clockwise from true north; positions are
  * WGS 84 latitude and longitude in degrees. Messages are immutable and check their values when they are made.
  *
- * <p>{@link org.sami.boat.link.SteadyClock} is the clock of both ends, {@link
- * org.sami.boat.link.FramePump} what bounds both directions of a link.
+ * <p>{@link org.sami.boat.link.SteadyClock} is the clock of both ends; {@link org.sami.boat.link.FramePump} bounds both directions of a link.
  *
- * <p>Not here: sockets, threads, resending, and what a message makes a boat or a proxy do. Java 8 level, because
- * it runs on the phone on the hull.
+ * <p>Not here: sockets, resending, and how boats and proxies act on messages. Java 8 level, because it runs on the phone in the hull.
  */
 package org.sami.boat.link;

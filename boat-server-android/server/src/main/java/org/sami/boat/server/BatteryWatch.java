@@ -4,23 +4,23 @@ import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Finds the class of the charge: by its thresholds, and critical as well where the charge lasts just for the way home from here. Who turned
- * critical for the way stays so until the battery is charged, or it would be uncritical again as soon as it has turned round.
+ * Classifies the charge: by its thresholds, and as critical where it only just lasts for the way home. A boat that turned critical for its way home stays
+ * critical until its battery is charged; otherwise it would be uncritical again as soon as it turns round.
  */
 final class BatteryWatch {
-    /** So many times the way home: a tenth for a metre that costs more than the mean, a quarter for a current, or a detour that is not known. */
-    static final double RESERVE = 1.4;
+    /** Reserve factor on the way home: a tenth for metres that cost more than the mean, a quarter for a current or an unknown detour. */
+    static final double RESERVE_FACTOR = 1.4;
 
-    /** A charge that rises by so much, in percent of full, did not do so by itself. */
+    /** A rise of the charge by this much, in percent of full, means that the battery was charged. */
     private static final double CHARGED_PERCENT = 5;
 
-    private static final long LOOK_MS = 1000;
+    private static final long PERIOD_MS = 1000;
 
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final WaysHome ways;
     private long lookedMs = Long.MIN_VALUE / 2;
-    private double neededPercent; // for the way home; not a number where the vehicle does not know where it is
+    private double neededPercent; // for the way home; NaN while the vehicle does not know its position
     private double turnedAtPercent = Double.NaN; // while it is critical for the way
 
     BatteryWatch(ServerConfig config, Vehicle vehicle, WaysHome ways) {
@@ -29,11 +29,12 @@ final class BatteryWatch {
         this.ways = ways;
     }
 
-    /** Lets time pass; the way home is measured once a second. */
+    /** Measures the way home once a second. */
     void tick(long nowMs) {
-        if (config.metresPerPercent() > 0 && nowMs - lookedMs >= LOOK_MS) {
+        if (config.metresPerPercent() > 0 && nowMs - lookedMs >= PERIOD_MS) {
             lookedMs = nowMs;
-            neededPercent = RESERVE * ways.lengthM(vehicle.latDeg(), vehicle.lonDeg()) / config.metresPerPercent();
+            neededPercent =
+                    RESERVE_FACTOR * ways.lengthM(vehicle.latDeg(), vehicle.lonDeg()) / config.metresPerPercent();
             look(vehicle.batteryPercent());
         }
     }

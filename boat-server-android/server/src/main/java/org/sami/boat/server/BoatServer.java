@@ -39,15 +39,13 @@ import org.sami.boat.server.vehicle.Vehicle;
  * <p>It has no thread, socket or clock. One thread connects sessions, hands them frames and calls {@link #tick} ten times
  * a second, all with milliseconds of one clock that never runs back; a wall clock will not do.
  *
- * <p>One client commands, others observe. When nothing has come from the commander for the configured time, or its link
- * closes, the boat does what is set for a lost link, in every mode but the latched fleet stop. From a client that was lost it
- * takes nothing but a hello and what only stops it. Regaining the link starts nothing: the boat goes on with that until it
- * gets a command. The command changes hands only by a message that says so
- * ({@link CommandTransfer}), or when a client asks for it in its hello and nobody has it.
+ * <p>One client commands, others observe. When the commander is silent for the configured time, or its link closes, the boat starts its lost-link action,
+ * in every mode except the latched fleet stop. From a lost client it accepts only a hello and commands that stop it. A regained link starts nothing: the
+ * lost-link action goes on until the next command. The command changes hands only by a message for it ({@link CommandTransfer}), or when a client asks
+ * for it in its hello and no other client has it.
  *
- * <p>What is older than a stop moves nothing. On one link the sequence of the frames says what is older. Over all links the term
- * does: each time a client is appointed its welcome names another one, never used before, and what does not name it was sent before
- * the client knew.
+ * <p>Commands older than a stop move nothing. On one link the frames' sequence numbers order them; over all links the term does. Each appointment of a client
+ * has a new term, which its welcome names. A frame with another term was sent before the client had read that welcome.
  */
 public final class BoatServer {
     private static final String OTHER_TERM = "it does not name the term of the last welcome: say hello again";
@@ -68,8 +66,7 @@ public final class BoatServer {
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
-    private String movedBy =
-            ""; // who has set the boat in motion or released it last; empty once it moves for want of a link
+    private String movedBy = ""; // client that set the boat in motion or released it last; empty after a lost link
     private long terms;
     private BatteryLevel reportedLevel;
 
@@ -125,7 +122,7 @@ public final class BoatServer {
         if (report.isPresent()) {
             broadcast(report.get(), nowMs);
         }
-        tellMotion(nowMs);
+        reportMotion(nowMs);
         battery.tick(nowMs);
         if (battery.level() != reportedLevel) {
             reportedLevel = battery.level();
@@ -139,15 +136,15 @@ public final class BoatServer {
         }
     }
 
-    /** While it moves near others, the base is told often enough for them to give way. */
-    private void tellMotion(long nowMs) {
+    /** Reports motion to the base while the boat moves near others, often enough for them to give way. */
+    private void reportMotion(long nowMs) {
         if (hasCommander()
                 && !modes.surroundings().isEmpty()
-                && motion.isLookDue(nowMs)
+                && motion.isCheckDue(nowMs)
                 && knowsWhereItIs()
                 && motion.isNews(modes.mode(), nowMs)
                 && isMovingNearOthers(nowMs)) {
-            commander.get().send(motion.say(modes.mode(), nowMs), nowMs);
+            commander.get().send(motion.report(modes.mode(), nowMs), nowMs);
         }
     }
 
@@ -170,7 +167,7 @@ public final class BoatServer {
         return config.boatId();
     }
 
-    /** Also when a frame comes: a process that stood still has not ticked, and what waited for it is late. */
+    /** Also called for each frame: a process that stood still has not ticked, and frames that waited for it are late. */
     private void watchCommander(long nowMs) {
         if (hasCommander() && commander.get().isSilent(nowMs, config.lostLinkAfterMs())) {
             loseCommander();
@@ -190,10 +187,10 @@ public final class BoatServer {
             teleoperate(session, (Teleoperate) message, frame, nowMs);
         } else if (message instanceof Traffic && isCommander(session)) {
             modes.surroundings().update((Traffic) message, nowMs);
-        } // heartbeats have done their work by arriving; what only boats say is no concern of a boat
+        } // a heartbeat only has to arrive; messages that boats send are ignored
     }
 
-    /** What comes after a lost link may have been under way all the time: only a new hello shows that the client is there. */
+    /** Refuses a frame after a lost link: it may have been under way all the time; only a new hello shows that the client is there. */
     private static void refuseLate(ServerSession session, LinkMessage message, String why, long nowMs) {
         String id = message instanceof CommandMessage ? ((CommandMessage) message).commandId() : "";
         session.send(new Nack(id, NackReason.NOT_GREETED, why), nowMs);
@@ -225,7 +222,7 @@ public final class BoatServer {
         if (hello.role() == Role.COMMANDER && vacant) {
             appoint(session, nowMs);
         } else {
-            if (isCommander(session)) { // it steps down, and nobody has taken over
+            if (isCommander(session)) { // it steps down, and no other client has taken over
                 loseCommander();
                 commander = Optional.empty();
             }
@@ -233,7 +230,7 @@ public final class BoatServer {
         }
     }
 
-    /** From now on this client commands; who did so before observes and is told. The boat goes on with what it does. */
+    /** Appoints a client. The former commander becomes an observer and gets a welcome that says so. The boat goes on with what it does. */
     private void appoint(ServerSession next, long nowMs) {
         Optional<ServerSession> former = commander.filter(session -> session != next);
         boolean goesOn = isCommander(next) && !commanderLost;
@@ -244,7 +241,7 @@ public final class BoatServer {
         introduce(next, Role.COMMANDER, term, nowMs);
     }
 
-    /** Tells a client what it is and what the boat holds. */
+    /** Sends a client its role and the state of the boat. */
     private void introduce(ServerSession session, Role role, String term, long nowMs) {
         session.setRole(role, term);
         session.send(new Welcome(config.boatId(), config.bootId(), role, term, "", true), nowMs);
@@ -260,7 +257,7 @@ public final class BoatServer {
         } else if (!isCommander(session)) {
             NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
             session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
-        } else if (command instanceof ReadBack) { // changes nothing, so each one is answered afresh
+        } else if (command instanceof ReadBack) { // changes nothing, so each one is answered from the present state
             WaypointTrack track = modes.track();
             session.send(new HeldWaypoints(command.commandId(), track.listId(), track.waypoints()), nowMs);
         } else if (known == CommandLedger.Known.REPEATED && !isStopAgain(session, command, frame)) {
@@ -293,7 +290,7 @@ public final class BoatServer {
         }
         transfer.asked().ifPresent(commanding -> commanding.send(new CommandAsked(session.clientId()), nowMs));
         transfer.appointed().ifPresent(next -> appoint(next, nowMs));
-        if (transfer.answer() instanceof Ack) { // a refusal may be otherwise the next time
+        if (transfer.answer() instanceof Ack) { // a refused request may be granted the next time
             ledger.record(session.clientId(), command, transfer.answer());
         }
         if (transfer.appointed().isPresent()) {
@@ -302,7 +299,7 @@ public final class BoatServer {
         return transfer.answer();
     }
 
-    /** Only what changes who commands is written down, and not in masses: clients that observe must not fill the log. */
+    /** Logs a change of commander, up to a limit: observers must not fill the log. */
     private void note(ServerSession session, CommandMessage command, LinkMessage answer, long nowMs) {
         if (limits.takesLine(nowMs)) {
             long leftOut = limits.takeLeftOut();
@@ -317,7 +314,7 @@ public final class BoatServer {
         return commander.isPresent() && commander.get() == session;
     }
 
-    /** What only stops the boat is obeyed however late it comes; keeping station is more than a boat at rest does. */
+    /** Whether a command only stops the boat, which obeys it however late it is. Keeping station does not count for a boat at rest. */
     private boolean isStopping(LinkMessage command) {
         boolean rests = command instanceof HoldPosition && modes.mode() == BoatMode.STOPPED;
         return command instanceof FleetStop || (isStoppingOnly(command) && !rests);
@@ -328,8 +325,8 @@ public final class BoatServer {
     }
 
     /**
-     * Whether a stop that is sent again has to stop the boat again: it moves for somebody else, or for want of a link. What the sender
-     * itself has set in motion since goes on, and a late copy of a frame has done its work.
+     * Whether a repeated stop has to stop the boat again, because it moves for another client or for a lost link. Motion that the sender itself has started
+     * since goes on, and a late copy of a frame does nothing.
      */
     private boolean isStopAgain(ServerSession session, CommandMessage command, Frame frame) {
         boolean latched = modes.mode() == BoatMode.FLEET_STOP;
@@ -387,7 +384,7 @@ public final class BoatServer {
         return new BatteryReport(vehicle.batteryPercent(), battery.level());
     }
 
-    /** Whether there is telemetry to be sent: a phone without a fix has none. */
+    /** Whether the boat has telemetry: a phone without a fix has none. */
     boolean knowsWhereItIs() {
         return !Double.isNaN(vehicle.latDeg() + vehicle.lonDeg() + vehicle.headingRad() + vehicle.speedMps());
     }

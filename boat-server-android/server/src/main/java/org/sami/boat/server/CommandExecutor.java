@@ -22,7 +22,7 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.UploadWaypoints;
 
-/** Executes the commands of the commander, each once, and says how it answers them. */
+/** Executes each command of the commander once, and answers it. */
 final class CommandExecutor {
     private final ServerConfig config;
     private final ModeControl modes;
@@ -39,19 +39,19 @@ final class CommandExecutor {
         return lostLinkAction;
     }
 
-    /** Whether a command sets what {@link #settings} tells. */
+    /** Whether a command changes one of {@link #settings}. */
     static boolean isSetting(CommandMessage command) {
         return command instanceof SetGains
                 || command instanceof SetVelocityMultiplier
                 || command instanceof SetLostLinkAction;
     }
 
-    /** Whether a command latches the fleet stop or releases it: by whom it is latched is told with the settings. */
+    /** Whether a command latches or releases the fleet stop; the settings name who latched it. */
     static boolean isLatch(CommandMessage command) {
         return command instanceof FleetStop || command instanceof FleetRelease;
     }
 
-    /** Whether a command sets a boat in motion, or ends what keeps it from moving. */
+    /** Whether a command starts motion or releases a latched stop. */
     static boolean isMoving(CommandMessage command) {
         return command instanceof StartWaypoints
                 || command instanceof TakePanorama
@@ -59,7 +59,7 @@ final class CommandExecutor {
                 || command instanceof FleetRelease;
     }
 
-    /** What is in force. */
+    /** The settings in force. */
     SettingsReport settings() {
         return new SettingsReport(
                 modes.steering().gains(GainAxis.HEADING),

@@ -10,19 +10,18 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
 
 /**
- * The commands that this boat has had and its answers to them, so that a command that comes again is answered and not executed
- * again. An id counts for one client and one command: what other clients send under it is another command, and what differs under it
- * is none that the boat has had.
+ * The commands that this boat has received, with its answers: a repeated command is answered again and not executed again. An id belongs to one client
+ * and one command. The same id from another client is another command, and other content under a known id is refused.
  *
- * <p>It keeps the newest 4,096 commands, and beside them the newest 4,096 messages about who commands: so a client that only observes
- * makes the boat forget no command.
+ * <p>The ledger keeps the newest 4,096 commands and, separately, the newest 4,096 transfers of the command: no observer can make the boat forget a
+ * command.
  */
 final class CommandLedger {
-    /** What the ledger knows of a command that has come. */
+    /** What the ledger knows of a command. */
     enum Known {
         /** Nothing. */
         NEW,
-        /** The boat has had this very command of this client. */
+        /** The boat has received this command from this client before. */
         REPEATED,
         /** The client has used the id for another command. */
         DIFFERS

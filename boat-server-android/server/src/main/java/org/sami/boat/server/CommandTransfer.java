@@ -10,7 +10,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.TakeCommand;
 
-/** What follows from a client's message about who commands: whom to appoint, whom to ask, what to answer. */
+/** The consequences of a client's request to take, ask for or grant the command: whom to appoint, whom to ask, what to answer. */
 final class CommandTransfer {
     private final LinkMessage answer;
     private final Optional<ServerSession> appointed;
@@ -46,7 +46,7 @@ final class CommandTransfer {
         }
         Optional<ServerSession> next = all.stream()
                 .filter(session -> session != from && session.clientId().equals(grant.clientId()))
-                .reduce((earlier, later) -> later); // a client that came back has an old session beside its new one
+                .reduce((earlier, later) -> later); // a client that came back has an old and a new session
         return next.isPresent()
                 ? new CommandTransfer(new Ack(grant.commandId()), next, Optional.empty())
                 : refused(grant, NackReason.UNKNOWN_CLIENT, "no client " + grant.clientId() + " is linked");
@@ -56,17 +56,17 @@ final class CommandTransfer {
         return new CommandTransfer(CommandExecutor.nack(command, reason, detail), Optional.empty(), Optional.empty());
     }
 
-    /** What the sender is answered. */
+    /** The answer to the sender. */
     LinkMessage answer() {
         return answer;
     }
 
-    /** Who commands from now on; empty if nothing changes. */
+    /** The new commander; empty if nothing changes. */
     Optional<ServerSession> appointed() {
         return appointed;
     }
 
-    /** The commander who is told of the wish. */
+    /** The commander to whom the wish is passed on; empty if there is none. */
     Optional<ServerSession> asked() {
         return asked;
     }

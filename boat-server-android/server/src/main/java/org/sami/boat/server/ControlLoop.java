@@ -22,13 +22,13 @@ final class ControlLoop {
         reset();
     }
 
-    /** Forgets the past, because another target or nobody is steered to now. */
+    /** Resets the loop for another target, or none. */
     void reset() {
         sum = 0;
         started = false;
     }
 
-    /** Forgets what has been learned as far as that keeps up an error. */
+    /** Clears the integral where it keeps up an error. */
     void forgetWhatKeepsUp(double error) {
         if (sum * error < 0) {
             sum = 0;

@@ -4,12 +4,12 @@ import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * How current and wind carry a vehicle, as far as it can tell: the part of its way over ground that its heading does not explain,
- * averaged. Only the part across the heading shows, so the whole is known after a turn.
+ * Estimates how current and wind carry a vehicle: the averaged part of its way over ground that its heading does not explain. Only the part across the
+ * heading can be seen, so the whole drift is known after a turn.
  */
 final class DriftEstimate {
-    private static final double AVERAGED_S = 12; // receivers of positions wander: shorter averages follow their errors
-    private static final double MOST_MPS = 2; // what moves a vehicle faster than that is a jump of its receiver
+    private static final double AVERAGING_S = 12; // position errors wander: a shorter average follows them
+    private static final double MAX_MPS = 2; // faster is a jump of the position receiver
 
     private double eastMps;
     private double northMps;
@@ -17,18 +17,18 @@ final class DriftEstimate {
     private double lastNorthM = Double.NaN;
 
     /**
-     * The vehicle was seen at a position.
+     * Takes a position of the vehicle.
      *
-     * @param eastM in metres of any frame that stays the same until {@link #reset}
+     * @param eastM in metres, in any frame that stays the same until {@link #reset}
      */
     void see(double eastM, double northM, Course heading, double seconds) {
         if (seconds > 0 && !Double.isNaN(lastEastM)) {
             double starboardEast = heading.north();
             double starboardNorth = -heading.east();
             double acrossMps = ((eastM - lastEastM) * starboardEast + (northM - lastNorthM) * starboardNorth) / seconds;
-            double seenMps = Math.max(-MOST_MPS, Math.min(MOST_MPS, acrossMps));
+            double seenMps = Math.max(-MAX_MPS, Math.min(MAX_MPS, acrossMps));
             double knownMps = eastMps * starboardEast + northMps * starboardNorth;
-            double change = (seenMps - knownMps) * Math.min(1, seconds / AVERAGED_S);
+            double change = (seenMps - knownMps) * Math.min(1, seconds / AVERAGING_S);
             eastMps += change * starboardEast;
             northMps += change * starboardNorth;
         }
@@ -36,7 +36,7 @@ final class DriftEstimate {
         lastNorthM = northM;
     }
 
-    /** The next position is one of another frame. */
+    /** The next position is in another frame. */
     void reset() {
         lastEastM = Double.NaN;
         lastNorthM = Double.NaN;
@@ -46,12 +46,12 @@ final class DriftEstimate {
         return PlaneMath.length(eastMps, northMps);
     }
 
-    /** The course in radians straight against it. */
+    /** The course straight against the drift, in radians. */
     double againstRad() {
         return StrictMath.atan2(-eastMps, -northMps);
     }
 
-    /** Heading in radians at which a vehicle of that speed through the water makes good a course; the course where it is too slow. */
+    /** Heading in radians at which a vehicle with this speed through the water makes good a course; the course itself where it is too slow. */
     double headingRad(Course course, double speedMps) {
         double acrossMps = eastMps * course.north() - northMps * course.east(); // to starboard
         double part = Math.max(-0.9, Math.min(0.9, acrossMps / Math.max(speedMps, 1e-3)));

@@ -4,18 +4,18 @@ import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * Guides a vehicle along one leg, the straight line between two waypoints, in line of sight (T. I. Fossen, Handbook of Marine Craft
- * Hydrodynamics and Motion Control, 12.3): it heads for a point of the line that lies ahead of it, against the drift that it sees,
- * and slows down before a corner, so that it turns there and not before.
+ * Guides a vehicle along one leg, the straight line between two waypoints, by line of sight (T. I. Fossen, Handbook of Marine Craft
+ * Hydrodynamics and Motion Control, 12.3): the vehicle heads for a point of the line ahead of it, corrects for drift, and slows down before a corner
+ * instead of cutting it.
  *
  * <p>Coordinates are metres east and north of the leg's end.
  */
 final class LegGuidance {
     private static final double LEAST_LOOKAHEAD_M = 2;
-    // shorter ones swing about the line, as a hull takes a second to turn
+    // shorter look-aheads oscillate about the line: a hull takes a second to turn
     private static final double LOOKAHEAD_S = 2.5;
-    private static final double REACHED_M = 0.4; // this near the end nothing is gained by going on
-    private static final double LEAST_LEG_M = 0.5; // shorter ones have no direction to keep to
+    private static final double REACHED_M = 0.4; // closer to the end is close enough
+    private static final double LEAST_LEG_M = 0.5; // a shorter leg has no direction
 
     private final double alongEast; // unit vector of the leg; zero = straight to its end from wherever it is
     private final double alongNorth;
@@ -41,9 +41,9 @@ final class LegGuidance {
     }
 
     /**
-     * Whether the leg is done: its end is as near as makes no difference, or the vehicle has come past it within the radius.
+     * Whether the leg is done: the vehicle has reached its end, or has passed it within the radius.
      *
-     * @param radiusM how far beside a waypoint a vehicle may pass it
+     * @param radiusM distance in metres at which a vehicle may pass a waypoint
      */
     boolean isDone(double eastM, double northM, double radiusM) {
         double distanceM = PlaneMath.length(eastM, northM);
@@ -56,14 +56,14 @@ final class LegGuidance {
         return -(eastM * alongEast + northM * alongNorth);
     }
 
-    /** Speed at which the vehicle can still slow down for the corner; of the wanted speed at most. */
+    /** The intended speed, or the lower one from which the vehicle can still slow down for the corner. */
     double speedMps(double eastM, double northM, double wantedMps, double driftMps) {
-        double atEnd = endMps + driftMps; // what drifts needs way on to be steered
+        double atEnd = endMps + driftMps; // a drifting vehicle needs speed to steer
         double leftM = Math.max(0, PlaneMath.length(eastM, northM) - REACHED_M);
         return Math.min(wantedMps, Math.sqrt(atEnd * atEnd + 2 * CornerSpeed.BRAKING_MPS2 * leftM));
     }
 
-    /** Course in radians, clockwise from north, that leads onto the leg and along it; once past its end, straight back to that. */
+    /** Course in radians, clockwise from north, onto the leg and along it; past its end, straight back to the end. */
     double courseRad(double eastM, double northM, double speedMps) {
         if (passed || (alongEast == 0 && alongNorth == 0)) {
             return StrictMath.atan2(-eastM, -northM);

@@ -9,11 +9,11 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Drives a vehicle along a waypoint track, leg by leg, on the straight lines between the waypoints and not merely towards them. The
- * first leg begins where the vehicle is when it is told to follow.
+ * Drives a vehicle along a waypoint track, leg by leg, on the straight lines between the waypoints and not only towards them. The first leg begins
+ * where the vehicle is when it starts to follow the track.
  */
 final class PathFollower {
-    private static final double CARRIED_MPS = 0.1; // with less it may be what turning looks like in still water
+    private static final double DRIFT_THRESHOLD_MPS = 0.1; // turning in still water can look like less
     private static final double STANDING_MPS = 0.3;
 
     private final Vehicle vehicle;
@@ -28,7 +28,7 @@ final class PathFollower {
     /**
      * A follower.
      *
-     * @param arrivalRadiusM how far beside a waypoint the vehicle may pass it
+     * @param arrivalRadiusM distance in metres at which the vehicle may pass a waypoint
      */
     PathFollower(Vehicle vehicle, SteeringControl steering, GivingWay givingWay, double arrivalRadiusM) {
         this.vehicle = vehicle;
@@ -37,7 +37,7 @@ final class PathFollower {
         this.arrivalRadiusM = arrivalRadiusM;
     }
 
-    /** Follows a track that is not completed, from where the vehicle is to its target and on. */
+    /** Follows a track that is not completed, from the vehicle's position to its target and on. */
     void follow(WaypointTrack track) {
         begin(track, vehicle.latDeg(), vehicle.lonDeg());
     }
@@ -52,23 +52,23 @@ final class PathFollower {
         drift.reset();
     }
 
-    /** Where the vehicle is to come to. */
+    /** The end of the current leg. */
     LocalFrame end() {
         return end;
     }
 
-    /** Whether the vehicle has come to the track's target; then {@link #goOn} or nothing. */
+    /** Whether the vehicle has reached the track's target; {@link #goOn} may follow. */
     boolean isAtTarget() {
         return leg.isDone(eastM(), northM(), arrivalRadiusM);
     }
 
-    /** The track has got its next target: on from the one that was reached. */
+    /** Begins the leg from the target just reached to the track's next one. */
     void goOn(WaypointTrack track) {
         begin(track, end.originLatDeg(), end.originLonDeg());
     }
 
     /**
-     * Steers for one tick; rests as long as the vehicle does not know where it is or what it does.
+     * Steers for one tick; rests while the vehicle does not know its position, heading or speed.
      *
      * @param multiplier of the speed of the leg
      */
@@ -95,12 +95,12 @@ final class PathFollower {
         }
     }
 
-    /** Whether the vehicle is to stand for others in water that carries it: then it heads against that, since only along its heading it can hold its place. */
+    /** Whether the vehicle waits for others in a current. It then heads into the current: it can only hold its place along its heading. */
     private boolean waits(CourseAndSpeed chosen) {
         return chosen.speedMps() == 0
                 && givingWay.isGivingWay()
                 && !givingWay.isTurning()
-                && drift.speedMps() > CARRIED_MPS
+                && drift.speedMps() > DRIFT_THRESHOLD_MPS
                 && Math.abs(vehicle.speedMps()) < STANDING_MPS;
     }
 

@@ -7,7 +7,7 @@ import org.sami.boat.link.SensorReport;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 
-/** Reads the sensors of a vehicle, each by its own rate, and says where and when that was. */
+/** Reads the sensors of a vehicle, each at its own rate, with place and time. */
 final class SensorWatch {
     private final Vehicle vehicle;
     private final List<Slot> slots = new ArrayList<>();
@@ -17,7 +17,7 @@ final class SensorWatch {
         vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
     }
 
-    /** Whether one of them is to be read. */
+    /** Whether a sensor is due. */
     boolean areDue(long nowMs) {
         for (Slot slot : slots) {
             if (nowMs >= slot.dueMs) {
@@ -27,7 +27,7 @@ final class SensorWatch {
         return false;
     }
 
-    /** Reads what is due. A sensor that fails is asked again when it is due again, and keeps no other from being read. */
+    /** Reads the sensors that are due. A sensor that fails is read again when it is next due, and does not stop the others. */
     void tick(long nowMs, Consumer<SensorReport> reports) {
         RuntimeException failure = null;
         for (Slot slot : slots) {
@@ -57,7 +57,7 @@ final class SensorWatch {
         return !Double.isNaN(value) && !Double.isInfinite(value);
     }
 
-    /** A sensor and when it is to be read. */
+    /** A sensor and its next reading. */
     private static final class Slot {
         private final Sensor sensor;
         private long dueMs = Long.MIN_VALUE;

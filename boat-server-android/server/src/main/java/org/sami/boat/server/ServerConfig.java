@@ -7,8 +7,8 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.TrackingError;
 
 /**
- * What is set for one boat before its server starts. Immutable; {@link Builder} refuses nonsense and says the value that it
- * got. All of it holds until the server ends, but for the gains and the lost-link action, which commands can change.
+ * The configuration of one boat's server. Immutable; {@link Builder} refuses values out of range and names them. Everything holds until the server ends,
+ * except the gains and the lost-link action, which commands can change.
  */
 public final class ServerConfig {
     private final String boatId;
@@ -74,7 +74,7 @@ public final class ServerConfig {
         return returnSpeedMps;
     }
 
-    /** A waypoint that the boat has come past is reached at this distance in metres; so is home. Before it the boat goes on to it. */
+    /** Distance in metres at which a waypoint counts as reached once the boat has passed it, and at which home does. */
     public double arrivalRadiusM() {
         return arrivalRadiusM;
     }
@@ -99,7 +99,7 @@ public final class ServerConfig {
         return lostLinkAfterMs;
     }
 
-    /** What the boat then does, at the start. */
+    /** What the boat does when the link is lost, at the start. */
     public LostLinkAction lostLinkAction() {
         return lostLinkAction;
     }
@@ -109,7 +109,7 @@ public final class ServerConfig {
         return deadmanMs;
     }
 
-    /** Telemetry messages a second for a client that leaves it to the boat. */
+    /** Telemetry messages a second for a client that names no rate. */
     public double telemetryHz() {
         return telemetryHz;
     }
@@ -124,7 +124,7 @@ public final class ServerConfig {
         return criticalBatteryPercent;
     }
 
-    /** How far one percent of charge takes the boat on the average, in metres; 0 where that is not known. */
+    /** Mean distance on one percent of charge, in metres; 0 where unknown. */
     public double metresPerPercent() {
         return metresPerPercent;
     }
@@ -134,7 +134,7 @@ public final class ServerConfig {
         return maxWaypoints;
     }
 
-    /** How far the boat may be beside its lines; empty where that is not known. */
+    /** How far the boat may be off its path; empty where unknown. */
     public Optional<TrackingError> trackingError() {
         return trackingError;
     }
@@ -235,8 +235,7 @@ public final class ServerConfig {
         }
 
         /**
-         * How far one percent of charge takes the boat on the average, in metres. From then on its battery is critical as well when it holds no more
-         * than the way home from where the boat is.
+         * Mean distance on one percent of charge, in metres. With it the battery is also critical when its charge only just lasts for the way home.
          */
         public Builder metresPerPercent(double value) {
             metresPerPercent = positive("way for a percent of charge", value);
@@ -249,7 +248,7 @@ public final class ServerConfig {
             return this;
         }
 
-        /** How far the boat may be beside its lines: bases plan with it. */
+        /** How far the boat may be off its path: bases plan with it. */
         public Builder trackingError(TrackingError value) {
             trackingError = Optional.of(value);
             return this;

@@ -16,8 +16,8 @@ import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
 
 /**
- * The boat's side of one client's link. Its host hands it what arrives and says when the link has closed; both on the
- * thread that ticks the server.
+ * The boat's side of one client's link. Its host passes it the frames that arrive and reports when the link has closed, on the thread that ticks the
+ * server.
  */
 public final class ServerSession {
     private static final long TICK_MS = 100;
@@ -45,7 +45,7 @@ public final class ServerSession {
         this.toClient = toClient;
     }
 
-    /** Takes one whole frame from the client. What cannot be read is counted and, where it names a command, refused. */
+    /** Takes one whole frame from the client. An unreadable frame is counted and, where it names a command, refused. */
     public void receive(byte[] frame, long nowMs) {
         if (takesNothing()) {
             return;
@@ -75,7 +75,7 @@ public final class ServerSession {
         return !open || dismissal.isPresent();
     }
 
-    /** Said in the client's own frames, which it can read, and in those of this version, of which it can tell the version. */
+    /** Answers in the client's own frames, which it can read, and in those of this version, whose version it can read. */
     private void refuseVersion(int version, long nowMs) {
         String both = "link version " + version + ", this boat version " + LinkCodec.VERSION;
         String reason = "the base speaks " + both + ": bring both to the same version";
@@ -83,23 +83,23 @@ public final class ServerSession {
         dismiss(reason, "it speaks " + both, nowMs);
     }
 
-    /** The boat wants no more of this client: tells it so, and the host why it is to be dropped once that has left. */
+    /** Dismisses this client: sends it a goodbye, and lets the host drop it once that has left. */
     private void dismiss(String reason, String why, long nowMs) {
         send(new Goodbye(server.boatId(), reason), nowMs);
         dismissal = Optional.of(why);
     }
 
-    /** Tells the client that it is turned away, for a reason in words; its host then drops it. */
+    /** Turns the client away with a reason; its host then drops it. */
     public void turnAway(String reason, long nowMs) {
         dismiss(reason, reason, nowMs);
     }
 
-    /** Why the client is to be dropped, once what it was sent has left; empty if it is not. */
+    /** Why the host drops the client once its last message has left; empty for a client that stays. */
     public Optional<String> dismissal() {
         return dismissal;
     }
 
-    /** The link has closed. If this was the commander's, the boat does at once what is set for a lost link. */
+    /** The link has closed. If it was the commander's, the boat's lost-link action starts at once. */
     public void closed(long nowMs) {
         if (open) {
             open = false;
@@ -107,12 +107,12 @@ public final class ServerSession {
         }
     }
 
-    /** What the client is, or empty before its hello. */
+    /** The client's role; empty before its hello. */
     public Optional<Role> role() {
         return role;
     }
 
-    /** How many frames of this client could not be read. */
+    /** Number of unreadable frames of this client. */
     public long refusedFrames() {
         return refusedFrames;
     }
@@ -122,12 +122,12 @@ public final class ServerSession {
         return clientId;
     }
 
-    /** Whether the client has asked to command in its newest hello, whatever it was granted. */
+    /** Whether the client asked to command in its newest hello, granted or not. */
     public boolean wishesToCommand() {
         return wishesToCommand;
     }
 
-    /** For how long nothing that could be read has come from the client, in ms; for one that never spoke, since the clock began. */
+    /** Time since the client's last readable frame, in ms; since the clock began for a client that has sent none. */
     public long silentForMs(long nowMs) {
         return nowMs - lastReceivedMs;
     }
@@ -142,7 +142,7 @@ public final class ServerSession {
         term = newTerm;
     }
 
-    /** What a client that commands has to name, so that it is known to have read its welcome; empty for all others. */
+    /** The term that a commanding client has to name, as proof that it has read its welcome; empty for all others. */
     String term() {
         return term;
     }
@@ -155,17 +155,17 @@ public final class ServerSession {
         wishesToCommand = hello.role() == Role.COMMANDER;
     }
 
-    /** Whether nothing has come for so long that the client counts as lost. */
+    /** Whether the client has been silent for so long that it counts as lost. */
     boolean isSilent(long nowMs, long afterMs) {
         return silentForMs(nowMs) > afterMs;
     }
 
-    /** Whether something was sent before another command or setting by hand of this client that has already been executed. */
+    /** Whether a frame was sent before a command or hand setting of this client that has already been executed. */
     boolean isOvertaken(Frame frame) {
         return frame.sequence() <= newestExecuted;
     }
 
-    /** Whether something was sent before the client had read the welcome by which it commands now. */
+    /** Whether a frame was sent before the client had read the welcome of its present term. */
     boolean isOfAnotherTerm(Frame frame) {
         return !frame.term().equals(term);
     }
@@ -195,7 +195,7 @@ public final class ServerSession {
         }
     }
 
-    /** After its first telemetry a boat sends it at times that follow from its name, as those of a fleet that is greeted in one moment would all come at once. */
+    /** The next time for telemetry, offset by the boat's name: otherwise a fleet that is greeted at once would send all of it at once. */
     private long nextOfItsOwn(long nowMs) {
         long sinceOwnMs = Math.floorMod(nowMs - TICK_MS * server.boatId().hashCode(), telemetryPeriodMs);
         return nowMs + telemetryPeriodMs - sinceOwnMs;

@@ -7,12 +7,12 @@ import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Vehicle;
 
-/** Drives a boat that keeps a station back to it, or aside, but for others. For the thread that ticks the server. */
+/** Drives a boat that keeps a station back to it, or aside, and gives way to others meanwhile. For the thread that ticks the server. */
 final class StationDrive {
-    /** Until a boat that lies still and has no room to move looks for room again: it has time, and many lie near others for long. */
-    private static final long STANDS_MS = 500;
+    /** How long a boat that lies still without room waits before it looks for room again: boats near others lie still for long. */
+    private static final long RETRY_MS = 500;
 
-    private static final double STILL_MPS = 0.05; // with more, current or wind carry it to where there may be room
+    private static final double STILL_MPS = 0.05; // faster, current or wind carry it to where there may be room
 
     private final Vehicle vehicle;
     private final SteeringControl steering;
@@ -27,12 +27,12 @@ final class StationDrive {
         this.givingWay = givingWay;
     }
 
-    /** From now on the boat keeps another station. */
+    /** The boat keeps another station from now on. */
     void begin() {
         stands = false;
     }
 
-    /** Drives straight to a target for one tick; rests as long as the vehicle does not know where it is or what it does. */
+    /** Drives straight to a target for one tick; rests while the vehicle does not know its position, heading or speed. */
     void drive(LocalFrame to, double speedMps, long nowMs, double seconds) {
         double courseRad = steering.courseRad(to);
         if (Double.isNaN(courseRad + vehicle.headingRad() + vehicle.speedMps())) {
@@ -40,7 +40,7 @@ final class StationDrive {
             return;
         }
         long stoodMs = stands ? nowMs - standsSinceMs : 0;
-        if (stands && stoodMs < STANDS_MS) {
+        if (stands && stoodMs < RETRY_MS) {
             steering.steerAlong(standsRad, 0, seconds);
             return;
         }

@@ -7,22 +7,22 @@ import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Steers the vehicle along a heading: heading by one loop, speed by feed-forward and another. Steering goes before
- * thrust, and the boat slows down while it points elsewhere, so that it turns on the spot rather than circle a target.
+ * Steers the vehicle along a heading: one loop for the heading, feed-forward and a second loop for the speed. Steering has priority over thrust, and the
+ * boat slows down while it points elsewhere, so that it turns on the spot instead of circling a target.
  *
- * <p>The integral of the speed loop is to learn what current and wear take, and nothing else: not that a boat needs time to get up to speed, nor that its
- * steering has taken the thrust. Of that, a boat that is to stand keeps what holds it back.
+ * <p>The integral of the speed loop compensates current and wear only. It does not integrate while the boat accelerates or while steering uses the thrust.
+ * When the boat has to stand, it keeps the part of the integral that slows it down.
  */
 final class SteeringControl {
-    /** What a boat lacks more than that of its speed, it lacks because it needs time. */
-    private static final double LEARNING_MPS = 0.6;
+    /** Largest lack of speed that is integrated, in m/s: with more, the boat is still accelerating. */
+    private static final double INTEGRATED_LACK_MPS = 0.6;
 
     private final Vehicle vehicle;
     private final double fullThrustSpeedMps;
     private final ControlLoop heading;
     private final ControlLoop speed;
-    private boolean hadThrust = true; // that it was given last, all of it
-    private boolean stands; // is to
+    private boolean hadThrust = true; // the motors gave all the thrust that was asked for last
+    private boolean stands; // has to stand
 
     SteeringControl(Vehicle vehicle, ServerConfig config) {
         this.vehicle = vehicle;
@@ -31,7 +31,7 @@ final class SteeringControl {
         speed = new ControlLoop(config.speedGains());
     }
 
-    /** The loop's gains from now on; it forgets the past. */
+    /** Sets the gains of a loop, which is reset. */
     void setGains(GainAxis axis, Gains gains) {
         loop(axis).setGains(gains);
     }
@@ -49,7 +49,7 @@ final class SteeringControl {
         return target.distanceM(vehicle.latDeg(), vehicle.lonDeg());
     }
 
-    /** Course in radians, clockwise from north, to a target; not a number as long as the vehicle does not know where it is. */
+    /** Course to a target in radians, clockwise from north; NaN while the vehicle does not know its position. */
     double courseRad(LocalFrame target) {
         double eastM = target.eastM(vehicle.latDeg(), vehicle.lonDeg());
         double northM = target.northM(vehicle.latDeg(), vehicle.lonDeg());
@@ -57,20 +57,19 @@ final class SteeringControl {
     }
 
     /**
-     * Steers a heading in radians, clockwise from north, for one tick; rests as long as the vehicle does not know where it is or what it
-     * does.
+     * Steers a heading in radians, clockwise from north, for one tick; rests while the vehicle does not know its position, heading or speed.
      *
-     * @param speedMps along that heading; 0 = it is to stand, as far as the motors can have it so
+     * @param speedMps along that heading; at 0 the motors hold the vehicle as well as they can
      */
     void steerAlong(double headingRad, double speedMps, double seconds) {
         steer(headingRad, speedMps, 0, seconds);
     }
 
     /**
-     * Has the vehicle hold its place for one tick by heading against what carries it.
+     * Holds the vehicle's place for one tick by heading into the drift.
      *
-     * @param headingRad against it, in radians
-     * @param driftMps how fast it carries the vehicle, as far as that is known; what more it is, shows in the speed
+     * @param headingRad against the drift, in radians
+     * @param driftMps known speed of the drift; the speed loop compensates the rest
      */
     void holdAgainst(double headingRad, double driftMps, double seconds) {
         steer(headingRad, 0, Math.max(0, driftMps - vehicle.speedMps()), seconds);
@@ -89,13 +88,13 @@ final class SteeringControl {
             speed.forgetWhatKeepsUp(lackMps);
         }
         stands = speedMps == 0;
-        double learningS = hadThrust && Math.abs(lackMps) < LEARNING_MPS ? seconds : 0;
+        double integratedS = hadThrust && Math.abs(lackMps) < INTEGRATED_LACK_MPS ? seconds : 0;
         double throughMps = wantedMps + driftMps * ahead;
-        double thrust = throughMps / fullThrustSpeedMps + speed.effort(lackMps, learningS);
+        double thrust = throughMps / fullThrustSpeedMps + speed.effort(lackMps, integratedS);
         drive(thrust, heading.effort(error, seconds));
     }
 
-    /** Sets the motors for efforts ahead and to starboard; what both cannot have, steering gets. */
+    /** Sets the motors for efforts ahead and to starboard; where they exceed what the motors give, steering has priority. */
     void drive(double thrust, double rudder) {
         double room = 1 - Math.abs(rudder);
         double ahead = Math.max(-room, Math.min(room, thrust));
@@ -103,7 +102,7 @@ final class SteeringControl {
         vehicle.setMotors(ahead + rudder, ahead - rudder);
     }
 
-    /** Motors to zero; the loops forget. */
+    /** Stops the motors and resets the loops. */
     void rest() {
         vehicle.setMotors(0, 0);
         heading.reset();

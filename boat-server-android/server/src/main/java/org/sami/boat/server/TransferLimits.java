@@ -3,8 +3,8 @@ package org.sami.boat.server;
 import org.sami.boat.link.RateLimit;
 
 /**
- * How much clients that do not command can make the boat say and write down: so that no observer fills the commander's link or the boat's
- * log. Taking the command is never limited, only its line in the log. For the thread that drives the boat.
+ * Limits what observers can make the boat send and log, so that none fills the commander's link or the boat's log. Taking the command is never limited,
+ * only its line in the log. For the thread that drives the boat.
  */
 final class TransferLimits {
     private static final double WISHES_PER_SECOND = 2;
@@ -16,24 +16,24 @@ final class TransferLimits {
     private final RateLimit lines = new RateLimit(LINES_PER_SECOND, LINES_AT_ONCE);
     private long leftOut;
 
-    /** Of one client. */
+    /** The limit of one client. */
     static RateLimit wishesOfOne() {
         return new RateLimit(0.2, 3);
     }
 
-    /** Whether a client's wish to command is to be passed on. */
+    /** Whether to pass on a client's wish to command. */
     boolean takesWish(RateLimit ofClient, long nowMs) {
         return ofClient.take(nowMs) && wishes.take(nowMs);
     }
 
-    /** Whether a change of who commands is to be written down; what is not is counted. */
+    /** Whether to log a change of commander; the others are counted. */
     boolean takesLine(long nowMs) {
         boolean takes = lines.take(nowMs);
         leftOut += takes ? 0 : 1;
         return takes;
     }
 
-    /** How many were not written down since this was asked last. */
+    /** Number of changes not logged since the last call. */
     long takeLeftOut() {
         long count = leftOut;
         leftOut = 0;

@@ -5,7 +5,7 @@ import java.util.List;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.Waypoint;
 
-/** The waypoint list that the boat holds, and how far it is along it. */
+/** The boat's waypoint list and its progress along it. */
 final class WaypointTrack {
     static final WaypointTrack NONE = new WaypointTrack("", Collections.emptyList());
 
@@ -41,7 +41,7 @@ final class WaypointTrack {
         return next;
     }
 
-    /** The waypoints ahead but for the last one. */
+    /** The waypoints ahead, without the last one. */
     List<Waypoint> turnsAhead() {
         int end = waypoints.size() - 1;
         return waypoints.subList(Math.min(next, end), end);
@@ -52,12 +52,12 @@ final class WaypointTrack {
         return waypoints.get(next);
     }
 
-    /** Whether so many waypoints after that there is another. */
+    /** Whether there is a waypoint {@code count} places after the target. */
     boolean hasAfterTarget(int count) {
         return next + count < waypoints.size();
     }
 
-    /** The waypoint so many after the one to head for. */
+    /** The waypoint {@code count} places after the target. */
     Waypoint afterTarget(int count) {
         return waypoints.get(next + count);
     }
@@ -70,7 +70,7 @@ final class WaypointTrack {
         startAt(next + 1);
     }
 
-    /** Whether this is what a report said. */
+    /** Whether a report states exactly this progress. */
     boolean isAt(Progress report) {
         return listId.equals(report.listId()) && next == report.nextIndex() && completed == report.completed();
     }

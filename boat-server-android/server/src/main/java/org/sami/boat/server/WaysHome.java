@@ -8,8 +8,7 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
- * The ways on which the boat comes home from where it is: those that its base has sent for the leg that it drives or drove last, and what is
- * left of the one that it is on. Where there is none, the straight one.
+ * The boat's ways home: those that its base has sent for the current or last leg, and the rest of the one that it is on. Without any, the straight way.
  */
 final class WaysHome {
     private final LocalFrame home;
@@ -21,14 +20,14 @@ final class WaysHome {
         this.home = home;
     }
 
-    /** Takes those of the list that the boat holds. */
+    /** Takes the ways home for the boat's waypoint list. */
     void set(SetWaysHome ways, int leg) {
         listId = ways.listId();
         ofLegs = ways.ways();
         driveLeg(leg);
     }
 
-    /** A list is started; the ways of another one are over. */
+    /** A list starts; ways of another list are dropped. */
     void start(String startedListId, int leg) {
         if (!startedListId.equals(listId)) {
             listId = "";
@@ -37,7 +36,7 @@ final class WaysHome {
         driveLeg(leg);
     }
 
-    /** The boat drives the leg to that waypoint of the list that was started. */
+    /** The boat drives the leg to this waypoint of the started list. */
     void driveLeg(int leg) {
         if (ofLegs.isEmpty()) {
             fromHere = Collections.emptyList();
@@ -46,7 +45,7 @@ final class WaysHome {
         }
     }
 
-    /** The boat is on its way home, and these turns are still ahead of it. */
+    /** The boat is on its way home and still has these turns ahead. */
     void goOn(List<Waypoint> turns) {
         fromHere = Collections.singletonList(turns);
     }
@@ -65,7 +64,7 @@ final class WaysHome {
         return shortest;
     }
 
-    /** Metres of that way; not a number where the position is none. */
+    /** Length of that way in metres; NaN for an unknown position. */
     double lengthM(double latDeg, double lonDeg) {
         return lengthM(turns(latDeg, lonDeg), latDeg, lonDeg);
     }

@@ -23,12 +23,11 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.server.ServerLog;
 
 /**
- * A boat's log as a text file of one line a command, added to for ever, start after start. Each line is handed to the operating
- * system before the boat's answer leaves, so that the death of the process loses none that was answered; a line that was cut off
- * is taken away at the next opening. It does not survive a loss of power in the last seconds.
+ * A boat's log as a text file with one line for each command, appended to over all starts. The operating system gets each line before the boat's answer
+ * leaves, so that the death of the process loses no answered command; a line that was cut off is removed at the next opening. A loss of power can lose
+ * the last seconds.
  *
- * <p>A file that cannot be written does not stop the boat: the fault is told, once, and the boat goes on without a log. For the
- * thread that drives the boat.
+ * <p>A file that cannot be written does not stop the boat: it reports the fault once and goes on without a log. For the thread that drives the boat.
  */
 public final class CommandLogFile implements ServerLog, Closeable {
     private static final Set<PosixFilePermission> OWNERS =
@@ -50,11 +49,11 @@ public final class CommandLogFile implements ServerLog, Closeable {
     }
 
     /**
-     * Opens a boat's log, or makes it; tells what is in it and adds the start of this server.
+     * Opens or creates a boat's log, reads its entries and adds the start of this server.
      *
      * @param bootId names this start
-     * @param earlier gets every entry of the earlier starts, in order
-     * @param onFault is told when the log can no longer be written
+     * @param earlier receives every entry of the earlier starts, in order
+     * @param onFault receives the fault when the log can no longer be written
      * @throws IOException if the file cannot be read or written, is no boat's log, or another process writes it
      */
     public static CommandLogFile open(
@@ -86,7 +85,7 @@ public final class CommandLogFile implements ServerLog, Closeable {
             try {
                 posix.setPermissions(OWNERS);
             } catch (IOException others) {
-                // it is somebody else's file, who says who reads it
+                // another user's file, whose permissions are not ours to change
             }
         }
         return new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS)};

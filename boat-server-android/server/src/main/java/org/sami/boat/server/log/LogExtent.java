@@ -10,7 +10,7 @@ public final class LogExtent {
         this.unreadLines = unreadLines;
     }
 
-    /** The length in bytes up to the end of the last whole line; what stands behind it was cut off. */
+    /** The length in bytes up to the end of the last whole line; anything after it is a line that was cut off. */
     public long wholeBytes() {
         return wholeBytes;
     }

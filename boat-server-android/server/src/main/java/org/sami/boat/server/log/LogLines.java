@@ -20,9 +20,9 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 
 /**
- * The lines of a boat's log: a checksum of the rest of the line, the boat's time, the start of the server, the bodies of the
- * command and of its answer as they are on the link, and the client's name as in an address of the web, between tabs. A line without
- * bodies tells of a start, or of what was left out; lines of earlier versions name no client.
+ * The lines of a boat's log. Their parts, divided by tabs, are a checksum of the rest of the line, the boat's time, the start of the server, the bodies of
+ * the command and its answer as on the link, and the client's name in URL encoding. A line without bodies records a start, or how many lines were left
+ * out; lines of earlier versions name no client.
  */
 public final class LogLines {
     private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
@@ -30,7 +30,7 @@ public final class LogLines {
     private LogLines() {}
 
     /**
-     * Reads a log; lines that say nothing are counted and passed over.
+     * Reads a log; damaged lines are counted and skipped.
      *
      * @throws IOException if the file cannot be read, or is something else than a boat's log
      */
@@ -68,7 +68,7 @@ public final class LogLines {
         return checked("0\t" + bootId);
     }
 
-    /** A line of changes of who commands that were too many to be written. */
+    /** A line that counts changes of commander which were left out. */
     static String leftOut(String bootId, long timeMs, long count) {
         return checked(timeMs + "\t" + bootId + "\tleft out: " + count);
     }

@@ -4,7 +4,7 @@ import java.util.Objects;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 
-/** One entry of a boat's log: a command that the boat executed or refused, whose it was, and how it was answered. */
+/** One entry of a boat's log: a command that the boat executed or refused, its client and its answer. */
 public final class LoggedCommand {
     private final String bootId;
     private final long timeMs;
@@ -26,7 +26,7 @@ public final class LoggedCommand {
         return bootId;
     }
 
-    /** The boat's clock in ms, which begins anew with each start. */
+    /** The boat's clock in ms, which begins at zero with each start. */
     public long timeMs() {
         return timeMs;
     }
@@ -36,7 +36,7 @@ public final class LoggedCommand {
         return clientId;
     }
 
-    /** What the boat was told. */
+    /** The command. */
     public CommandMessage command() {
         return command;
     }

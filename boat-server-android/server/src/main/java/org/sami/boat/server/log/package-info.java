@@ -1,7 +1,7 @@
 /**
- * The boat's own log on its disk: what it has executed and answered, and in which start of its server.
+ * The boat's own log on its disk: the commands it has executed, its answers, and the starts of its server.
  *
- * <p>Here belongs how that is written and read back. What the boat takes back of it after a restart is the matter of {@link
- * org.sami.boat.server.BoatServer#restore}. Java 8 level.
+ * <p>Here: writing and reading it. What the boat restores from it after a restart is decided by {@link org.sami.boat.server.BoatServer#restore}. Java 8
+ * level.
  */
 package org.sami.boat.server.log;

@@ -43,22 +43,22 @@ final class Client {
         session.closed(nowMs);
     }
 
-    /** Whether it is overdue to say who it is. */
+    /** Whether its greeting is overdue. */
     boolean isOverdue(long nowMs, long helloWithinMs) {
         return !isGreeted() && nowMs - sinceMs > helloWithinMs;
     }
 
-    /** Whether the boat knows who it is. */
+    /** Whether it has greeted. */
     boolean isGreeted() {
         return session.role().isPresent();
     }
 
-    /** Whether it has been greeted for so long. */
+    /** Whether its greeting is at least this long ago. */
     boolean isGreetedFor(long nowMs, long millis) {
         return isGreeted() && nowMs - greetedMs >= millis;
     }
 
-    /** Whether it commands the boat, as far as the boat hears it. */
+    /** Whether it commands the boat and is heard. */
     boolean commands() {
         return session.role().filter(role -> role == Role.COMMANDER).isPresent();
     }
@@ -73,17 +73,17 @@ final class Client {
         return session.silentForMs(nowMs);
     }
 
-    /** Whether it has been told to go. */
+    /** Whether it has been dismissed. */
     boolean isLeaving() {
         return session.dismissal().isPresent();
     }
 
-    /** Tells it to go; what that says leaves before the connection is closed. */
+    /** Dismisses it; the goodbye leaves before the connection is closed. */
     void turnAway(String reason, long nowMs) {
         session.turnAway(reason, nowMs);
     }
 
-    /** Closes the connection of a client that was told to go. */
+    /** Closes the connection of a dismissed client. */
     void closeIfLeaving() {
         session.dismissal().ifPresent(connection::close);
     }

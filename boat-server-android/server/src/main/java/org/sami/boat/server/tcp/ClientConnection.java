@@ -9,13 +9,13 @@ import org.sami.boat.link.FrameThreads;
 import org.sami.boat.link.LinkException;
 
 /**
- * One client's socket, with a thread that reads and one that writes. What the boat sends waits in a bounded queue: the boat
- * never waits for a client. What the client sends is handed on as long as the boat keeps up; then the client waits.
+ * One client's socket, with a reading and a writing thread. The boat's messages wait in a bounded queue: the boat never waits for a client. The client's
+ * frames are passed on while the boat keeps up; otherwise the client waits.
  */
 final class ClientConnection implements FrameSink {
     private static final int SEND_BUFFER_BYTES = 64 << 10; // so that it is the pump that shows how slow a client is
 
-    /** Where a connection hands what happens; called on the connection's threads. */
+    /** Receives the events of a connection, on the connection's threads. */
     interface Owner {
         /** A whole frame has come; {@code done} is to be run once the boat has taken it. */
         void arrived(ClientConnection from, byte[] frame, Runnable done);

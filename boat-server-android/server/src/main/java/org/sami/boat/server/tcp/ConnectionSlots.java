@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * Who has to go where more clients come than a boat serves. Never the one who commands; first those from whom nothing comes any
- * longer, the longest silent before the others; then those who came last and only observe; and at last, of many who wish to command, the
- * longest silent. So a client that wishes to command always finds a place.
+ * Decides which clients to drop where more connect than a boat serves. The commander is never dropped. Silent clients go first, the longest silent before the
+ * others; then the newest observers; and last, of many clients that ask to command, the longest silent. So a client that asks to command always finds
+ * a place.
  *
- * <p>Clients beyond the places may stay for a moment: a base observes until it knows which boat it has found, and only then says
- * that it wishes to command. For the boat's thread.
+ * <p>Clients beyond the limit may stay for a moment: a base observes until it knows which boat it has found, and asks to command only then. For the boat's
+ * thread.
  */
 final class ConnectionSlots {
     private static final long DEAD_AFTER_MS = 3500;
@@ -26,19 +26,19 @@ final class ConnectionSlots {
         this.places = places;
     }
 
-    /** How many may be connected at a time, with those who have not said who they are or what they wish. */
+    /** Most connections at a time, with those of clients that have not greeted yet. */
     int withWaiting() {
         return places + WAITING;
     }
 
-    /** Has those go who are too many now. */
+    /** Drops the clients beyond the limit. */
     void clear(Collection<Client> clients, long nowMs) {
         for (Optional<Client> next = surplus(clients, nowMs); next.isPresent(); next = surplus(clients, nowMs)) {
             next.get().turnAway("the boat serves " + places + " clients, and another one needs the place", nowMs);
         }
     }
 
-    /** Drops one, so that another one can be heard: who has said nothing for longest, else who would have to go next. */
+    /** Drops one client to make room for a new one: the longest without a greeting, otherwise the next in order. */
     void makeRoom(Collection<Client> clients, long nowMs) {
         Optional<Client> stranger = clients.stream()
                 .filter(client -> !client.isGreeted())

@@ -25,11 +25,11 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatServer;
 
 /**
- * One boat on a TCP port: accepts clients, has their frames and the ticks run on one thread of its own, and drops whoever
- * connects in numbers, says nothing or does not read.
+ * One boat on a TCP port: it accepts clients, handles their frames and the ticks on one thread of its own, and drops clients that are too many, send no
+ * greeting or do not read.
  *
- * <p>The {@link BoatServer} belongs to that thread from {@link #start} to the end of {@link #close}; nobody else may touch it
- * meanwhile. Safe for use by several threads.
+ * <p>The {@link BoatServer} belongs to that thread from {@link #start} to the end of {@link #close}; no other thread may use it meanwhile. Safe for use by
+ * several threads.
  */
 public final class TcpBoatServer implements Closeable {
     private static final long STOP_MS = 5000;
@@ -55,7 +55,7 @@ public final class TcpBoatServer implements Closeable {
      * A server that does not listen yet.
      *
      * @param name of the boat, for the names of threads
-     * @param clock what all timeouts of the boat are counted by
+     * @param clock for all timeouts of the boat
      * @param beforeTick called with the time in ms before each tick, on the boat's thread: a simulated hull moves there
      */
     public TcpBoatServer(
@@ -223,7 +223,7 @@ public final class TcpBoatServer implements Closeable {
         }
     }
 
-    /** Brings what connections tell to the boat's thread. */
+    /** Brings the events of connections to the boat's thread. */
     private final class Hand implements ClientConnection.Owner {
         @Override
         public void arrived(ClientConnection from, byte[] frame, Runnable done) {

@@ -44,7 +44,7 @@ public final class TcpServerConfig {
         return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20);
     }
 
-    /** The same with other bounds on what waits for a client that reads too slowly. */
+    /** The same with other bounds on the messages waiting for a slow client. */
     public TcpServerConfig withQueue(int frames, int bytes) {
         return new TcpServerConfig(address, tickMs, maxClients, helloWithinMs, silentAfterMs, frames, bytes);
     }
@@ -71,7 +71,7 @@ public final class TcpServerConfig {
         return tickMs;
     }
 
-    /** How many clients there may be at a time; {@link ConnectionSlots} says who goes where more come. */
+    /** Most clients at a time; {@link ConnectionSlots} decides which to drop beyond it. */
     public int maxClients() {
         return maxClients;
     }

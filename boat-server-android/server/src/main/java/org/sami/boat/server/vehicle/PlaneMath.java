@@ -9,7 +9,7 @@ public final class PlaneMath {
 
     private PlaneMath() {}
 
-    /** The length of what goes so far east and north, in their unit; for squares that a double holds, unlike {@link Math#hypot}. */
+    /** The length of a vector east and north, in its unit; its squares must fit a double, unlike with {@link Math#hypot}. */
     public static double length(double east, double north) {
         return Math.sqrt(east * east + north * north);
     }

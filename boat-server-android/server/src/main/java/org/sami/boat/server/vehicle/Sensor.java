@@ -4,8 +4,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * One channel of one instrument on the hull, as the boat server sees it. Asked on the thread that ticks the server, which waits
- * for it: a slow instrument is read elsewhere, and gives here what it measured last.
+ * One channel of one instrument on the hull. The thread that ticks the server reads it and waits for it: a slow instrument is read on another thread and
+ * returns its last measurement here.
  */
 public interface Sensor {
 

@@ -1,5 +1,5 @@
 /**
- * What lies below the server: the vehicle that it drives, with its instruments, and the plane in metres on which ways are computed. A host implements
- * {@link org.sami.boat.server.vehicle.Vehicle}. Not here: how it is driven. Java 8 level.
+ * The vehicle that the server drives, with its instruments, and the plane in metres on which it computes ways. A host implements {@link
+ * org.sami.boat.server.vehicle.Vehicle}. Not here: how the vehicle is driven. Java 8 level.
  */
 package org.sami.boat.server.vehicle;
