@@ -23,7 +23,7 @@ import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
-import org.sami.crw.sim.run.record.ReportBuilder;
+import org.sami.crw.sim.run.record.ReportEnd;
 import org.sami.crw.sim.run.record.RunNotes;
 import org.sami.crw.sim.run.record.RunRecords;
 import org.sami.crw.sim.run.settings.Parameters;
@@ -147,8 +147,14 @@ public final class InProcessRun {
             told.close();
             water.fleet().endHelpers();
         }
-        ReportBuilder.End end = new ReportBuilder.End(outcome, lifecycle.fault().orElse(""), now(), wallSeconds);
-        return records.report(end, water.boats(), this::link, journal.resumedFrom());
+        return records.report(new ReportEnd(
+                outcome,
+                lifecycle.fault().orElse(""),
+                now(),
+                wallSeconds,
+                journal.resumedFrom(),
+                water.boats(),
+                this::link));
     }
 
     /** What happened before the process died was told then. */
@@ -317,7 +323,7 @@ public final class InProcessRun {
             executor.drain();
         }
         if (!lifecycle.hasStarted() && now() > JOIN_MILLIS) {
-            lifecycle.fail("only " + records.recorder().boatsJoined() + " of "
+            lifecycle.fail("only " + records.mission().boatsJoined() + " of "
                     + settings.fleet().boats() + " boats answered");
         }
     }
@@ -331,7 +337,7 @@ public final class InProcessRun {
     private Optional<RunOutcome> outcome() {
         boolean failedBefore = lifecycle.fault().isPresent();
         Optional<RunOutcome> outcome = lifecycle.outcome();
-        if (!failedBefore && records.recorder().outcome().isPresent()) {
+        if (!failedBefore && records.mission().outcome().isPresent()) {
             try {
                 journal.over();
             } catch (IOException e) {

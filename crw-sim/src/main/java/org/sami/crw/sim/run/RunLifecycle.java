@@ -8,13 +8,12 @@ import java.util.function.Supplier;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.run.record.BoatState;
-import org.sami.crw.sim.run.record.RunRecorder;
+import org.sami.crw.sim.run.record.RunMission;
 import org.sami.crw.sim.run.record.RunRecords;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.Value;
 
 /**
@@ -26,7 +25,7 @@ public final class RunLifecycle {
     private final RunSettings settings;
     private final Map<String, Value> parameters;
     private final Session session;
-    private final RunRecorder recorder;
+    private final RunMission mission;
     private final StallDetector stall;
     private Optional<String> fault = Optional.empty();
     private boolean started;
@@ -42,13 +41,13 @@ public final class RunLifecycle {
         this.settings = settings;
         this.parameters = parameters;
         this.session = session;
-        recorder = records.recorder();
+        mission = records.mission();
         stall = new StallDetector(session, records);
     }
 
     /** What the recorder has heard happened in earlier processes: the mission may run already. */
     public void caughtUp() {
-        started = recorder.root().isPresent();
+        started = mission.root().isPresent();
     }
 
     /** Whether the mission was started. */
@@ -58,7 +57,7 @@ public final class RunLifecycle {
 
     /** Starts the mission, once, if all its boats have joined. */
     public void startWhenAllHaveJoined() {
-        if (!started && recorder.boatsJoined() >= settings.fleet().boats()) {
+        if (!started && mission.boatsJoined() >= settings.fleet().boats()) {
             started = true;
             session.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
         }
@@ -70,26 +69,18 @@ public final class RunLifecycle {
         if (status.kind() == HostStatus.Kind.FAILED) {
             fail(status.reason());
         }
-        Optional<String> failure = recorder.failure();
+        Optional<String> failure = mission.failure();
         if (failure.isPresent()) {
             fail(failure.get());
         }
-        Optional<Outcome> outcome = fault.isEmpty() ? recorder.outcome() : Optional.empty();
+        Optional<RunOutcome> outcome = fault.isEmpty() ? mission.result() : Optional.empty();
         if (outcome.isPresent()) {
-            return Optional.of(over(outcome.get()));
+            if (outcome.get() == RunOutcome.FAILED) {
+                fail("the mission was halted: it fired without end (livelock)");
+            }
+            return outcome;
         }
         return fault.isPresent() ? Optional.of(RunOutcome.FAILED) : Optional.empty();
-    }
-
-    private RunOutcome over(Outcome outcome) {
-        return switch (outcome) {
-            case ENDED, COMPLETED -> RunOutcome.ENDED;
-            case ABORTED -> RunOutcome.ABORTED;
-            case HALTED -> {
-                fail("the mission was halted: it fired without end (livelock)");
-                yield RunOutcome.FAILED;
-            }
-        };
     }
 
     /** Ends the run for a fault; the first one counts. */

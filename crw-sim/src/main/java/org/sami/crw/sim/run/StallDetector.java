@@ -16,7 +16,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.crw.sim.run.record.BoatState;
-import org.sami.crw.sim.run.record.RunRecorder;
+import org.sami.crw.sim.run.record.RunMission;
 import org.sami.crw.sim.run.record.RunRecords;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
@@ -45,7 +45,7 @@ final class StallDetector {
     private final StuckWatch stuck;
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
-    private final RunRecorder recorder;
+    private final RunMission mission;
     private final Map<String, BoatState> places = new HashMap<>(); // of boats, where they last were somewhere else
     private long lastSomewhereMillis;
 
@@ -56,7 +56,7 @@ final class StallDetector {
         stuck = session.models().stuck();
         operator = records.operator();
         interrupts = records.interrupts();
-        recorder = records.recorder();
+        mission = records.mission();
     }
 
     /**
@@ -66,8 +66,8 @@ final class StallDetector {
      */
     Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
         follow(nowMillis, boats, isWanted);
-        long quietMillis = nowMillis - recorder.lastInputMillis();
-        if (recorder.root().isEmpty()
+        long quietMillis = nowMillis - mission.lastInputMillis();
+        if (mission.root().isEmpty()
                 || quietMillis <= SETTLED_MILLIS
                 || operator.isThinking()
                 || interrupts.hasPlans()
@@ -114,7 +114,7 @@ final class StallDetector {
                 .collect(Collectors.joining(", "));
         String failed = host.ask(view -> stuck.now(view, FleetWants.NOTHING, nowMillis)).stream()
                 .filter(StuckMission::canBeSentAgain)
-                .map(mission -> "; " + mission.what())
+                .map(failing -> "; " + failing.what())
                 .collect(Collectors.joining());
         return "nothing can happen in the mission any longer"
                 + failed

@@ -12,19 +12,18 @@ import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.SessionNote;
 import org.sami.crw.session.SessionTelemetry;
-import org.sami.crw.sim.run.record.RunNotes;
-import org.sami.crw.sim.run.record.TrackRecorder;
-import org.sami.crw.sim.run.record.VisitRecorder;
+import org.sami.crw.sim.run.record.NoteFold;
+import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 
 /**
  * What earlier processes of a run wrote beside the inputs. How links went and what was told is taken up at once; tracks and visits
- * when the area and its locations are known ({@link #takeUp}).
+ * when the area and its locations are known ({@link #feed}).
  */
 final class EarlierRun implements SessionTelemetry.Reader {
     private final FleetHistory status;
-    private final RunNotes notices;
+    private final NoteFold notes;
     private final List<Pose> poses = new ArrayList<>();
     private final List<Visit> visits = new ArrayList<>();
     private final List<SensorValue> readings = new ArrayList<>();
@@ -35,9 +34,9 @@ final class EarlierRun implements SessionTelemetry.Reader {
 
     private record Visit(long atMillis, String boat, GeoPoint location) {}
 
-    EarlierRun(List<TelemetryRow> rows, FleetHistory status, RunNotes notices) {
+    EarlierRun(List<TelemetryRow> rows, FleetHistory status, NoteFold notes) {
         this.status = status;
-        this.notices = notices;
+        this.notes = notes;
         leftOut = SessionTelemetry.read(rows, this);
     }
 
@@ -67,25 +66,21 @@ final class EarlierRun implements SessionTelemetry.Reader {
     }
 
     /**
-     * Puts in where boats were and what they visited.
+     * Feeds a report with where boats were, what they visited and what they measured.
      *
-     * @param recorder knows the locations
+     * @param folds know the locations: they have been fed the entries of the journal
      */
-    void takeUp(RunBoats boats, TrackRecorder tracks, VisitRecorder recorder) {
+    void feed(ReportFolds folds, RunBoats boats) {
         for (Pose pose : poses) {
             status.restored(pose.boat, pose.told, pose.distanceM);
-            boats.find(pose.boat).ifPresent(boat -> tracks.add(new TrackRecorder.Noted(pose.atMillis, boat)));
+            boats.find(pose.boat).ifPresent(boat -> folds.pose(pose.atMillis, boat));
         }
         for (Visit visit : visits) {
-            recorder.visited(visit.location.latDeg(), visit.location.lonDeg(), visit.atMillis, visit.boat);
+            folds.visit(visit.boat, visit.location, visit.atMillis);
         }
-    }
-
-    /** What boats had measured, in order of time. */
-    List<SensorValue> readings() {
         List<SensorValue> inOrder = new ArrayList<>(readings);
         inOrder.sort(Comparator.comparingLong(SensorValue::atMillis));
-        return inOrder;
+        inOrder.forEach(folds::reading);
     }
 
     @Override
@@ -140,6 +135,6 @@ final class EarlierRun implements SessionTelemetry.Reader {
 
     @Override
     public void message(SessionNote note) {
-        notices.keep(note);
+        notes.onNote(note);
     }
 }

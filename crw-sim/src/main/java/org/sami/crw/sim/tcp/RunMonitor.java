@@ -24,7 +24,7 @@ import org.sami.crw.sim.run.RunLifecycle;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.crw.sim.run.record.BoatState;
-import org.sami.crw.sim.run.record.ReportBuilder;
+import org.sami.crw.sim.run.record.ReportEnd;
 import org.sami.crw.sim.run.record.RunNotes;
 import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.RunRecords;
@@ -118,14 +118,13 @@ final class RunMonitor implements SessionListener {
             }
         });
         clock.advanceTo(journal.cameToMillis());
-        earlier.takeUp(fleet, records.tracks(), records.visits());
-        earlier.readings().forEach(records.readings()::onReading);
+        earlier.feed(records.folds(), fleet);
         lifecycle.caughtUp();
     }
 
     /** Whether the mission was over in an earlier process. */
     boolean wasOver() {
-        return records.recorder().outcome().isPresent();
+        return records.mission().outcome().isPresent();
     }
 
     /** Begins; from now on everything happens on the engine's thread. */
@@ -201,12 +200,7 @@ final class RunMonitor implements SessionListener {
 
     @Override
     public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
-        session.execute(() -> points.forEach(point -> arrived(boat, point, atMillis)));
-    }
-
-    /** It was written down where it was heard, with the same time. */
-    private void arrived(String boat, GeoPoint point, long at) {
-        records.visits().visited(point.latDeg(), point.lonDeg(), at, boat);
+        session.execute(() -> points.forEach(point -> records.folds().visit(boat, point, atMillis)));
     }
 
     private void track() {
@@ -239,7 +233,7 @@ final class RunMonitor implements SessionListener {
 
     /** When the run was over, in ms since its start; now if nothing but its process ends. */
     long endMillis() {
-        return records.recorder().endedAtMillis().orElseGet(this::now);
+        return records.mission().endedAtMillis().orElseGet(this::now);
     }
 
     /** Writes down where the boats have come to lie, and why they moved or did not, so that the run can be reported again. */
@@ -265,7 +259,7 @@ final class RunMonitor implements SessionListener {
                                 .map(boat -> "; " + fleet.link(boat.id()).why())
                                 .collect(Collectors.joining());
         session.models().shown().toCompletableFuture().join();
-        ReportBuilder.End end = new ReportBuilder.End(outcome, why, atMillis, wallSeconds);
-        return records.report(end, boats, fleet::link, journal.resumedFrom());
+        return records.report(
+                new ReportEnd(outcome, why, atMillis, wallSeconds, journal.resumedFrom(), boats, fleet::link));
     }
 }

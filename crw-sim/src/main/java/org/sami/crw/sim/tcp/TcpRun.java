@@ -84,7 +84,7 @@ public final class TcpRun {
         try (Session session = Session.open(setup())) {
             session.addListener(notes);
             EarlierRun earlier =
-                    new EarlierRun(journal.session().earlier(), session.fleet().history(), notes);
+                    new EarlierRun(journal.session().earlier(), session.fleet().history(), notes.fold());
             earlier.leftOut().ifPresent(lines);
             Optional<List<String>> startedWith = journal.startedWith();
             findArea(session, earlier, startedWith);

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 
 /** How deep boats may come into what they are to avoid, as the operator is told in a run before they drive. From any thread. */
-final class AnnouncedDepth implements Consumer<FleetEvent> {
+final class AnnouncedDepth implements Consumer<FleetEvent>, ReportFold {
     private OptionalDouble mostM = OptionalDouble.empty();
 
     @Override
@@ -15,8 +15,8 @@ final class AnnouncedDepth implements Consumer<FleetEvent> {
         }
     }
 
-    /** The deepest that was told, in metres; empty where nothing was. */
-    synchronized OptionalDouble mostM() {
-        return mostM;
+    @Override
+    public synchronized void addTo(ReportDraft report) {
+        report.announcedM(mostM);
     }
 }

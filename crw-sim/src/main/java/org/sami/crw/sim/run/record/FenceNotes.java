@@ -11,7 +11,7 @@ import org.sami.spn.protocol.Ids;
  * Takes down each alarm that a boat is, or is sent, where it may not: the report's other alarms stand in it by themselves. Told on the
  * models' thread, read on any.
  */
-public final class FenceNotes {
+public final class FenceNotes implements ReportFold {
     private static final int MOST = 100;
 
     private final List<NoteResult> notes = new CopyOnWriteArrayList<>();
@@ -39,8 +39,8 @@ public final class FenceNotes {
                 .toList();
     }
 
-    /** The alarms, oldest first. */
-    List<NoteResult> all() {
-        return notes;
+    @Override
+    public void addTo(ReportDraft report) {
+        report.note(notes);
     }
 }

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Map;
 import org.sami.crw.sim.report.PhaseResult;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Plan;
 import org.sami.spn.phase.PhaseAction;
 import org.sami.spn.phase.PhaseChart;
@@ -17,7 +16,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Follows missions on the phase charts of their plans, for the report. Missions of plans without a chart are left out. */
-public final class PhaseRecorder implements HostListener {
+final class PhaseRecorder implements ReportFold {
     /** A report with more would not be read. */
     private static final int MOST_MISSIONS = 1000;
 
@@ -27,7 +26,7 @@ public final class PhaseRecorder implements HostListener {
     private record Followed(String plan, PhaseChart chart, PhaseProgress progress) {}
 
     /** Follows missions of plans in one vocabulary. */
-    public PhaseRecorder(Vocabulary vocabulary) {
+    PhaseRecorder(Vocabulary vocabulary) {
         this.vocabulary = vocabulary;
     }
 
@@ -48,8 +47,13 @@ public final class PhaseRecorder implements HostListener {
         }
     }
 
+    @Override
+    public void addTo(ReportDraft report) {
+        report.phases(results());
+    }
+
     /** How the actions of all charts stand now. */
-    public List<PhaseResult> results() {
+    private List<PhaseResult> results() {
         List<PhaseResult> results = new ArrayList<>();
         missions.forEach((id, mission) -> {
             for (PhaseAction action : mission.chart().actions()) {

@@ -12,7 +12,6 @@ import java.util.concurrent.CompletableFuture;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.operator.area.OperatingArea;
-import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.ClosestApproach;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.MapArea;
@@ -21,7 +20,6 @@ import org.sami.crw.sim.report.MapPoint;
 import org.sami.crw.sim.report.MapSpot;
 import org.sami.crw.sim.report.RunMap;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -38,7 +36,7 @@ import org.sami.spn.value.Value;
  * Takes down the areas and points that the plan's output events speak of, as they do, the project's no-go areas, and where boats were told to
  * gather: what the map of the run shows. A list of places for each boat is what a service made of others, and is left out.
  */
-public final class PlanMap implements HostListener {
+final class PlanMap implements ReportFold {
     /** A map with more points, or more areas, would show nothing. */
     private static final int MOST = 2000;
 
@@ -63,7 +61,7 @@ public final class PlanMap implements HostListener {
      *
      * @param plane around the area's centre
      */
-    public PlanMap(LocalFrame plane) {
+    PlanMap(LocalFrame plane) {
         this.plane = plane;
     }
 
@@ -173,9 +171,10 @@ public final class PlanMap implements HostListener {
                 plane.northM(at.latDeg(), at.lonDeg()));
     }
 
-    /** The map at the end of a run of which is known what boats reported, no more. */
-    public RunMap map(List<BoatResult> reported, List<LocationResult> locations) {
-        return map(KnownTracks.reported(reported), locations);
+    /** Looks at tracks, locations and what was announced: comes after all of them. */
+    @Override
+    public void addTo(ReportDraft report) {
+        report.map(map(report.tracks(), report.locations(), report.announcedM()));
     }
 
     /** Whether boats were to explore areas. */
@@ -188,7 +187,7 @@ public final class PlanMap implements HostListener {
      *
      * @param locations are shown as such, and not as points of the plan
      */
-    RunMap map(KnownTracks tracks, List<LocationResult> locations) {
+    private RunMap map(KnownTracks tracks, List<LocationResult> locations, OptionalDouble announcedM) {
         // takes a while for large fleets; what was left uncovered is computed meanwhile
         CompletableFuture<ClosestApproach> closest =
                 CompletableFuture.supplyAsync(() -> ClosestApproach.of(tracks.best()));
@@ -206,6 +205,6 @@ public final class PlanMap implements HostListener {
                         .toList(),
                 closest.join(),
                 paths,
-                OptionalDouble.empty());
+                announcedM);
     }
 }

@@ -2,7 +2,6 @@ package org.sami.crw.sim.run.record;
 
 import java.util.List;
 import org.sami.crw.session.SensorValue;
-import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReadingResult;
 import org.sami.crw.sim.report.RowFormats;
@@ -12,7 +11,7 @@ import org.sami.crw.sim.report.SpooledList;
  * Notes down what the base is told of the boats' sensors: the first {@link #MOST} readings, which lie in a file. Readings are
  * no input of the engine. Safe for use by several threads.
  */
-public final class ReadingRecorder implements SessionListener {
+public final class ReadingRecorder implements ReportFold {
     /** So many readings are kept. */
     public static final int MOST = 5_000_000;
 
@@ -45,6 +44,12 @@ public final class ReadingRecorder implements SessionListener {
                     reading.position().latDeg(),
                     reading.position().lonDeg()));
         }
+    }
+
+    @Override
+    public synchronized void addTo(ReportDraft report) {
+        report.readings(readings());
+        report.note(notes(report.end().atMillis()));
     }
 
     /** What was noted so far, in order; unmodifiable. */

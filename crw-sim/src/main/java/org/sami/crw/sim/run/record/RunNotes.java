@@ -1,16 +1,13 @@
 package org.sami.crw.sim.run.record;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Consumer;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.SessionNote;
-import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.run.RunNews;
 
-/** Keeps what the operator is told in a run, for its report, and shows at once what is said of boats and links. Safe for several threads. */
+/** Gives what the operator is told in a run to its report, and shows at once what is said of boats and links. Safe for several threads. */
 public final class RunNotes implements SessionListener {
-    private final List<NoteResult> told = new ArrayList<>();
+    private final NoteFold fold = new NoteFold();
     private final Consumer<String> shown;
     private volatile boolean messagesAreNews;
 
@@ -21,7 +18,7 @@ public final class RunNotes implements SessionListener {
 
     @Override
     public void onNote(SessionNote note) {
-        keep(note);
+        fold.onNote(note);
         if (note.isUrgent() && !(messagesAreNews && note.isMessage())) {
             shown.accept(note.text());
         }
@@ -37,13 +34,8 @@ public final class RunNotes implements SessionListener {
         shown.accept(text);
     }
 
-    /** Keeps a note, also one of an earlier process. */
-    public synchronized void keep(SessionNote note) {
-        told.add(new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()));
-    }
-
-    /** Everything so far, in the order in which it was told. */
-    public synchronized List<NoteResult> all() {
-        return List.copyOf(told);
+    /** The report's part that keeps them, also those of earlier processes. */
+    public NoteFold fold() {
+        return fold;
     }
 }

@@ -3,21 +3,17 @@ package org.sami.crw.sim.run.record;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalLong;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.report.BoatResult;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.RunLog;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
@@ -27,30 +23,21 @@ import org.sami.spn.host.HostListener;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What a run writes down while it goes, and its report. What is so now, such as open decisions and clicks, is read from the operator's
- * models; written down is what they do not keep: the whole history. For the engine's thread.
+ * What a run writes down while it goes, and its report: feeds the report's folds from its session, and adds those parts that no journal
+ * holds, such as where simulated boats truly were. What is so now, such as open decisions, is read from the operator's models. For the
+ * engine's thread.
  */
 public final class RunRecords {
     private final RunPlan plan;
     private final RunSettings settings;
     private final Session session;
     private final LocalFrame plane;
-    private final RunNotes notes;
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
-    private final RunRecorder recorder;
-    private final VisitRecorder visits = new VisitRecorder();
-    private final TrueVisits trueVisits = new TrueVisits(visits);
-    private final TrackRecorder tracks = new TrackRecorder();
+    private final ReportFolds folds;
+    private final TrueVisits trueVisits;
     private final TrackRecorder reported = new TrackRecorder();
     private Optional<Supplier<List<BoatState>>> reporting = Optional.empty();
-    private final ReadingRecorder readings = new ReadingRecorder();
-    private final LocationListener locations;
-    private final PlanMap map;
-    private final FenceNotes fences;
-    private final StuckNotes stuck;
-    private final AnnouncedDepth announced = new AnnouncedDepth();
-    private final PhaseRecorder phases;
 
     /**
      * Records of a run in which nothing has happened yet.
@@ -69,40 +56,79 @@ public final class RunRecords {
         this.settings = settings;
         this.session = session;
         this.plane = plane;
-        this.notes = notes;
         this.operator = operator;
         this.interrupts = interrupts;
-        recorder = new RunRecorder(plan.project());
-        locations = new LocationListener(visits, plane);
-        map = new PlanMap(plane);
-        phases = new PhaseRecorder(plan.vocabulary());
-        fences = new FenceNotes(session.models());
-        stuck = new StuckNotes(session.models(), session.scheduler()::nowMs);
-        session.addListener((SessionListener) readings);
-        session.subscribe(Runnable::run, announced);
+        folds = new ReportFolds(plan.project(), plan.vocabulary(), plane, notes.fold());
+        trueVisits = new TrueVisits(folds.visits());
+        addWhatOnlyTheRunKnows();
+        session.addListener(new SessionListener() {
+            @Override
+            public void onReading(SensorValue reading) {
+                folds.reading(reading);
+            }
+        });
         if (!settings.isConnected()) { // else the run's monitor hears it, on the engine's thread
+            folds.add(trueVisits);
+            folds.add(this::addTrueTracks);
             session.addListener(new SessionListener() {
                 @Override
                 public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
-                    points.forEach(point -> visits.visited(point.latDeg(), point.lonDeg(), atMillis, boat));
+                    points.forEach(point -> folds.visit(boat, point, atMillis));
                 }
             });
         }
     }
 
-    /** Who must hear of every step of the engine, in this order. */
-    public List<HostListener> listeners() {
-        return List.of(recorder, locations, interrupts, map, phases);
+    private void addWhatOnlyTheRunKnows() {
+        AnnouncedDepth announced = new AnnouncedDepth();
+        session.subscribe(Runnable::run, announced);
+        folds.add(announced);
+        folds.add(draft -> draft.interrupts(interrupts.results()));
+        folds.add(draft -> draft.note(operator.notes()));
+        folds.add(draft -> session.telemetry()
+                .problem()
+                .map(note -> new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()))
+                .ifPresent(problem -> draft.note(List.of(problem))));
+        folds.add(new FenceNotes(session.models()));
+        folds.add(new StuckNotes(session.models(), session.scheduler()::nowMs));
+        folds.add(
+                draft -> draft.actions(OperatorActions.of(session.models().log().snapshot())));
+        folds.add(draft -> draft.waits(
+                draft.end().outcome().isOver()
+                        ? List.of()
+                        : session.host().ask(view -> BlockedPlaces.of(plan.vocabulary(), view))));
     }
 
-    /** What the engine did. */
-    public RunRecorder recorder() {
-        return recorder;
+    /** What is known of the tracks is how they truly are; what boats reported is something else where positions are not exact. */
+    private void addTrueTracks(ReportDraft draft) {
+        List<BoatResult> truly = draft.tracks().best();
+        List<BoatResult> said = reporting
+                .map(boats -> reported.results(
+                        draft.end().atMillis(), boats.get(), draft.end().links()))
+                .orElse(truly);
+        draft.tracks(new KnownTracks(said, Optional.of(truly)));
+    }
+
+    /** Who must hear of every step of the engine, in this order. */
+    public List<HostListener> listeners() {
+        List<HostListener> listeners = new ArrayList<>(folds.listeners());
+        listeners.add(interrupts);
+        return listeners;
+    }
+
+    /** The report's folds. */
+    public ReportFolds folds() {
+        return folds;
+    }
+
+    /** The run's mission. */
+    public RunMission mission() {
+        return folds.mission();
     }
 
     /** Which locations boats came to, by what they report. */
     public VisitRecorder visits() {
-        return visits;
+        return folds.visits();
     }
 
     /** Looks where boats of this process truly are, however they err. */
@@ -110,13 +136,9 @@ public final class RunRecords {
         trueVisits.look(nowMillis, boats);
     }
 
-    private List<LocationResult> locations() {
-        return settings.isConnected() ? visits.locations() : trueVisits.locations();
-    }
-
     /** Where boats were. */
     public TrackRecorder tracks() {
-        return tracks;
+        return folds.tracks();
     }
 
     /** What is told of the boats is how they truly are: where they say that they are is something else, and noted down where they explore. */
@@ -126,14 +148,9 @@ public final class RunRecords {
 
     /** Looks where boats say that they are; to be called once a second. */
     public void lookAtReported(long nowMillis) {
-        if (reporting.isPresent() && map.hasExplorations()) {
+        if (reporting.isPresent() && folds.hasExplorations()) {
             reported.look(nowMillis, reporting.get().get());
         }
-    }
-
-    /** What boats measured. */
-    public ReadingRecorder readings() {
-        return readings;
     }
 
     /** Who answers the run's decisions. */
@@ -158,68 +175,15 @@ public final class RunRecords {
         return new RunProgress(
                 phase,
                 session.scheduler().nowMs(),
-                visits.visited(),
-                visits.count(),
+                visits().visited(),
+                visits().count(),
                 models.decisions().pending().size(),
                 models.missions().snapshot().firings(),
                 least);
     }
 
-    /**
-     * The report. The models show all that happened before.
-     *
-     * @param boats as they are at the end
-     * @param resumedFrom index of the last input that was taken from a journal
-     */
-    public RunReport report(
-            ReportBuilder.End end,
-            List<BoatState> boats,
-            Function<String, LinkResult> links,
-            OptionalLong resumedFrom) {
-        List<LocationResult> visited = locations();
-        List<BoatResult> results = tracks.results(end.atMillis(), boats, links);
-        return new ReportBuilder(plan, settings, recorder, resumedFrom, plane)
-                .build(
-                        end,
-                        session.models().clicks().clicks(),
-                        boats,
-                        results,
-                        visited,
-                        interrupts.results(),
-                        told(end.atMillis()),
-                        map.map(known(results, end.atMillis(), links), visited).announcing(announced.mostM()))
-                .withReadings(readings.readings())
-                .withLog(new RunLog(
-                        phases.results(),
-                        OperatorActions.of(session.models().log().snapshot())))
-                .withWaits(
-                        end.outcome().isOver()
-                                ? List.of()
-                                : session.host().ask(view -> BlockedPlaces.of(plan.vocabulary(), view)));
-    }
-
-    private KnownTracks known(List<BoatResult> results, long atMillis, Function<String, LinkResult> links) {
-        if (settings.isConnected()) {
-            return KnownTracks.reported(results);
-        }
-        return new KnownTracks(
-                reporting
-                        .map(boats -> reported.results(atMillis, boats.get(), links))
-                        .orElse(results),
-                Optional.of(results));
-    }
-
-    private List<NoteResult> told(long atMillis) {
-        List<NoteResult> told = new ArrayList<>(notes.all());
-        told.addAll(readings.notes(atMillis));
-        told.addAll(operator.notes());
-        session.telemetry()
-                .problem()
-                .map(note -> new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()))
-                .ifPresent(told::add);
-        told.addAll(tracks.notes(atMillis));
-        told.addAll(fences.all());
-        told.addAll(stuck.all());
-        return told;
+    /** The report. The models show all that happened before. */
+    public RunReport report(ReportEnd end) {
+        return folds.report(RunHeaders.of(plan, settings, plane), end);
     }
 }

@@ -12,7 +12,7 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.sim.report.NoteResult;
 
 /** Takes down when a mission could not go on by itself, why, and when it went on. Told on the models' thread, read on any. */
-final class StuckNotes {
+final class StuckNotes implements ReportFold {
     private static final int MOST = 100;
 
     private final LongSupplier nowMillis;
@@ -45,8 +45,8 @@ final class StuckNotes {
         }
     }
 
-    /** What was taken down, oldest first. */
-    List<NoteResult> all() {
-        return notes;
+    @Override
+    public void addTo(ReportDraft report) {
+        report.note(notes);
     }
 }

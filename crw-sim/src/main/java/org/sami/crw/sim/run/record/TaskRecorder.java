@@ -18,7 +18,7 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /** Notes down what becomes of tasks, for the report. For the engine's thread. */
-final class TaskRecorder {
+final class TaskRecorder implements ReportFold {
     private final Project project;
     private final Map<TaskId, Told> tasks = new LinkedHashMap<>();
 
@@ -26,7 +26,8 @@ final class TaskRecorder {
         this.project = project;
     }
 
-    void onStep(long atMillis, Input input, List<Effect> effects, EngineView view) {
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted started) {
                 project.plan(started.plan())
@@ -77,8 +78,13 @@ final class TaskRecorder {
                 : Optional.empty();
     }
 
+    @Override
+    public void addTo(ReportDraft report) {
+        report.tasks(results());
+    }
+
     /** The tasks in the order in which they were first heard of. */
-    List<TaskResult> results() {
+    private List<TaskResult> results() {
         List<TaskResult> results = new ArrayList<>();
         tasks.forEach((task, told) -> results.add(new TaskResult(
                 task.mission(),

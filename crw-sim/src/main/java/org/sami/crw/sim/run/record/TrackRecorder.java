@@ -20,7 +20,7 @@ import org.sami.crw.sim.report.TrackPoint;
  * <p>Memory does not grow with the length of a run: where tracks have more than {@link #MOST} points together, points of the longest
  * ones are left out, of which the rest tells enough ({@link TrackThinning}); a note says how exact they still are.
  */
-public final class TrackRecorder {
+public final class TrackRecorder implements ReportFold {
     /** So many points of all boats together are kept, about 15 MB. */
     static final int MOST = 200_000;
 
@@ -56,6 +56,18 @@ public final class TrackRecorder {
 
     TrackRecorder(int most) {
         this.most = most;
+    }
+
+    @Override
+    public void onPose(long atMillis, BoatState boat) {
+        add(new Noted(atMillis, boat));
+    }
+
+    @Override
+    public void addTo(ReportDraft report) {
+        ReportEnd end = report.end();
+        report.tracks(KnownTracks.reported(results(end.atMillis(), end.boats(), end.links())));
+        report.note(notes(end.atMillis()));
     }
 
     /** Looks where the boats are; to be called once a second. Returns what was noted down. */

@@ -15,7 +15,7 @@ import org.sami.crw.sim.report.LocationResult.Visit;
  * Watches how near simulated boats truly come to the locations of a run, whatever they take for their positions. Between two looks a boat
  * is taken to have gone straight on. For the thread of the run.
  */
-public final class TrueVisits {
+public final class TrueVisits implements ReportFold {
     /** Boats that are farther away are not measured, in metres. */
     static final double REACH_M = 25;
 
@@ -133,6 +133,11 @@ public final class TrueVisits {
 
     private static long cell(long east, long north) {
         return (east << Integer.SIZE) ^ (north & 0xFFFF_FFFFL);
+    }
+
+    @Override
+    public void addTo(ReportDraft report) {
+        report.locations(locations());
     }
 
     /** The run's locations with what boats reported and where they truly were. */

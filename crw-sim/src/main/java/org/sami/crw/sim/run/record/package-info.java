@@ -1,6 +1,7 @@
 /**
- * What is noted down of a run, in process and over TCP: tracks, visits, tasks, readings, phases, what the operator was told, and the hash
- * of the run. {@link org.sami.crw.sim.run.record.RunRecords} puts it together and makes the report of it.
+ * What is noted down of a run, in process, over TCP and from a journal: tracks, visits, tasks, readings, phases, what the operator was told,
+ * and the hash of the run. Each is a {@link org.sami.crw.sim.run.record.ReportFold};
+ * {@link org.sami.crw.sim.run.record.ReportFolds} is the list of them and makes the report.
  *
  * <p>Does not belong here: the records of the report and how they look ({@code org.sami.crw.sim.report}).
  */

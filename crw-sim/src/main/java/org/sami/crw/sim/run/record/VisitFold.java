@@ -4,7 +4,6 @@ import java.util.Collection;
 import java.util.List;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -14,21 +13,34 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 
 /**
- * Takes down the locations that the operator gives: the points of lists and paths in answers and in what a mission starts
- * with. A point by itself is a place to gather at or to return to, not one to visit.
+ * The locations that the operator gives, and which of them boats report to have visited. Locations are the points of lists and paths in
+ * answers and in what a mission starts with. A point by itself is a place to gather at or to return to, not one to visit.
  */
-public final class LocationListener implements HostListener {
-    private final VisitRecorder visits;
+final class VisitFold implements ReportFold {
+    private final VisitRecorder visits = new VisitRecorder();
     private final LocalFrame plane;
 
     /**
-     * A listener.
+     * A fold.
      *
      * @param plane around the area's centre
      */
-    public LocationListener(VisitRecorder visits, LocalFrame plane) {
-        this.visits = visits;
+    VisitFold(LocalFrame plane) {
         this.plane = plane;
+    }
+
+    VisitRecorder visits() {
+        return visits;
+    }
+
+    @Override
+    public void onVisit(String boat, GeoPoint point, long atMillis) {
+        visits.visited(point.latDeg(), point.lonDeg(), atMillis, boat);
+    }
+
+    @Override
+    public void addTo(ReportDraft report) {
+        report.locations(visits.locations());
     }
 
     @Override

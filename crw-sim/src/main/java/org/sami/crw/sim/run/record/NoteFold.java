@@ -1,0 +1,21 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.crw.session.SessionNote;
+import org.sami.crw.sim.report.NoteResult;
+
+/** What the operator was told. Safe for use by several threads. */
+public final class NoteFold implements ReportFold {
+    private final List<NoteResult> told = new ArrayList<>();
+
+    @Override
+    public synchronized void onNote(SessionNote note) {
+        told.add(new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()));
+    }
+
+    @Override
+    public synchronized void addTo(ReportDraft report) {
+        report.note(told);
+    }
+}

@@ -1,0 +1,160 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.operator.mission.Wait;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.DecisionResult;
+import org.sami.crw.sim.report.FiringResult;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.OperatorAction;
+import org.sami.crw.sim.report.PhaseResult;
+import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunLog;
+import org.sami.crw.sim.report.RunMap;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.RunResult;
+import org.sami.crw.sim.report.TaskResult;
+
+/** A report while its folds put their parts into it. A part that no fold puts there is empty. For one thread. */
+public final class ReportDraft {
+    private static final int HASH_DIGITS = 64;
+
+    private final ReportEnd end;
+    private final List<NoteResult> notes = new ArrayList<>();
+    private long clicks;
+    private String hash = "0".repeat(HASH_DIGITS);
+    private List<FiringResult> firings = List.of();
+    private List<DecisionResult> decisions = List.of();
+    private List<LocationResult> locations = List.of();
+    private List<InterruptResult> interrupts = List.of();
+    private List<ReadingResult> readings = List.of();
+    private List<TaskResult> tasks = List.of();
+    private List<Wait> waits = List.of();
+    private List<PhaseResult> phases = List.of();
+    private List<OperatorAction> actions = List.of();
+    private KnownTracks tracks = KnownTracks.reported(List.of());
+    private OptionalDouble announcedM = OptionalDouble.empty();
+    private Optional<RunMap> map = Optional.empty();
+
+    ReportDraft(ReportEnd end) {
+        this.end = end;
+    }
+
+    /** How the run stood at its end. */
+    ReportEnd end() {
+        return end;
+    }
+
+    /** Adds what was noted; of one moment the report has it in the order of the folds. */
+    public void note(List<NoteResult> more) {
+        notes.addAll(more);
+    }
+
+    void clicks(long count) {
+        clicks = count;
+    }
+
+    void hash(String of) {
+        hash = of;
+    }
+
+    void firings(List<FiringResult> all) {
+        firings = all;
+    }
+
+    void decisions(List<DecisionResult> all) {
+        decisions = all;
+    }
+
+    void locations(List<LocationResult> all) {
+        locations = all;
+    }
+
+    List<LocationResult> locations() {
+        return locations;
+    }
+
+    /** How deep boats might come into avoided areas at most, as the operator was told, in metres. */
+    void announcedM(OptionalDouble mostM) {
+        announcedM = mostM;
+    }
+
+    OptionalDouble announcedM() {
+        return announcedM;
+    }
+
+    /** How it went with the interrupts of the run. */
+    public void interrupts(List<InterruptResult> all) {
+        interrupts = all;
+    }
+
+    void readings(List<ReadingResult> all) {
+        readings = all;
+    }
+
+    void tasks(List<TaskResult> all) {
+        tasks = all;
+    }
+
+    /** Where the mission stands and what it waits for. */
+    public void waits(List<Wait> all) {
+        waits = all;
+    }
+
+    void phases(List<PhaseResult> all) {
+        phases = all;
+    }
+
+    /** What the operator did, oldest first. */
+    public void actions(List<OperatorAction> all) {
+        actions = all;
+    }
+
+    void tracks(KnownTracks known) {
+        tracks = known;
+    }
+
+    KnownTracks tracks() {
+        return tracks;
+    }
+
+    void map(RunMap of) {
+        map = Optional.of(of);
+    }
+
+    /** The report as far as it is put together. */
+    RunReport report(RunHeader header) {
+        List<BoatResult> boats = tracks.best();
+        notes.sort(Comparator.comparingLong(NoteResult::atMillis)); // stable
+        return new RunReport(
+                header,
+                new RunResult(
+                        end.outcome(),
+                        end.reason(),
+                        end.atMillis(),
+                        end.wallSeconds(),
+                        (int) clicks,
+                        firings.size(),
+                        end.resumedFrom(),
+                        hash),
+                boats,
+                locations,
+                decisions,
+                firings,
+                interrupts,
+                notes,
+                readings,
+                tasks,
+                waits,
+                Optional.empty(),
+                map.orElseGet(() -> RunMap.of(boats)),
+                new RunLog(phases, actions));
+    }
+}

@@ -1,0 +1,109 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.session.SensorValue;
+import org.sami.crw.session.SessionNote;
+import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * The report of a run as a function of its journal and telemetry: a list of folds, each of which owns one part. Runs in process and over TCP, runs
+ * that are taken up and whoever exports a journal feed the same list. A new figure of the report is one more fold here. For the engine's
+ * thread, but where a fold says otherwise.
+ */
+public final class ReportFolds {
+    private final RunMission mission = new RunMission();
+    private final VisitFold visits;
+    private final TrackRecorder tracks = new TrackRecorder();
+    private final PlanMap map;
+    private final List<ReportFold> folds = new ArrayList<>();
+
+    /**
+     * Folds that have been fed nothing.
+     *
+     * @param plane around the area's centre
+     * @param notes what the operator is told, perhaps already before the area is known
+     */
+    public ReportFolds(Project project, Vocabulary vocabulary, LocalFrame plane, NoteFold notes) {
+        visits = new VisitFold(plane);
+        map = new PlanMap(plane);
+        folds.addAll(List.of(
+                new FiringFold(project),
+                new DecisionFold(),
+                new EngineNoteFold(),
+                new TaskRecorder(project),
+                new HashFold(),
+                new ClickFold(),
+                new PhaseRecorder(vocabulary),
+                notes,
+                new ReadingRecorder(),
+                visits,
+                tracks,
+                map)); // the last: it looks at tracks and locations
+    }
+
+    /** Follows also what only some runs know, such as where boats truly were; before anything is fed. */
+    public void add(ReportFold more) {
+        folds.add(folds.size() - 1, more);
+    }
+
+    /** Who hears of every step of the engine, in this order. */
+    public List<HostListener> listeners() {
+        List<HostListener> listeners = new ArrayList<>(folds);
+        listeners.add(0, mission);
+        return listeners;
+    }
+
+    /** The run's mission. */
+    public RunMission mission() {
+        return mission;
+    }
+
+    /** Which locations boats came to, by what they report. */
+    public VisitRecorder visits() {
+        return visits.visits();
+    }
+
+    /** Where boats were. */
+    public TrackRecorder tracks() {
+        return tracks;
+    }
+
+    /** Whether boats were to explore areas. */
+    boolean hasExplorations() {
+        return map.hasExplorations();
+    }
+
+    /** The operator was told something. */
+    public void note(SessionNote note) {
+        folds.forEach(fold -> fold.onNote(note));
+    }
+
+    /** A boat measured something; from any thread. */
+    public void reading(SensorValue reading) {
+        folds.forEach(fold -> fold.onReading(reading));
+    }
+
+    /** A boat says that it was at a point. */
+    public void visit(String boat, GeoPoint point, long atMillis) {
+        folds.forEach(fold -> fold.onVisit(boat, point, atMillis));
+    }
+
+    /** Where a boat was. */
+    public void pose(long atMillis, BoatState boat) {
+        folds.forEach(fold -> fold.onPose(atMillis, boat));
+    }
+
+    /** The report of what was fed. */
+    public RunReport report(RunHeader header, ReportEnd end) {
+        ReportDraft draft = new ReportDraft(end);
+        folds.forEach(fold -> fold.addTo(draft));
+        return draft.report(header);
+    }
+}

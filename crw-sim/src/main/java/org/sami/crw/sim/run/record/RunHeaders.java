@@ -1,0 +1,68 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.Optional;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunPlace;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPoint;
+
+/** What a report says of what was run. */
+public final class RunHeaders {
+    private static final int HASH_DIGITS = 64;
+
+    private RunHeaders() {}
+
+    /**
+     * Of a run of one plan.
+     *
+     * @param plane around the area's centre
+     */
+    public static RunHeader of(RunPlan plan, RunSettings settings, LocalFrame plane) {
+        RunSettings.Fleet fleet = settings.fleet();
+        Optional<GeoPoint> quay = settings.isConnected()
+                ? Optional.empty()
+                : Optional.of(fleet.site().quayInProcess(fleet.areaM()));
+        return new RunHeader(
+                plan.plan().id(),
+                plan.plan().title(),
+                PlanHash.of(plan),
+                settings.mission(),
+                fleet.seed(),
+                settings.speed().toString(),
+                fleet.areaM(),
+                new RunPlace(centre(plane), quay.map(at -> point(at, plane))));
+    }
+
+    /**
+     * Of a session, in which people started what they wanted.
+     *
+     * @param plane around the area's centre
+     */
+    public static RunHeader ofSession(Project project, LocalFrame plane) {
+        return new RunHeader(
+                project.id(),
+                project.name(),
+                "0".repeat(HASH_DIGITS),
+                "session",
+                0,
+                "1",
+                0,
+                new RunPlace(centre(plane), Optional.empty()));
+    }
+
+    private static MapPoint centre(LocalFrame plane) {
+        return new MapPoint(plane.originLatDeg(), plane.originLonDeg(), 0, 0);
+    }
+
+    private static MapPoint point(GeoPoint at, LocalFrame plane) {
+        return new MapPoint(
+                at.latDeg(),
+                at.lonDeg(),
+                plane.eastM(at.latDeg(), at.lonDeg()),
+                plane.northM(at.latDeg(), at.lonDeg()));
+    }
+}
