@@ -73,6 +73,7 @@ final class RobotWorld implements AutoCloseable {
         this.folder = folder;
         controls = new FixedControls(opened.window().frame());
         robot.untilSaid("boats-count", boats.size() + " of " + boats.size());
+        robot.until("all panels have room", controls::areLaidOut);
     }
 
     /** A world with the built-in fleet, and all plans. */
@@ -138,6 +139,7 @@ final class RobotWorld implements AutoCloseable {
         get(session().abortAll());
         says("missions-count", "0 missions");
         says("decisions-count", "nothing waits");
+        robot.untilShown("decisions-empty"); // until then a click would go to the question that is over
         get(session().fleet().releaseAll());
         for (String boat : boats) {
             get(session().byHand().giveBack(boat));
