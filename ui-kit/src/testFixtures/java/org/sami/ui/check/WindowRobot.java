@@ -15,6 +15,7 @@ import java.awt.dnd.DragSourceDragEvent;
 import java.awt.dnd.DragSourceDropEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -36,12 +37,16 @@ import org.sami.ui.EventThread;
 
 /** Drives windows as a person does: looks for components by their names, moves the pointer, clicks, types. */
 public final class WindowRobot {
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
     private static final int PATIENCE_S = 60;
     private static final int STEPS = 8;
     private static final int TWICE_WITHIN_MS = 120; // as a hand does
+    private static final int HANDLED_WITHIN_MS =
+            3_000; // what comes to no window of this process is waited for no longer
 
     private final Robot robot;
+    private final HandledInput handled = HandledInput.instance();
+    private int struck;
 
     /** A robot on this display.
      *
@@ -53,7 +58,47 @@ public final class WindowRobot {
         } catch (AWTException noInput) {
             throw new IllegalStateException("this display takes no input", noInput);
         }
-        robot.setAutoWaitForIdle(true);
+    }
+
+    /** Strikes keys, and returns once the last of them has been handled. */
+    private void keys(Runnable input) {
+        long before = handled.counted(KeyEvent.KEY_RELEASED);
+        struck = 0;
+        input.run();
+        await(KeyEvent.KEY_RELEASED, before + struck);
+    }
+
+    /** Does something with the pointer, and returns once what is expected of it has been handled. */
+    private void act(int event, int times, Runnable input) {
+        long before = handled.counted(event);
+        input.run();
+        await(event, before + times);
+    }
+
+    private void await(int event, long many) {
+        if (!handled.await(event, many, HANDLED_WITHIN_MS)) {
+            robot.waitForIdle();
+        }
+        settle();
+    }
+
+    /** Where a component lies on the screen, once it lies still. */
+    private static Point placeOf(Component component) {
+        Point at = ask(component::getLocationOnScreen);
+        settle();
+        Point now = ask(component::getLocationOnScreen);
+        while (!now.equals(at)) {
+            at = now;
+            settle();
+            now = ask(component::getLocationOnScreen);
+        }
+        return at;
+    }
+
+    /** Returns once what is queued for the event thread is done, and what that has queued. */
+    private static void settle() {
+        ask(() -> null);
+        ask(() -> null);
     }
 
     /** Asks something on the event thread. */
@@ -173,34 +218,34 @@ public final class WindowRobot {
 
     /** Clicks at a place of a component. */
     public void clickAt(Component component, int x, int y) {
-        Point at = ask(component::getLocationOnScreen);
-        robot.mouseMove(at.x + x, at.y + y);
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        Point at = placeOf(component);
+        act(MouseEvent.MOUSE_RELEASED, 1, () -> {
+            robot.mouseMove(at.x + x, at.y + y);
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        });
     }
 
     /** Clicks twice at a place of a component, as fast as a hand does that means one click. */
     public void doubleClickAt(Component component, int x, int y) {
-        Point at = ask(component::getLocationOnScreen);
-        robot.mouseMove(at.x + x, at.y + y);
-        robot.setAutoWaitForIdle(false); // the second press does not wait for what the first one does
-        for (int i = 0; i < 2; i++) {
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-            robot.delay(TWICE_WITHIN_MS);
-        }
-        robot.setAutoWaitForIdle(true);
-        robot.waitForIdle();
+        Point at = placeOf(component);
+        act(MouseEvent.MOUSE_RELEASED, 2, () -> {
+            robot.mouseMove(at.x + x, at.y + y);
+            for (int i = 0; i < 2; i++) { // the second press does not wait for what the first one does
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+                robot.delay(TWICE_WITHIN_MS);
+            }
+        });
     }
 
     /** Presses a key twice, as fast as a hand does that means once. */
     public void pressTwice(int key, int... held) {
-        robot.setAutoWaitForIdle(false);
-        strike(key, held);
-        robot.delay(TWICE_WITHIN_MS);
-        strike(key, held);
-        robot.setAutoWaitForIdle(true);
-        robot.waitForIdle();
+        keys(() -> {
+            strike(key, held);
+            robot.delay(TWICE_WITHIN_MS);
+            strike(key, held);
+        });
     }
 
     /** The middle of the row of a table whose first column says this. */
@@ -235,13 +280,11 @@ public final class WindowRobot {
 
     /** Presses a key with others held: {@code press(VK_G, VK_CONTROL)}. */
     public void press(int key, int... held) {
-        robot.setAutoWaitForIdle(false); // what a key does may take long, and a held key repeats
-        strike(key, held);
-        robot.setAutoWaitForIdle(true);
-        robot.waitForIdle();
+        keys(() -> strike(key, held));
     }
 
     private void strike(int key, int... held) {
+        struck += 1 + held.length;
         for (int each : held) {
             robot.keyPress(each);
         }
@@ -254,10 +297,7 @@ public final class WindowRobot {
 
     /** Types letters, digits, spaces, and what stands in addresses and in the names of files; a line's end is the Enter key. */
     public void type(String text) {
-        robot.setAutoWaitForIdle(false); // keys are taken in their order
-        text.chars().forEach(this::strikeLetter);
-        robot.setAutoWaitForIdle(true);
-        robot.waitForIdle();
+        keys(() -> text.chars().forEach(this::strikeLetter));
     }
 
     private void strikeLetter(int letter) {
@@ -290,8 +330,11 @@ public final class WindowRobot {
         while (away != 0 && System.nanoTime() < end) {
             Point at = ask(() -> pane.getVerticalScrollBar().getLocationOnScreen());
             Dimension size = ask(() -> pane.getVerticalScrollBar().getSize());
-            robot.mouseMove(at.x + size.width / 2, at.y + size.height / 2);
-            robot.mouseWheel(away);
+            int notches = away;
+            act(MouseEvent.MOUSE_WHEEL, 1, () -> {
+                robot.mouseMove(at.x + size.width / 2, at.y + size.height / 2);
+                robot.mouseWheel(notches);
+            });
             away = ask(() -> away(component, part, view));
         }
     }
@@ -331,13 +374,19 @@ public final class WindowRobot {
 
     /** Presses a button of the pointer here and lets it go there, without anything being carried: draws, moves, connects. */
     public void draw(Component on, Point from, Point to) {
-        Point at = ask(on::getLocationOnScreen);
-        robot.mouseMove(at.x + from.x, at.y + from.y);
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        Point at = placeOf(on);
+        act(MouseEvent.MOUSE_PRESSED, 1, () -> {
+            robot.mouseMove(at.x + from.x, at.y + from.y);
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        });
+        Point last = from;
         for (int i = 1; i <= STEPS; i++) {
-            robot.mouseMove(at.x + from.x + (to.x - from.x) * i / STEPS, at.y + from.y + (to.y - from.y) * i / STEPS);
+            Point next = new Point(from.x + (to.x - from.x) * i / STEPS, from.y + (to.y - from.y) * i / STEPS);
+            int moves = next.equals(last) ? 0 : 1;
+            act(MouseEvent.MOUSE_DRAGGED, moves, () -> robot.mouseMove(at.x + next.x, at.y + next.y));
+            last = next;
         }
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        act(MouseEvent.MOUSE_RELEASED, 1, () -> robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK));
     }
 
     /**
@@ -369,6 +418,7 @@ public final class WindowRobot {
 
     private boolean drag(SeenDrag seen, Point start, Point end, BooleanSupplier arrived) {
         DragSource.getDefaultDragSource().addDragSourceListener(seen);
+        robot.setAutoWaitForIdle(true); // of what is dragged by the display no events come
         try {
             robot.mouseMove(start.x, start.y);
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
@@ -388,6 +438,7 @@ public final class WindowRobot {
             until("what is dragged is let go", seen::isOver);
             return seen.isTaken();
         } finally {
+            robot.setAutoWaitForIdle(false);
             DragSource.getDefaultDragSource().removeDragSourceListener(seen);
         }
     }
