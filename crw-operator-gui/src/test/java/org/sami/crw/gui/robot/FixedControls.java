@@ -24,20 +24,14 @@ final class FixedControls {
         this.frame = frame;
     }
 
-    /** Where they lie now, by their names. */
+    /** Where they lie now, by their names; without panels that have no room in the midst of a new share of it. */
     Map<String, Rectangle> places() {
-        return WindowRobot.ask(this::placesNow);
-    }
-
-    /** Whether every panel has got its room: a panel that was just opened has none until the window is laid out. */
-    boolean areLaidOut() {
-        return placesNow().values().stream().noneMatch(place -> place.width == 0);
-    }
-
-    private Map<String, Rectangle> placesNow() {
-        Map<String, Rectangle> places = new TreeMap<>();
-        add(frame.getRootPane(), places);
-        return places;
+        return WindowRobot.ask(() -> {
+            Map<String, Rectangle> places = new TreeMap<>();
+            add(frame.getRootPane(), places);
+            places.values().removeIf(place -> place.width == 0);
+            return places;
+        });
     }
 
     private void add(Container root, Map<String, Rectangle> places) {

@@ -108,14 +108,14 @@ final class RobotWorld implements AutoCloseable {
     /** Does a row and looks at all that must hold after each. */
     void go(RobotRow row) throws Exception {
         int traces = errors.traces().size();
-        Map<String, Rectangle> before = places();
+        Map<String, Rectangle> before = controls.places();
         try {
             row.act().on(this);
             assertThat(errors.traces().stream().skip(traces)).as("stack traces").isEmpty();
             assertThat(controls.underTheStop())
                     .as("under the pointer on the fleet stop")
                     .isEqualTo("fleet-stop");
-            Map<String, Rectangle> after = new TreeMap<>(places());
+            Map<String, Rectangle> after = new TreeMap<>(controls.places());
             after.keySet().retainAll(before.keySet());
             Map<String, Rectangle> same = new TreeMap<>(before);
             same.keySet().retainAll(after.keySet());
@@ -127,12 +127,6 @@ final class RobotWorld implements AutoCloseable {
         } finally {
             tidy();
         }
-    }
-
-    /** Where controls lie, once panels have the room that they are to have; an arrangement is restored in several steps. */
-    private Map<String, Rectangle> places() {
-        robot.until("all panels have room", controls::areLaidOut);
-        return controls.places();
     }
 
     /** Ends what a row has begun: sheets, missions, stops, values in force. */
