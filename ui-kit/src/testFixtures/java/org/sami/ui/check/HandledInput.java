@@ -23,10 +23,8 @@ final class HandledInput {
             @Override
             protected void dispatchEvent(AWTEvent event) {
                 if (event instanceof InputEvent) {
-                    count(
-                            event
-                                    .getID()); // before it is handled: what it opens may run a loop of its own until it
-                                               // is closed
+                    count(event.getID()); // before it is handled: what it opens may run a loop of its own until it
+                    // is closed
                 }
                 super.dispatchEvent(event);
             }
