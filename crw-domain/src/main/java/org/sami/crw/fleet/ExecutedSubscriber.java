@@ -20,7 +20,7 @@ final class ExecutedSubscriber implements Consumer<FleetEvent> {
         try {
             executor.execute(() -> subscriber.each(one -> one.accept(event)));
         } catch (RejectedExecutionException stopped) {
-            // whoever stopped its executor wants to hear nothing more
+            // its executor was stopped: the subscriber has ended
         }
     }
 }

@@ -121,7 +121,7 @@ public sealed interface FleetEvent {
     /** The boat took the pictures of a panorama, and keeps them on board. */
     record PanoramaTaken(String boat, BoatCommand command, int pictures, GeoPoint from) implements FleetEvent {}
 
-    /** The operator was told that the boat may come so deep into what it is to avoid, at most, on the way on which it is sent now; in metres. */
+    /** The operator was warned: on its present way the boat may come into an area to avoid, by at most this many metres. */
     record DepthAnnounced(String boat, double insideM) implements FleetEvent {}
 
     // ---- settings

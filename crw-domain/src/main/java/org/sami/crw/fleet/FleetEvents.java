@@ -15,11 +15,11 @@ import org.sami.spn.host.Registration;
 import org.sami.spn.value.TaskId;
 
 /**
- * The one place where all that happens to the boats of a base is told. Proxies and links tell it what they would tell a
- * {@link BoatListener} and a {@link BaseListener}; subscribers hear {@link FleetEvent}s, in order, before plans do.
+ * The event bus of a base's boats. Proxies and links report to it as a {@link BoatListener} and a {@link BaseListener}; subscribers receive {@link
+ * FleetEvent}s, in order, before plans do.
  *
- * <p>Events are told on the fleet's thread. Subscribing and unsubscribing is allowed from any thread. What a subscriber throws is
- * logged, told to the others as a {@link FleetEvent.Fault}, and reaches nobody else.
+ * <p>Events are published on the fleet's thread. Any thread may subscribe and unsubscribe. What a subscriber throws is logged, published to the
+ * others as a {@link FleetEvent.Fault}, and stops no other subscriber.
  */
 public final class FleetEvents implements BaseListener {
     private static final long SLOW_MILLIS = 50;

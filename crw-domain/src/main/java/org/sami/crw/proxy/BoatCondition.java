@@ -20,16 +20,16 @@ final class BoatCondition {
     /** The latest that is known of the boat. */
     BoatStatus status;
 
-    /** Where the boat was seen last, and when; empty as long as it has not said where it is. */
+    /** The last known position of the boat, with its time; empty before the first report. */
     Optional<Sighting> sighting = Optional.empty();
 
     /** The time in milliseconds; it never runs back. */
     long nowMs;
 
-    /** Whether the boat was asked what it holds and has not said so; until then it is told nothing. */
+    /** Whether the boat still has to report its state; until then the base sends it no command. */
     boolean awaitingProgress;
 
-    /** Whether the boat's server has started anew and nobody has allowed it to move again. */
+    /** Whether the boat's server has restarted and still waits for the permission to move. */
     boolean unconfirmedRestart;
 
     /** Whether a person drives the boat by hand. */
@@ -64,7 +64,7 @@ final class BoatCondition {
     /** The way on which the boat is expected to come home by itself. */
     final ExpectedWayHome wayHome = new ExpectedWayHome(() -> home);
 
-    /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */
+    /** How far the boat may be off its path, as it has reported; empty without a report. */
     Optional<CrossTrackError> error = Optional.empty();
 
     BoatCondition(String boatId, ProxyLink link) {

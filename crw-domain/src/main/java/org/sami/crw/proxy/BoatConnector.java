@@ -6,14 +6,14 @@ import java.util.function.Consumer;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * How a base gets to boats that it does not have yet, while missions run. A boat that it gets to is in the base's
- * {@link ProxyRegistry}, and its listener is told of its link as of any other's. For the fleet's thread.
+ * Connects a base to more boats while missions run. A connected boat is in the base's {@link ProxyRegistry}, and its listener hears of its link like
+ * any other's. For the fleet's thread.
  */
 public interface BoatConnector {
     /** The most simulated boats that are made at once: as many as a base was measured with. */
     int MOST_CREATED = 250;
 
-    /** For a base whose boats are settled before it begins. */
+    /** For a base whose boats are fixed before it starts. */
     BoatConnector NONE = new BoatConnector() {
         @Override
         public void connect(Wanted wanted, Consumer<String> found) {
@@ -27,10 +27,10 @@ public interface BoatConnector {
     };
 
     /**
-     * A boat that a plan wants to be connected to.
+     * A boat to which a plan connects.
      *
-     * @param name what the plan calls it; the boat may call itself otherwise
-     * @param color such as {@code #ffce00}; empty where none is wanted
+     * @param name the plan's name for it; the boat may have another name
+     * @param color such as {@code #ffce00}; empty for none
      * @param server host and port of its server
      */
     record Wanted(String name, String color, String server) {
@@ -42,10 +42,10 @@ public interface BoatConnector {
     }
 
     /**
-     * Begins to connect to a boat's server, and keeps at it. A boat that is known already is found at once.
+     * Starts to connect to a boat's server, and keeps trying. A known boat is found at once.
      *
-     * @param found is told the boat's id, once, on the fleet's thread, when it is known
-     * @throws RuntimeException saying why this cannot be tried
+     * @param found receives the boat's id once it is known, on the fleet's thread
+     * @throws RuntimeException with the reason, where connecting is impossible
      */
     void connect(Wanted wanted, Consumer<String> found);
 

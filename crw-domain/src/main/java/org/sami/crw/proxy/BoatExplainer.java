@@ -90,7 +90,7 @@ final class BoatExplainer {
         return proxy.status().mode().filter(BoatMode.RETURN::equals).isPresent();
     }
 
-    /** Nobody sees whether it moves: what it does by itself is what it was set to. */
+    /** The boat cannot be seen; it does what it is configured to do by itself. */
     private BoatExplanation outOfReach(Obstacle lost) {
         String byItself = proxy.settings()
                 .inForce()

@@ -193,7 +193,7 @@ final class BoatMessages {
                 && settings.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
     }
 
-    /** Has the boat say again what it holds; until then it is told nothing. */
+    /** Asks the boat for its state; until the answer the base sends it no command. */
     private void resync() {
         condition.awaitingProgress = true;
         link.hello(condition.nowMs);
@@ -213,7 +213,7 @@ final class BoatMessages {
     private void answered(String commandId, LinkMessage answer) {
         if (!handOver.answered(commandId)
                 && !settings.answered(commandId)
-                && fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
+                && fleetRequests.answered(commandId).isEmpty()) { // otherwise the next telemetry shows the result
             driver.answered(commandId, answer, condition.nowMs);
         }
     }

@@ -30,13 +30,12 @@ import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * One boat, as the base sees it: its link, its latest status, and the queue of commands that missions have for it.
+ * One boat as the base sees it: its link, its latest status, and the queue of commands that missions have for it.
  *
- * <p>The proxy keeps the boat at the command whose turn it is: it uploads the path under a new list id, reads it back,
- * starts it, sends again what stays unanswered, and follows the progress. After a lost link it compares what the boat holds
- * with what the queue wants, and says continue or uploads anew. When the last command is withdrawn it stops the boat; a
- * path that was completed leaves the boat keeping its station there, and one that was given up has it hold its place
- * (docs/decisions, 0323).
+ * <p>The proxy makes the boat execute the command whose turn it is: it uploads the path under a new list id, reads it back, starts it, repeats
+ * unanswered requests and follows the progress. After a lost link it compares the boat's list with the queue, and continues or uploads again. When
+ * the last command is withdrawn, it stops the boat. A boat that completed its path keeps its station there; a boat whose path was given up holds its
+ * place (docs/decisions, 0323).
  *
  * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
  */
@@ -82,14 +81,14 @@ public final class BoatProxy {
     }
 
     /**
-     * From where the boat was seen last to its home, with the turns between: the way on which it is expected to come home by itself since its link was
-     * lost, until it says that it does something else. Empty where it is not set to return.
+     * The way on which the boat is expected to return home by itself since its link was lost: from its last position to its home, with the turns
+     * between. It holds until the boat reports otherwise; empty for a boat that is not configured to return.
      */
     public List<GeoPoint> wayHome() {
         return condition.wayHome.way();
     }
 
-    /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */
+    /** How far the boat may be off its path, as it has reported; empty without a report. */
     public Optional<CrossTrackError> error() {
         return condition.error;
     }
@@ -388,7 +387,7 @@ public final class BoatProxy {
         return new BoatExplainer(this, MissionTitles.NONE).isUnderWay();
     }
 
-    /** Where the boat is and goes, for who looks at several boats, and what it is told of others. */
+    /** Position and destination of the boat, for the relay of traffic, and what it has received about other boats. */
     ProxyTraffic traffic() {
         return traffic;
     }
@@ -404,7 +403,7 @@ public final class BoatProxy {
         return condition.obstacle();
     }
 
-    /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
+    /** Makes the boat execute the command whose turn it is, then notifies the listener. */
     private void settle() {
         Optional<Obstacle> obstacle = obstacle();
         if (obstacle.isPresent() && obstacle.get().cause() != BoatExplanation.Cause.COMPARING) {

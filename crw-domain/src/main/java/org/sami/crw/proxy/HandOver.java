@@ -26,9 +26,9 @@ public final class HandOver {
     private boolean toldCommanding;
 
     /**
-     * A hand-over that nobody has asked for yet.
+     * A hand-over that no base has asked for yet.
      *
-     * @param ids makes the id of a command of what it is about
+     * @param ids makes the id of a command from its subject
      */
     HandOver(
             String boatId,
@@ -46,8 +46,8 @@ public final class HandOver {
     }
 
     /**
-     * Only watches the boat from now on, until this base asks for the command, takes it or is granted it. A boat that it has
-     * commanded, and nobody else wants, does what is set for a lost link.
+     * Observes the boat from now on, until this base asks for the command, takes it or is granted it. A boat that this base has commanded, and that
+     * no other base takes over, starts its lost-link action.
      */
     public void observe() {
         link.observe();

@@ -69,8 +69,8 @@ public final class ProxyCommands {
     }
 
     /**
-     * Takes a command for the boat. One whose id is queued already is ignored. A newer command of a mission takes the place of
-     * its older one; see {@link Withdrawal} for what is displaced.
+     * Queues a command for the boat. A command whose id is queued already is ignored. A newer command of a mission replaces its older one; {@link
+     * Withdrawal} describes the displaced ones.
      */
     public void submit(BoatCommand command) {
         driver.submit(Objects.requireNonNull(command, "command"));

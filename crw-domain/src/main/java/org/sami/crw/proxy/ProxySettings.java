@@ -20,9 +20,9 @@ import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.status.BoatTuning;
 
 /**
- * The settings of one boat: sets them over its proxy's link, and knows which the boat said are in force. Of each kind of setting the
- * newest is asked for, and asked again until the boat answers: an older one that is still unanswered must not overtake it. The proxy's
- * listener is told whether the boat took a setting, and what is in force afterwards. For the proxy's thread.
+ * The settings of one boat: requests them over its proxy's link, and knows those that the boat reports as in force. Only the newest request of each
+ * kind is sent and repeated until the boat answers: an older unanswered one must not overtake it. The proxy's listener hears whether the boat took a
+ * setting, and what is in force afterwards. For the proxy's thread.
  */
 public final class ProxySettings {
     private final String boatId;

@@ -9,8 +9,8 @@ import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * A boat among others, as far as its proxy knows: where it was seen last, where it goes and what it is not to enter, and how it is told of the
- * others. For the proxy's thread.
+ * A boat in traffic, as its proxy knows it: its last position, its destination and no-go edges, and the messages about nearby boats that it receives.
+ * For the proxy's thread.
  */
 final class ProxyTraffic {
     private final BoatCondition condition;

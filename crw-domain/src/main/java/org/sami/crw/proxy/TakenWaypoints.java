@@ -12,8 +12,8 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Finds boats that wait because another one lies at their next waypoint: boats give way by themselves, and who gives way to a boat that does not move
- * waits until somebody moves it. For the thread that drives the proxies.
+ * Finds boats that wait because another boat lies at their next waypoint: a boat that gives way to one that does not move waits until somebody moves
+ * it. For the thread that drives the proxies.
  */
 public final class TakenWaypoints {
     /** So many looks, a second apart, a boat waits before it is named: many make room by then. */

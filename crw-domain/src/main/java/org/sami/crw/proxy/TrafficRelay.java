@@ -10,32 +10,32 @@ import org.sami.boat.link.Traffic;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Tells each boat which others are near it, how they move, and what it is not to enter while it gives way to them. A boat is told once a second of all
- * that are within {@link #NEAR_M}, and at each look of those within {@link #CLOSE_M} of which something new is known; nothing while nobody is near or all
- * lie still. For the thread that drives the proxies.
+ * Sends each boat the boats near it, their motion, and the no-go edges to stay clear of while it gives way. A boat receives all boats within {@link
+ * #NEAR_M} once a second, and at each check those within {@link #CLOSE_M} that have changed; it receives nothing while no boat is near or all lie
+ * still. For the thread that drives the proxies.
  */
 public final class TrafficRelay {
-    /** Two boats that are farther from one another, in metres, need not know of each other: 13 s at cruise speed, head on. */
+    /** Boats farther apart than this, in metres, need not know of each other: 13 s at cruise speed, head on. */
     static final double NEAR_M = 40;
 
-    /** Two boats that are nearer, in metres, are told of each other as often as anything new is known. */
+    /** Boats closer than this, in metres, receive every change of each other. */
     static final double CLOSE_M = 20;
 
-    /** What is older, in ms, is passed on no more: the time after which a link counts as lost. */
-    static final long OLDEST_MS = 3500;
+    /** Age in ms beyond which a report is no longer passed on: the time after which a link counts as lost. */
+    static final long MAX_AGE_MS = 3500;
 
-    private static final long LOOK_MS = 200;
+    private static final long CHECK_MS = 200;
     private static final long PERIOD_MS = 1000;
-    private static final int LOOKS = (int) (PERIOD_MS / LOOK_MS); // of a period
-    private static final double METRES_PER_DEGREE = 111_320; // of latitude; coarse is enough to see who is near
+    private static final int CHECKS = (int) (PERIOD_MS / CHECK_MS); // in a period
+    private static final double METRES_PER_DEGREE = 111_320; // of latitude; a rough value is enough to find near boats
     private static final Comparator<Seen> FROM_WEST = Comparator.comparingDouble(seen -> seen.eastM);
 
     private final List<Seen> inOrder = new ArrayList<>(); // as the boats are given
-    private final List<Seen> fromWest = new ArrayList<>(); // the same ones; nearly in order from look to look
-    private long lookedMs = Long.MIN_VALUE / 2;
+    private final List<Seen> fromWest = new ArrayList<>(); // the same; nearly sorted from check to check
+    private long checkedMs = Long.MIN_VALUE / 2;
     private int boatsSeen; // ever
 
-    /** Metres east and north of where one of the boats is. */
+    /** Metres east and north of one of the boats. */
     private record Plane(Sighting origin, double metresPerDegreeEast) {
         static Plane at(Sighting origin) {
             return new Plane(origin, METRES_PER_DEGREE * StrictMath.cos(Math.toRadians(origin.latDeg())));
@@ -51,22 +51,22 @@ public final class TrafficRelay {
         }
     }
 
-    /** A boat, and where it was when it was looked at last. */
+    /** A boat with its position at the last check. */
     private static final class Seen {
         private final BoatProxy boat;
-        // at which look of a period it is told of all: not all boats are told of all at once
+        // the check of a period at which it receives all boats: spreads the load over the period
         private final int turn;
         private final List<Seen> near = new ArrayList<>();
         private Sighting sighting;
-        private boolean isNews; // that was not known at the look before
+        private boolean isNews; // it has changed since the check before
         private long atMs;
         private double eastM;
         private double northM;
         private boolean isAtRest;
-        private Optional<NearbyBoat> row; // once somebody is to be told of it
-        private boolean isConcerned; // somebody is under way, this boat or one near it
-        private boolean isClose; // likewise, and so near that it is told often
-        private long toldMs = Long.MIN_VALUE / 2; // of all
+        private Optional<NearbyBoat> row; // made when first needed
+        private boolean isConcerned; // this boat or one near it is under way
+        private boolean isClose; // the same within CLOSE_M
+        private long allSentMs = Long.MIN_VALUE / 2;
 
         Seen(BoatProxy boat, int turn) {
             this.boat = boat;
@@ -87,7 +87,7 @@ public final class TrafficRelay {
         }
 
         boolean isDueToAll(long nowMs) {
-            return nowMs - toldMs >= PERIOD_MS || nowMs / LOOK_MS % LOOKS == turn;
+            return nowMs - allSentMs >= PERIOD_MS || nowMs / CHECK_MS % CHECKS == turn;
         }
 
         boolean isNewsTo(Seen other) {
@@ -101,12 +101,12 @@ public final class TrafficRelay {
         }
     }
 
-    /** Lets time pass, and tells the boats that are due. To be called ten times a second; it looks at the boats five times a second. */
+    /** Sends to the boats that are due. To be called ten times a second; it checks the boats five times a second. */
     public void tick(Collection<BoatProxy> boats, long nowMs) {
-        if (boats.size() < 2 || nowMs - lookedMs < LOOK_MS) {
+        if (boats.size() < 2 || nowMs - checkedMs < CHECK_MS) {
             return;
         }
-        lookedMs = nowMs;
+        checkedMs = nowMs;
         look(boats, nowMs);
         pairUp();
         for (Seen seen : fromWest) {
@@ -118,7 +118,7 @@ public final class TrafficRelay {
 
     private static void tell(Seen seen, long nowMs) {
         if (seen.isDueToAll(nowMs)) {
-            seen.toldMs = nowMs;
+            seen.allSentMs = nowMs;
         } else if (seen.isClose) {
             seen.near.removeIf(other -> !other.isNewsTo(seen));
         } else {
@@ -131,13 +131,13 @@ public final class TrafficRelay {
         }
     }
 
-    /** Where the boats are of which that is known; the others are forgotten. */
+    /** Updates the positions of the boats that have a recent one; forgets the others. */
     private void look(Collection<BoatProxy> boats, long nowMs) {
         Plane plane = null; // of the first one
         int count = 0;
         for (BoatProxy boat : boats) {
             Optional<Sighting> sighting = boat.traffic().sighting();
-            if (sighting.isPresent() && nowMs - sighting.get().atMs() <= OLDEST_MS) {
+            if (sighting.isPresent() && nowMs - sighting.get().atMs() <= MAX_AGE_MS) {
                 plane = plane == null ? Plane.at(sighting.get()) : plane;
                 seen(boat, count).look(sighting.get(), plane, nowMs);
                 count++;
@@ -147,7 +147,7 @@ public final class TrafficRelay {
         fromWest.removeIf(seen -> seen.atMs != nowMs);
     }
 
-    /** The boat, which so many of those that are known come before; it mostly is where it was at the last look. */
+    /** The entry of a boat that comes after {@code before} others; it usually has the same index as at the last check. */
     private Seen seen(BoatProxy boat, int before) {
         for (int i = before; i < inOrder.size(); i++) {
             if (inOrder.get(i).boat == boat) {
@@ -155,13 +155,13 @@ public final class TrafficRelay {
                 return inOrder.get(before);
             }
         }
-        Seen seen = new Seen(boat, boatsSeen++ % LOOKS);
+        Seen seen = new Seen(boat, boatsSeen++ % CHECKS);
         inOrder.add(before, seen);
         fromWest.add(seen);
         return seen;
     }
 
-    /** Finds the pairs of boats that are near each other. Boats are sorted from west to east, so that not all pairs are looked at. */
+    /** Finds the pairs of near boats. The boats are sorted from west to east, so that not all pairs have to be compared. */
     private void pairUp() {
         fromWest.sort(FROM_WEST);
         for (int i = 0; i < fromWest.size(); i++) {

@@ -3,13 +3,12 @@ package org.sami.crw.service;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * A plane that touches the WGS-84 ellipsoid at an origin: x to the east, y to the north, in metres. Coordinates are the
- * angles times the two radii of curvature at the origin's latitude. For comparing many distances within one operating
- * area: over 2 km they are right to a metre even at 60 degrees, at a hundredth of a geodesic's cost. What is reported is
- * measured by {@link Geodesy}.
+ * A plane that touches the WGS-84 ellipsoid at an origin: x to the east, y to the north, in metres. Coordinates are angles times the two radii of
+ * curvature at the origin's latitude. It compares many distances within one operating area: over 2 km they are accurate to a metre even at 60
+ * degrees, at a hundredth of the cost of a geodesic. {@link Geodesy} measures distances that are reported.
  *
- * <p>Within two degrees of a pole the coordinates are those of the plane that touches there, turned so that north is up at the origin:
- * lengths along a parallel are right to a part in 5,000.
+ * <p>Within two degrees of a pole the plane touches at the pole, turned so that north is up at the origin: lengths along a parallel are accurate to
+ * one part in 5,000.
  */
 public final class LocalPlane {
     private static final double EQUATOR_RADIUS_M = 6_378_137.0;

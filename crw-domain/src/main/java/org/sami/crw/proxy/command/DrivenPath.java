@@ -24,9 +24,9 @@ public final class DrivenPath {
     /**
      * The way along a path for a boat.
      *
-     * @param visited how many points of the path are behind it: the legs between them are not driven any more
-     * @param from where the boat is, if that is known
-     * @param water where it may go, if there are limits
+     * @param visited number of points already visited: the legs between them are not driven again
+     * @param from position of the boat, if known
+     * @param water where the boat may go, if limited
      */
     public static DrivenPath of(List<GeoPoint> path, int visited, Optional<GeoPoint> from, Optional<Water> water) {
         List<GeoPoint> points = new ArrayList<>();

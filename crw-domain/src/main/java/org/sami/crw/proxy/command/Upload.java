@@ -5,12 +5,12 @@ import java.util.Objects;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * How far a waypoint list has come on its way to the boat.
+ * Progress of a waypoint list on its way to the boat.
  *
  * @param listId names the list on the link; never used for another
- * @param commandId the command whose path it is
- * @param way its points in driving order: the path's, and where the boat turns around what is not to be entered
- * @param why in words why it failed; empty in the other states
+ * @param commandId the command of the path
+ * @param way its points in driving order: those of the path, and turns around no-go areas
+ * @param why reason of a failure in words; empty in the other states
  */
 public record Upload(String listId, String commandId, List<GeoPoint> way, State state, String why) {
 

@@ -1,12 +1,12 @@
 package org.sami.crw.proxy.command;
 
 /**
- * How many waypoint lists have gone to a boat since its proxy was made.
+ * Counts of the waypoint lists sent to a boat since its proxy was made.
  *
- * @param sent each counted once, however often it was sent again
- * @param acknowledged the boat has said that it took them whole
- * @param readBackEqual the boat has said what it holds, and that was equal
- * @param failed given up before that, for whatever reason
+ * @param sent lists sent, each counted once, with any repetitions
+ * @param acknowledged lists that the boat has acknowledged
+ * @param readBackEqual lists that the boat has read back equal
+ * @param failed lists given up before that, for any reason
  */
 public record UploadCount(int sent, int acknowledged, int readBackEqual, int failed) {
     /** None. */

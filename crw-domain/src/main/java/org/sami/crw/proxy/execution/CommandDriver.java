@@ -89,7 +89,7 @@ public final class CommandDriver {
         return run.isPresent() && run.get().isDriving();
     }
 
-    /** Whether the boat has been told to stop for want of a command and has not answered yet. */
+    /** Whether a stop for lack of commands is still unanswered. */
     public boolean isStopping() {
         return run.isEmpty() && requests.areWaiting();
     }
@@ -261,7 +261,7 @@ public final class CommandDriver {
         }
     }
 
-    /** What the boat is to do now: a mission's command, else to hold its place. */
+    /** The boat's present task: a mission's command, otherwise to hold its place. */
     private Optional<QueuedCommand> wanted() {
         return queue.current().isPresent() ? queue.current() : hold.station();
     }

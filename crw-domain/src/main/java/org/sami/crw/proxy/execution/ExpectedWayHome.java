@@ -10,8 +10,8 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * The way on which a boat is expected to come home by itself when its link is lost: of the ways that it was sent for the leg that it drives or drove last,
- * the shortest from where it was seen, as the boat chooses it (docs/decisions, 0335).
+ * The way on which a boat is expected to return home by itself when its link is lost. As the boat does, it takes the shortest from the last position
+ * among the ways sent for the current or last leg (docs/decisions, 0335).
  */
 public final class ExpectedWayHome {
     /** A boat that is so near to its home has no way there. */

@@ -61,20 +61,20 @@ final class PathRun extends CommandRun {
     private int starts;
 
     /**
-     * A list that the boat holds already, since an earlier process of this base sent it for the same command.
+     * A list that the boat already holds because an earlier process of this base sent it for the same command.
      *
-     * @param held gives what the boat said last of its progress
-     * @param visited is told how many points are behind the boat, once it is sure that the list is this path
+     * @param held the progress that the boat has reported last
+     * @param visited receives the number of visited points once the list is known to be this path
      */
     record Adopted(String listId, Supplier<Progress> held, IntConsumer visited) {}
 
     /**
-     * A try.
+     * One attempt.
      *
-     * @param position gives where the boat is, if that is known
-     * @param wayHome learns what the boat knows of its ways home
-     * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
-     * @param reached is told how far the upload has come, once for each state
+     * @param position position of the boat, if known
+     * @param wayHome learns the ways home that the boat knows
+     * @param adopted goes on with the boat's list if it is this path; otherwise the path is sent under a new id
+     * @param reached receives each state of the upload once
      */
     PathRun(
             QueuedCommand queued,

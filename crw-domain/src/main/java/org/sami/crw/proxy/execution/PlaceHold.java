@@ -8,8 +8,8 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Has a boat whose path was given up keep a station where it is, or where it comes out of what it is not to enter, until somebody decides
- * (docs/decisions, 0323). No mission wants it: it stands behind every command, and is in no queue.
+ * Keeps a boat whose path was given up at its place, or at the nearest place outside no-go areas, until somebody decides (docs/decisions, 0323). No
+ * mission asked for it: it comes after every command and is in no queue.
  */
 final class PlaceHold {
     private static final double RADIUS_M = 10; // the boat itself keeps closer, where it can

@@ -54,7 +54,7 @@ public final class ProgressMonitor {
         return nowMs - sinceMs;
     }
 
-    /** Whether it has come no nearer for so long that the operator is told. */
+    /** Whether the boat has made no headway for long enough to notify the operator. */
     public boolean isShown() {
         return noneForMs() >= SHOWN_AFTER_MS;
     }

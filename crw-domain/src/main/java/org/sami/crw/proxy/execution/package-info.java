@@ -1,7 +1,6 @@
 /**
- * How a boat is brought to carry out the command whose turn it is: one class for each kind of command, over uploads, lost links, refusals and
- * boats that do not get on.
+ * Execution of the command whose turn it is: one class for each kind of command. It handles uploads, lost links, refusals and boats without headway.
  *
- * <p>{@link org.sami.crw.proxy.execution.CommandDriver} has them tried. Does not belong here: which command that is ({@code queue}).
+ * <p>{@link org.sami.crw.proxy.execution.CommandDriver} starts the attempts. Not here: which command has its turn ({@code queue}).
  */
 package org.sami.crw.proxy.execution;

@@ -7,12 +7,12 @@ import org.sami.crw.proxy.command.Panorama;
 import org.sami.spn.protocol.Ids;
 
 /**
- * How explanations speak of a command: what a boat does with it, and for whom.
+ * Words for a command in explanations: what a boat does with it, and for whom.
  *
- * @param does the boat does it now, such as {@code follows its path}
- * @param infinitive it is to do it
- * @param doing names the command as a thing that waits or fails
- * @param done how it ended well
+ * @param does present tense, such as {@code follows its path}
+ * @param infinitive what it has to do
+ * @param doing the command as a noun, for one that waits or fails
+ * @param done past tense, for one that ended well
  */
 public record ExplainedCommand(String does, String infinitive, String doing, String done) {
     private static final ExplainedCommand PATH = new ExplainedCommand(

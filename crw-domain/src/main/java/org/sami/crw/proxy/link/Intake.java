@@ -23,11 +23,11 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 
 /**
- * Takes of what one boat says no more than boats say that work as they should, several times over: so that one boat that says too much
- * takes neither the base's time nor its journal from the others (decision 0421). Answers to commands are always taken.
+ * Limits the messages that a base accepts from one boat to several times what a working boat sends, so that a boat that sends too much takes neither
+ * time nor journal from the others (decision 0421). Answers to commands are always accepted.
  *
- * <p>Of messages that say how the boat is now the newest is kept and taken as soon as there is room: so the last one always comes through.
- * Others are left out. Both are counted. For the proxy's thread.
+ * <p>Of messages about the present state the newest is kept and accepted as soon as there is room, so the last one always gets through. Others are
+ * left out. Both are counted. For the proxy's thread.
  */
 public final class Intake {
     /** Channels of sensors: a sonde has about ten. */
@@ -36,7 +36,7 @@ public final class Intake {
     private static final String READINGS = "readings";
     private static final String CHANNELS = "readings of channels beyond the first " + MOST_CHANNELS;
     private static final String UNREAD = "messages that were not read";
-    private static final double READING_OVERHEAD = 2; // what is noted beside the values, in parts of a value
+    private static final double READING_OVERHEAD = 2; // overhead of a reading, in values
     private static final long REPORT_MS = 1000;
     private static final long OVER_AFTER_MS = 10_000;
 
@@ -147,7 +147,7 @@ public final class Intake {
         gates.values().forEach(gate -> gate.newest = Optional.empty());
     }
 
-    /** What is to be told of what was left out: at once, then once a second while it becomes more, and when it is over. */
+    /** The report about messages left out: at once, then once a second while their number grows, and at the end. */
     public Optional<LeftOut> news(long nowMs) {
         Supplier<LeftOut> now = () -> new LeftOut(active, leftOut);
         if (active && nowMs - lastMs >= OVER_AFTER_MS) {

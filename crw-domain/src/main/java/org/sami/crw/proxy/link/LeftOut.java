@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * What a base has left out of what a boat sent, as it was more than a boat of this system sends.
+ * Messages of a boat that the base left out because they were too many.
  *
  * @param active whether the boat still sends too much
- * @param counts how many messages were left out since it began, by what they are in words
+ * @param counts number of messages left out since it began, by kind in words
  */
 public record LeftOut(boolean active, Map<String, Long> counts) {
     public LeftOut {

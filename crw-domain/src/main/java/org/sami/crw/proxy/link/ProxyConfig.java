@@ -3,16 +3,16 @@ package org.sami.crw.proxy.link;
 import java.util.Objects;
 
 /**
- * What is set for the base's side of the links.
+ * The configuration of the base's side of the links.
  *
- * @param clientId names this base to the boats, and its commands: over a network it must be unique among all bases and
- *     sessions that the boats ever meet, as boats do not execute an id again
+ * @param clientId names this base and its commands to the boats. Over a network it must be unique among all bases and sessions that the boats
+ *     ever meet: boats do not execute an id again
  * @param epoch counts the starts of this base in one session, so that wire ids of an earlier start are never used again
  * @param cruiseSpeedMps speed of paths that name none, in m/s
- * @param telemetryHz wished telemetry messages a second
- * @param lostAfterMs the link is lost after this time without a frame
- * @param resendMs an unanswered request is sent again after this time
- * @param maxSends a request that stays unanswered is given up after so many times
+ * @param telemetryHz telemetry messages a second to ask for
+ * @param lostAfterMs time without a frame after which the link is lost
+ * @param resendMs time after which an unanswered request is sent again
+ * @param maxSends number of sends after which an unanswered request is given up
  */
 public record ProxyConfig(
         String clientId,

@@ -23,7 +23,7 @@ public interface BoatListener {
     /** A command cannot be done, for a reason in words; it has left the queue. */
     default void onFailed(String boatId, BoatCommand command, String reason) {}
 
-    /** A path was given up, and failed; the boat holds its place from now on, until it gets a command or nobody can tell it to. */
+    /** A path failed and was given up. The boat holds its place until its next command, or until its link is lost. */
     default void onHoldsPlace(String boatId, BoatCommand givenUp) {}
 
     /** Another command has displaced this one for good; it has left the queue. What missions withdraw is not reported. */
@@ -90,7 +90,7 @@ public interface BoatListener {
     default void onTuningRefused(String boatId, String commandId, String reason) {}
 
     /**
-     * Some listener threw when it was told of a boat; it and all others hear what follows.
+     * A listener threw an exception about a boat; all listeners still receive what follows.
      *
      * @param listener name of its class
      */

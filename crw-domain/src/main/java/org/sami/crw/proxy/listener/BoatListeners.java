@@ -13,7 +13,7 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.value.GeoPoint;
 
-/** Several listeners as one, told in order. What one throws is logged and told to all; the next one is called all the same. */
+/** Several listeners as one, called in order. An exception of one is logged and reported to all; the next ones are still called. */
 public final class BoatListeners implements BoatListener {
     private final ListenerList<BoatListener> listeners = new ListenerList<>();
 

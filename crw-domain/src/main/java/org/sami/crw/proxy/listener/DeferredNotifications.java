@@ -4,15 +4,15 @@ import java.util.ArrayDeque;
 import java.util.function.Consumer;
 
 /**
- * What is to be said to the listener once the proxy is done with a change, in order. A listener that calls back finds the
- * proxy consistent, and what that causes is said after what is being said.
+ * Notifications of the listener, deferred until the proxy has finished a change, in order. A listener that calls back finds the proxy consistent, and
+ * notifications that this causes come after the present ones.
  */
 public final class DeferredNotifications {
     private final BoatListener listener;
     private final ArrayDeque<Consumer<BoatListener>> waiting = new ArrayDeque<>();
     private boolean speaking;
 
-    /** Nothing is to be told yet. */
+    /** No notification is waiting. */
     public DeferredNotifications(BoatListener listener) {
         this.listener = new BoatListeners(listener); // what it throws must not keep the proxy from its work
     }

@@ -1,6 +1,6 @@
 /**
- * What proxies tell their listener, and how: in order, after the work that caused it, and whatever a listener throws.
+ * Notifications of proxies to their listener: in order, after the work that caused them, and even if a listener throws.
  *
- * <p>Does not belong here: the events that a fleet publishes of it ({@code org.sami.crw.fleet}).
+ * <p>Not here: the events that a fleet publishes from them ({@code org.sami.crw.fleet}).
  */
 package org.sami.crw.proxy.listener;

@@ -69,7 +69,7 @@ public final class CommandQueue {
                 .orElse("the other came first"));
     }
 
-    /** Counts the changes of what is queued and of whose turn it is. */
+    /** Counts changes of the queue and of the command whose turn it is. */
     public long changes() {
         return changes;
     }
@@ -81,7 +81,7 @@ public final class CommandQueue {
                 : Optional.of(blockingMissions.get(blockingMissions.size() - 1));
     }
 
-    /** Takes a command; one whose id is queued already is ignored. Returns what it displaced for good, and why. */
+    /** Queues a command; one whose id is queued already is ignored. Returns the commands that it displaced for good, with the reasons. */
     public Map<BoatCommand, Withdrawal> submit(BoatCommand command) {
         if (find(command.commandId()).isPresent()) {
             return Map.of();

@@ -10,9 +10,9 @@ import org.sami.crw.proxy.command.FollowPath;
 /**
  * The commands that missions have for one boat, at a moment. Immutable.
  *
- * @param current the command whose turn it is, if any has
- * @param waiting the others, in the order in which they would have their turn
- * @param blockedBy the mission that keeps the boat for itself; of several the newest
+ * @param current the command whose turn it is, if any
+ * @param waiting the others, in the order of their turns
+ * @param blockedBy the mission that reserves the boat for itself; the newest of several
  */
 public record CommandQueueSnapshot(Optional<Entry> current, List<Entry> waiting, OptionalLong blockedBy) {
     /** Nothing is wanted of the boat. */

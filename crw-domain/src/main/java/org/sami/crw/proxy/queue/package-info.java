@@ -1,6 +1,6 @@
 /**
- * The commands that missions have for one boat: whose turn it is by priority, block and age, and what each other one waits for.
+ * The commands that missions have for one boat: their order by priority, block and age, and what each waiting command waits for.
  *
- * <p>Does not belong here: what becomes of the command whose turn it is ({@code execution}).
+ * <p>Not here: executing the command whose turn it is ({@code execution}).
  */
 package org.sami.crw.proxy.queue;

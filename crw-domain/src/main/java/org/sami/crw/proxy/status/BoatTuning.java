@@ -7,12 +7,12 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SettingsReport;
 
 /**
- * The settings that a boat said are in force on it.
+ * The settings in force on a boat, as it has reported.
  *
- * @param heading gains of the loop that steers
- * @param speed gains of the loop that drives
+ * @param heading gains of the heading loop
+ * @param speed gains of the speed loop
  * @param velocityMultiplier factor on the speed of every leg
- * @param lostLinkAction what it does when the link to its commander is lost
+ * @param lostLinkAction action when the link to its commander is lost
  */
 public record BoatTuning(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
     public BoatTuning {

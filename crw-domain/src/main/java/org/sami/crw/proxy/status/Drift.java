@@ -5,12 +5,12 @@ import java.util.Objects;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * How a boat that does not drive is carried over ground, by the positions that it told.
+ * The drift of a boat that does not drive, by its reported positions.
  *
- * @param speedMps over ground in m/s; 0 where it is too slow to be told from the noise of its position
- * @param courseRad where it is carried to, in radians clockwise from true north; 0 without a speed
- * @param leftAt where it was when it began to rest or to hold its place, WGS 84
- * @param awayM how far it is from there now, in metres
+ * @param speedMps over ground in m/s; 0 where the noise of the position hides it
+ * @param courseRad direction of the drift in radians clockwise from true north; 0 without a speed
+ * @param leftAt where the boat began to rest or to hold its place, WGS 84
+ * @param awayM its distance from there now, in metres
  */
 public record Drift(double speedMps, double courseRad, GeoPoint leftAt, double awayM) {
     private static final String[] COURSES = {

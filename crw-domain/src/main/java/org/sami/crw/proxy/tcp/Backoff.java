@@ -3,8 +3,8 @@ package org.sami.crw.proxy.tcp;
 import java.util.SplittableRandom;
 
 /**
- * How long to wait before another try to connect: twice as long each time, up to a limit, give or take a fifth, so that the
- * links of a fleet do not all come back in the same moment.
+ * The delay before the next connection attempt. It doubles up to a limit, with a jitter of a fifth, so that the links of a fleet do not all come back
+ * at the same moment.
  */
 final class Backoff {
     private static final double SPREAD = 0.2;

@@ -14,11 +14,11 @@ import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatProxy;
 
 /**
- * The link to one address: keeps a connection, asks the boat there who it is, and from then on carries the frames of that
- * boat's proxy. For the base's thread.
+ * The link to one address: it keeps a connection, asks the boat there for its name, and then carries the frames of that boat's proxy. For the base's
+ * thread.
  *
- * <p>A connection from which no frame has come for the time after which a link counts as lost is given up, not waited for: what
- * was on its way in it would come late, and another one may come through.
+ * <p>A connection without a frame for the time after which a link counts as lost is closed and not waited for: its frames would be late, and a new
+ * connection may get through.
  */
 final class BoatLink implements FrameSink {
     private static final LinkCodec CODEC = new LinkCodec();
@@ -28,10 +28,10 @@ final class BoatLink implements FrameSink {
         /** Where a connection of this link tells what happens; brings it to the base's thread, and back to this link. */
         BoatConnection.Owner owner(BoatLink link);
 
-        /** A boat has said who it is: whether this link is to carry it. Asked again as long as the answer is to wait. */
+        /** A boat has given its name: whether this link carries it. Asked again while the answer is to wait. */
         Claim claimed(BoatLink link, Found found);
 
-        /** Where a boat was that this link carries, another one answers: the link is to carry nobody. */
+        /** Another boat answers at the address of the one that this link carries: the link carries none now. */
         void leftBy(BoatLink link, String boatId);
 
         /** What answers speaks another version of the link. */

@@ -9,9 +9,9 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.RateLimit;
 
 /**
- * Keeps what one boat sends too fast from the base's thread, which all links share. It looks at the beginning of a frame only, on the
- * thread that reads from the boat: readings, poses and wishes of others that come in masses are left out unread, and counted; of all else the
- * reading waits, so that nothing is lost. What is left out of the rest, and told, is the matter of {@link org.sami.crw.proxy.link.Intake}.
+ * Keeps excess frames of one boat from the base's thread, which all links share. It looks at the beginning of a frame only, on the thread that reads
+ * from the boat. Readings, poses and command requests in excess are left out unread, and counted. For all other frames the reading waits, so that
+ * nothing is lost. {@link org.sami.crw.proxy.link.Intake} limits and reports the rest.
  */
 final class ExcessFrames {
     /** Frames a second of each sort: several times what a boat of this system sends with all its sensors. */

@@ -6,13 +6,13 @@ import java.util.Optional;
 /**
  * One link of the base at a moment.
  *
- * @param boatId the boat that the address leads to; empty as long as that is not known
- * @param connected whether a connection stands now
- * @param connections how many have stood so far
- * @param lastEvent what happened last, in words; empty if nothing has
- * @param refused whether that is that somebody answered, and this base refused it or was turned away
- * @param failedTries how many connections could not be had, or ended, since a boat was heard over one
- * @param failingForMs how long ago the first of them was tried; 0 if there was none
+ * @param boatId the boat at the address; empty while unknown
+ * @param connected whether a connection is open
+ * @param connections number of connections so far
+ * @param lastEvent the last event in words; empty if there was none
+ * @param refused whether the last event is a refusal, by this base or by the peer
+ * @param failedTries number of connections that failed or ended since a boat was last heard
+ * @param failingForMs time since the first of these; 0 if there was none
  */
 public record LinkReport(
         InetSocketAddress address,

@@ -20,9 +20,8 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TrafficRelay;
 
 /**
- * The links of a base, and which boat each carries. Decides what becomes of a boat that answers at a second address: as long as
- * frames come over the first link, that one keeps the boat and the second is refused and alarmed; when nothing comes any
- * longer, the boat has moved. For the base's thread.
+ * The links of a base, and the boat that each carries. When a boat answers at a second address, the first link keeps it while frames arrive there,
+ * and the second is refused with an alarm. When the first is silent, the boat has moved. For the base's thread.
  */
 final class LinkTable {
     private static final long STOP_WITHIN_MS = 2000;
@@ -46,8 +45,8 @@ final class LinkTable {
     /**
      * A table without links.
      *
-     * @param owners gives a link's connections whom to tell what happens
-     * @param guarded runs work that it is given in words, and reports what that throws
+     * @param owners returns the owner of a link's connections
+     * @param guarded runs work that is named in words, and reports what it throws
      */
     LinkTable(
             TcpBaseConfig config,
@@ -244,7 +243,7 @@ final class LinkTable {
         private void move(BoatLink from, BoatLink to, Welcome welcome) {
             String boatId = welcome.boatId();
             if (isSameStart(welcome)) {
-                drop(from); // nobody is there any longer; else a boat of that name may still be, and must be noticed
+                drop(from); // a boat of that name may still be elsewhere, and must be noticed then
             } else {
                 from.release("the boat is reached elsewhere", nowMs);
             }

@@ -18,15 +18,13 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 
 /**
- * The boats of a base behind TCP: connects to addresses, learns which boats are there, and drives their proxies on one thread
- * of its own.
+ * The boats of a base behind TCP: it connects to addresses, learns the boats' names, and drives their proxies on one thread of its own.
  *
- * <p>Links come again by themselves after they broke. What a boat then does is its proxy's matter: a boat whose server has
- * started anew is not moved before {@link BoatProxy#confirmRestart}. Of two boats with one id the first that answered is kept,
- * the other refused and alarmed; a boat that has fallen silent at one address and answers at another has moved.
+ * <p>Broken links reconnect by themselves; the proxy decides what its boat does then. A boat whose server has restarted does not move before {@link
+ * BoatProxy#confirmRestart}. Of two boats with one id the first is kept, the other refused with an alarm. A boat that is silent at one address and
+ * answers at another has moved.
  *
- * <p>Proxies, registry and listeners live on the base's thread; {@link #query} brings others there. Safe for use by several
- * threads.
+ * <p>Proxies, registry and listeners live on the base's thread; {@link #query} runs work there. Safe for use by several threads.
  */
 public final class TcpBase implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(TcpBase.class.getName());
@@ -61,10 +59,7 @@ public final class TcpBase implements AutoCloseable {
         });
     }
 
-    /**
-     * A boat of that name is known to be somewhere, though no address has led to it yet: it gets its proxy at once, whose commands
-     * wait until the boat answers.
-     */
+    /** Makes a proxy for a boat whose address is still unknown; its commands wait until the boat answers. */
     public void expect(String boatId) {
         run("expecting " + boatId, () -> {
             if (!stopped) {
@@ -92,8 +87,8 @@ public final class TcpBase implements AutoCloseable {
     }
 
     /**
-     * The base's thread, for what must run beside the proxies, such as handlers ({@code CrwDomain.install}). What throws is told
-     * to the listener; after {@link #close} nothing runs any longer.
+     * The base's thread, for work that must not run in parallel with the proxies, such as handlers ({@code CrwDomain.install}). The listener receives
+     * what it throws; after {@link #close} nothing runs.
      */
     public Executor executor() {
         return work -> run("work for the boats", work);

@@ -4,16 +4,16 @@ import java.util.Objects;
 import org.sami.crw.proxy.link.ProxyConfig;
 
 /**
- * What is set for the TCP links of a base.
+ * The configuration of a base's TCP links.
  *
  * @param proxy for each boat; its client id must be unique among all bases and sessions that the boats ever meet
- * @param seed of the jitter in reconnecting
+ * @param seed of the reconnection jitter
  * @param tickMs time between two ticks of the proxies
- * @param connectWithinMs a try to connect is given up after this time
- * @param firstRetryMs time before the second try
- * @param longestRetryMs most time between two tries
- * @param maxQueuedFrames a boat that lets more frames wait is dropped, and connected anew
- * @param maxQueuedBytes the same for bytes
+ * @param connectWithinMs time limit of a connection attempt
+ * @param firstRetryMs delay before the second attempt
+ * @param longestRetryMs longest delay between two attempts
+ * @param maxQueuedFrames frames waiting at which a boat is dropped and connected again
+ * @param maxQueuedBytes bytes waiting at which a boat is dropped and connected again
  */
 public record TcpBaseConfig(
         ProxyConfig proxy,

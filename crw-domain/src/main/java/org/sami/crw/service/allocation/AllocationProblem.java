@@ -13,11 +13,11 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What is to be allocated to whom.
+ * A problem of allocating work to boats.
  *
- * @param boats their order decides ties, the earlier boat wins
- * @param work what is to be done, without what boats have begun already; names are unique, locations need not be
- * @param ways how long the ways between all of it are, where something is to be driven around; straight where empty
+ * @param boats in the order that decides ties: the earlier boat wins
+ * @param work the work, without what boats have begun already; names are unique, locations need not be
+ * @param ways lengths of ways around obstacles; straight lines where empty
  */
 public record AllocationProblem(List<Candidate> boats, List<WorkItem> work, Optional<WayLengths> ways) {
     /** A problem in open water. */
@@ -52,7 +52,7 @@ public record AllocationProblem(List<Candidate> boats, List<WorkItem> work, Opti
         return new AllocationProblem(candidates, visits);
     }
 
-    /** The same in such water: ways go around what is forbidden, and a boat does what it can get to. Measures all ways. */
+    /** The same problem in this water: ways lead around forbidden areas, and a boat gets only work that it can reach. Measures all ways. */
     public AllocationProblem in(Water water) {
         List<GeoPoint> points = new ArrayList<>();
         for (Candidate boat : boats) {

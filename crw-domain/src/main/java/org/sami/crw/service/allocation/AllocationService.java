@@ -41,10 +41,10 @@ public final class AllocationService {
     /**
      * Options for a problem.
      *
-     * @param divisions different from one another, the best by the criterion first as measured; the one of the chosen algorithm is
-     *     among them. May be fewer than were asked for: then there are no more
+     * @param divisions different from one another, measured by the criterion, best first; the division of the chosen algorithm is among them.
+     *     There may be fewer than asked for
      * @param reason why that algorithm was chosen, for people
-     * @param reasons why there is each of the divisions, in their order; that of the chosen algorithm is there for the same reason
+     * @param reasons the reason for each division, in their order; the chosen algorithm's division has the same reason
      */
     public record Options(List<Division> divisions, String reason, List<String> reasons) {
         public Options {

@@ -11,11 +11,11 @@ import org.sami.spn.value.GeoPoint;
 /**
  * A boat to which work can be allocated.
  *
- * @param at where it is
- * @param offers its capabilities; in the order of the alphabet
- * @param begun the work that it has begun and keeps, in its order: it does that first, and what it gets comes after
- * @param rangeM how far its charge is sure to take it, in metres; empty where that is not known
- * @param home where it returns to, if its charge is to last for the way there as well
+ * @param at its position
+ * @param offers its capabilities, in alphabetical order
+ * @param begun work that it has begun and keeps, in its order; new work comes after it
+ * @param rangeM distance for which its charge certainly lasts, in metres; empty where unknown
+ * @param home where it returns to, if its charge has to last for the way there too
  */
 public record Candidate(
         String boat,

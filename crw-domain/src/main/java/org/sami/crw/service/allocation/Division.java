@@ -15,13 +15,13 @@ import org.sami.spn.value.GeoPoint;
  * A solution of an allocation problem.
  *
  * @param problem the problem that it solves
- * @param paths the work of each boat in its order, what it had begun first; every boat is there
- * @param unallocated the work that nobody got
- * @param totalM sum of the lengths of all paths, along the surface, around what is in between
- * @param longestM the longest of them
- * @param legsMeasured how many distances were computed for it
+ * @param paths the work of each boat in its order, begun work first; every boat is listed
+ * @param unallocated the work without a boat
+ * @param totalM sum of the lengths of all paths, along the surface, around obstacles
+ * @param longestM length of the longest path
+ * @param legsMeasured number of distances computed for it
  * @param method the algorithm's name
- * @param shortfall where the algorithm came to a limit: what became of the rest, in words
+ * @param shortfall where the algorithm reached a limit: how it handled the rest, in words
  */
 public record Division(
         AllocationProblem problem,
@@ -57,7 +57,7 @@ public record Division(
                 whole, paths, whole.impossible(), total, longest, legs.measured(), method, legs.shortfall());
     }
 
-    /** Orders divisions by a criterion, the best first: by what is measured, not by what is declared. */
+    /** Orders divisions by a criterion, best first: by measured values, not by what an algorithm declares. */
     public static Comparator<Division> by(Criterion criterion) {
         return switch (criterion) {
             case COMPUTATION_TIME -> Comparator.comparingLong(Division::legsMeasured);

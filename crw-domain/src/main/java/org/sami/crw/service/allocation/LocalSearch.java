@@ -5,13 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Makes the paths of a division better by small changes until none helps: parts of up to three stops move to another place on the same
- * or another path, either way round; parts of a path are turned round; two boats change the rests of their paths. Where it ends,
- * no path crosses another or itself if it may exchange rests freely and the least sum is wanted, as a crossing of straight legs
- * can always be exchanged for something shorter.
+ * Improves the paths of a division by small changes until none helps. Parts of up to three stops move to another place on the same or another path,
+ * in either direction; parts of a path are reversed; two boats exchange the rests of their paths. In the result no path crosses another or itself, if
+ * paths may exchange rests freely and the criterion is the least sum: a crossing of straight legs can always be replaced by something shorter.
  *
- * <p>It takes the first change that helps, in a fixed order, so equal problems give equal answers. A round costs O(L²) for L
- * locations; it stops at a budget of distances, so that large problems end in time (then with what was reached).
+ * <p>The search takes the first change that helps, in a fixed order, so equal problems have equal answers. A round costs O(L²) for L locations; the
+ * search stops at a budget of distances, so that large problems end in time, with what was reached.
  */
 final class LocalSearch {
     /** About half a second's worth. */

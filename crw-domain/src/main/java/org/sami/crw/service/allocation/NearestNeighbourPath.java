@@ -4,12 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A path of a boat from where it is free through locations, built by always going to the nearest one that is left (thesis 7.0.3, footnote);
- * of equally near ones, to that with the lowest index. Locations are added in order of index.
+ * A path of a boat through locations, from where the boat is free, built by going to the nearest remaining location (thesis 7.0.3, footnote); among
+ * equally near ones, to the one with the lowest index. Locations are added in order of index.
  *
- * <p>Adding a location changes nothing before the first stop from which it is nearer than the next one, so only what
- * comes after that is built anew. Lengths are summed from the start on, so that they are the same to the bit as those of
- * a path built at once.
+ * <p>Adding a location changes nothing before the first stop from which it is nearer than the next one, so only the rest is rebuilt. Lengths are
+ * summed from the start, so that they equal those of a path built at once, bit for bit.
  */
 final class NearestNeighbourPath {
     private final DistanceTable legs;

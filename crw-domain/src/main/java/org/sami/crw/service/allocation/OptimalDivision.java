@@ -7,8 +7,8 @@ import org.sami.crw.service.choice.Criterion;
 import org.sami.crw.service.choice.Merit;
 
 /**
- * The division whose paths have the least sum of all, any number of locations on each: solved to the optimum, and so only for few
- * locations (the problem is NP-hard: with one boat it is the travelling salesman's without return).
+ * The division with the least sum of all paths, with any number of locations on each. It is solved exactly, and so only for few locations (the
+ * problem is NP-hard: with one boat it is the open travelling salesman problem).
  */
 public final class OptimalDivision extends AllocationAlgorithm {
     @Override

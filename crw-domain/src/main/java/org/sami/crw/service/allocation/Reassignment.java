@@ -8,17 +8,17 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The problem that is left when the team changes while it works. Every boat keeps what it has begun; what is not begun is divided
- * anew among those that are there now, so a boat that left loses its work, begun or not, and one that returned gets a share.
+ * The problem that remains when the team changes during the work. Every boat keeps the work that it has begun. The rest is divided among the boats
+ * present now: a boat that left loses its work, begun or not, and a boat that returned gets a share.
  */
 public final class Reassignment {
     private Reassignment() {}
 
     /**
-     * The problem of dividing anew.
+     * The problem of dividing the rest.
      *
-     * @param present the boats that are there now; what each has begun is taken from here
-     * @param paths the paths of the allocation up to now, without what is done; also of boats that left
+     * @param present the boats present now, with the work that each has begun
+     * @param paths the present paths without finished work, also those of boats that left
      */
     public static AllocationProblem of(List<Candidate> present, Map<String, List<WorkItem>> paths) {
         Set<String> kept = new LinkedHashSet<>();

@@ -6,13 +6,13 @@ import java.util.SplittableRandom;
 
 /**
  * Searches for a better division by ruin and recreate (G. Schrimpf et al., Record breaking optimization results using the ruin and recreate
- * principle, 2000). Each try removes strings of neighbouring stops from some paths, inserts each stop where it costs least, and is accepted by
- * simulated annealing. Strings, order and blinks are those of J. Christiaens, G. Vanden Berghe, Slack induction by string removals for
- * vehicle routing problems, 2020, which is called SISR below.
+ * principle, 2000). Each try removes strings of neighbouring stops from some paths and inserts each stop where it costs least; simulated annealing
+ * decides whether to accept the result. Strings, order and blinks are those of J. Christiaens, G. Vanden Berghe, Slack induction by string removals
+ * for vehicle routing problems, 2020, called SISR below.
  *
- * <p>Tries are compared by a norm of all paths, whose exponent grows: most changes leave the longest path as it is.
+ * <p>Tries are compared by a norm of all paths with a growing exponent: most changes leave the longest path as it is.
  *
- * <p>Ends after a number of tried positions, with the same random numbers each time: equal problems have equal answers.
+ * <p>The search ends after a number of tried positions, with the same random numbers each time: equal problems have equal answers.
  */
 final class RuinAndRecreate {
     /** For more work the table of distances is too large, and the tried positions are too few to gain much. */
@@ -36,7 +36,7 @@ final class RuinAndRecreate {
     private static final double LONGEST_STRING = 10; // as in SISR
     private static final int MOST_NEIGHBOURS = 100;
 
-    /** One position in so many is passed over, on average, as in SISR: else every try would insert in the same places. */
+    /** Mean number of positions of which one is skipped, as in SISR: otherwise every try would insert at the same places. */
     private static final int BLINK_EVERY = 100;
 
     private final SearchedPaths paths;
@@ -209,7 +209,7 @@ final class RuinAndRecreate {
         return true;
     }
 
-    /** Orders what was removed: in 4 of 7 tries at random, in 2 what is farthest from all boats first, in 1 last (as in SISR). */
+    /** Orders the removed stops: in 4 of 7 tries at random, in 2 the stops farthest from all boats first, in 1 last (as in SISR). */
     private void order() {
         int draw = random.nextInt(7);
         if (draw < 4) {

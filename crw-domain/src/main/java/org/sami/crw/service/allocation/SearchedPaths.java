@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The paths of all boats while a search takes work out of them and puts it back, and what they weighByPower: the cost of each, raised to a power of two.
- * What changed since a checkpoint can be taken back.
+ * The paths of all boats during a search that removes work and inserts it again, with their weight: the cost of each path raised to a power of two.
+ * Changes since a checkpoint can be undone.
  */
 final class SearchedPaths {
     private static final int NOBODY = -1;
@@ -170,13 +170,13 @@ final class SearchedPaths {
     /**
      * Removes successive stops of a path.
      *
-     * @param from index of the first of them
+     * @param from index of the first stop to remove
      * @param until index after the last
-     * @param keptFrom index of the first stop among them that stays
-     * @param kept how many stay from there on; may be 0
-     * @param into gets the work that is removed
-     * @param count how much is in it already
-     * @return how much is in it then
+     * @param keptFrom index of the first stop among them to keep
+     * @param kept number of stops to keep from there on; may be 0
+     * @param into receives the removed work
+     * @param count number of entries already in it
+     * @return number of entries in it afterwards
      */
     int remove(int boat, int from, int until, int keptFrom, int kept, int[] into, int count) {
         keepForRollBack(boat);

@@ -7,15 +7,15 @@ import org.sami.crw.service.choice.Criterion;
 import org.sami.crw.service.choice.Merit;
 
 /**
- * Sequential single-item auction with nearest-neighbour insertion (thesis 7.0.3). Locations are auctioned in the order in
- * which they are given. A boat bids the length of its whole path if the location were added to those it has won: the
- * nearest-neighbour path from its position. The lowest bid wins; of equal bids, that of the boat named first.
+ * Sequential single-item auction with nearest-neighbour insertion (thesis 7.0.3). Locations are auctioned in the given order. A boat bids the length
+ * of its whole path with the location added to those it has won: the nearest-neighbour path from its position. The lowest bid wins; among equal bids,
+ * that of the boat named first.
  *
- * <p>As a bid is the length of the whole path and not what the location adds to it, long paths lose and the work spreads.
+ * <p>A bid is the length of the whole path and not the increase, so boats with long paths lose and the work spreads.
  *
- * <p>Cost: L locations and B boats with k locations each take O(L B k²) steps at most; a bid looks only at the part of
- * the path that the location changes, and stops where it has lost. After {@link #LIMIT} distances it ends: what is left goes to whose
- * path it makes least longer, and the division says so. The limit is a number and no time, so that equal problems have equal answers.
+ * <p>Cost: L locations and B boats with k locations each take at most O(L B k²) steps; a bid computes only the part of the path that the location
+ * changes, and stops once it has lost. After {@link #LIMIT} distances the auction ends: each remaining location goes to the boat whose path it
+ * lengthens least, and the division says so. The limit is a count and not a time, so that equal problems have equal answers.
  */
 public final class SequentialSingleItemAuction extends AllocationAlgorithm {
     /** Some two seconds' worth. */

@@ -8,9 +8,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Takes work from boats whose paths are longer than their charges last and gives it to boats that have charge left for it, one after another, each time
- * what makes all paths together least longer. The ways home count where boats are to come home and charges last for all of it so. Where it does not
- * help everybody the rest stays where it is, and the division says so.
+ * Moves work from boats whose charge does not last for their path to boats with charge left, one item after another, each time with the least
+ * increase of all paths together. Ways home count where boats have to return and charges last for the whole. Where this does not help every boat, the
+ * rest stays, and the division says so.
  */
 final class ShortenedPaths {
     /** So many distances may be measured for it: less than a second's worth. */

@@ -7,8 +7,8 @@ import java.util.TreeSet;
 /**
  * Work that no boat can do.
  *
- * @param missing the capabilities that are missing: those that no boat offers, or where each is offered by some boat all that
- *     the work needs, as no single boat offers them together; none where boats offer them that have no way to it
+ * @param missing the missing capabilities: those that no boat offers; all that the work needs, where boats offer them only separately; none,
+ *     where the boats that offer them cannot reach the work
  */
 public record Unallocated(WorkItem work, Set<String> missing) {
     public Unallocated {

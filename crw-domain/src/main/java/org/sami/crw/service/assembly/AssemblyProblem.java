@@ -10,13 +10,13 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Who is to assemble where.
+ * A problem of assembling boats around a point.
  *
- * @param boats the position of each boat, empty where it is not known
- * @param centre the point about which they assemble
+ * @param boats the position of each boat, empty where unknown
+ * @param centre the point around which they assemble
  * @param spacingM least distance between two boats, more than zero
- * @param taken points at which other boats stay
- * @param water where they may be; half the spacing is kept from what is forbidden, and no less than the boats' cross-track error
+ * @param taken positions of other boats
+ * @param water where the boats may be; they keep half the spacing from forbidden areas, and at least their cross-track error
  */
 public record AssemblyProblem(
         Map<String, Optional<GeoPoint>> boats, GeoPoint centre, double spacingM, List<GeoPoint> taken, Water water) {

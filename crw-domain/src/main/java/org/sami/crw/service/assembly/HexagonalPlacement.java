@@ -23,8 +23,8 @@ public final class HexagonalPlacement {
     /**
      * The locations, by rows from the south.
      *
-     * @param spacingM distance between two neighbours; half of it is kept from what is forbidden, and no less than the boats' cross-track error
-     * @throws IllegalArgumentException for an area that is no simple polygon, or a spacing at which there are too many
+     * @param spacingM distance between two neighbours; locations keep half of it from forbidden areas, and at least the boats' cross-track error
+     * @throws IllegalArgumentException for an area that is no simple polygon, or a spacing with too many locations
      */
     public static List<GeoPoint> over(GeoArea area, double spacingM, Water water) {
         if (!(spacingM > 0)) {

@@ -4,8 +4,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * An algorithm that says what it is good for (thesis 3.1, Markup: agent services indicate which markup options they support, so that
- * the most appropriate one is found at run time).
+ * An algorithm that declares its strengths (thesis 3.1, Markup: agent services indicate which markup options they support, so that the most
+ * appropriate one is found at run time).
  *
  * @param <P> the problems that it solves
  */

@@ -19,10 +19,7 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
-/**
- * Measures what of an area tracks cover, whether boats were to drive them, said that they did, or truly did: a point is covered when a
- * track comes as near as half the spacing.
- */
+/** Measures the part of an area that tracks cover, planned, reported or true: a point is covered when a track passes within half the spacing. */
 public final class AreaCoverage {
     /** Bends of a track that are flatter than this part of the spacing make no difference. */
     private static final double FLAT = 1.0 / 500;

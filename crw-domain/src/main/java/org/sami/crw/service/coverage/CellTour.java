@@ -8,8 +8,8 @@ import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.Interruption;
 
 /**
- * One way through all cells of a sweep: always to the nearest corner of a cell that was not driven yet, from that corner of all at
- * which this gives the shortest ways between cells.
+ * A tour through all cells of a sweep: always to the nearest corner of a remaining cell, from the starting corner with the shortest ways between
+ * cells.
  */
 final class CellTour {
     /** With more cells than this only the corners of the first few are tried as a beginning: each try takes cells². */

@@ -15,12 +15,12 @@ import org.sami.spn.value.GeoPoint;
  * Tracks of boats that cover an area together.
  *
  * @param shares the share of each boat that has one
- * @param noWay the boats that cannot get to the area, and why; they have no share
- * @param areaM2 what is to be covered: the area without what is not to be entered
- * @param uncoveredM2 what of it is farther from every track than half the spacing
+ * @param noWay the boats that cannot reach the area, with reasons; they have no share
+ * @param areaM2 the area to cover, without no-go areas
+ * @param uncoveredM2 the part of it farther from every track than half the spacing
  * @param rest that part
- * @param unreached the parts of the area that no boat can get to, as what is not to be entered lies all around them; they are in the rest
- * @param beyondCharge what of the tracks no charge lasts for, in each part of the area at most once
+ * @param unreached the parts of the area that no boat can reach, because no-go areas enclose them; they are in the rest
+ * @param beyondCharge the stretches for which no charge lasts, at most one in each part of the area
  */
 public record Coverage(
         Map<String, CoverageShare> shares,
@@ -38,11 +38,11 @@ public record Coverage(
     public record Unreached(GeoPoint near, double areaM2) {}
 
     /**
-     * A stretch of track that no charge lasts for.
+     * A stretch of track for which no charge lasts.
      *
      * @param near a point of it
-     * @param recharged whether boats drive it nevertheless, as their batteries are swapped on the way: each so much; else nobody drives it
-     * @param home whether it is so because charges are to last for the ways home too
+     * @param recharged whether boats drive it after a battery swap on the way, each its share; otherwise no boat drives it
+     * @param home whether the reason is that charges also have to last for the ways home
      */
     public record BeyondCharge(GeoPoint near, double trackM, boolean recharged, boolean home) {}
 

@@ -13,8 +13,8 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * A part of a region within which boats get everywhere: one polygon of what is drivable, or several between which ways lead through what is
- * not forbidden. From one part to another no way leads.
+ * A connected part of a region: one polygon of drivable water, or several with ways between them outside forbidden areas. No way leads from one part
+ * to another.
  */
 final class CoveragePart {
     private static final GeometryFactory FACTORY = new GeometryFactory();

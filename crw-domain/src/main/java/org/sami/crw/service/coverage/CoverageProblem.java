@@ -12,15 +12,15 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * An area that boats are to cover.
+ * A problem of covering an area.
  *
- * @param boats the position of each boat, empty where it is not known
- * @param area a simple polygon, concave or not, with holes or without; holes are not to be entered
- * @param spacingM distance between two lanes, more than zero: a point is covered when the track comes as near as half of it
- * @param avoid areas that are not to be entered, on the boats' way to the area as well
- * @param within the area to stay in, if there is one, likewise
- * @param error how far boats may be beside their tracks: these keep as much off what is not to be entered
- * @param ranges how far boats get
+ * @param boats the position of each boat, empty where unknown
+ * @param area a simple polygon, concave or not, with or without holes; holes are no-go areas
+ * @param spacingM distance between two lanes, more than zero: a point is covered when the track passes within half of it
+ * @param avoid no-go areas, also on the boats' way to the area
+ * @param within the area to stay in, if there is one, also on the way
+ * @param error how far boats may be off their tracks: tracks keep that distance from no-go areas
+ * @param ranges how far the boats' charges last
  */
 public record CoverageProblem(
         Map<String, Optional<GeoPoint>> boats,

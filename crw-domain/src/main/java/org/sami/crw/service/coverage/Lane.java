@@ -6,11 +6,11 @@ import org.locationtech.jts.geom.Geometry;
 /**
  * One straight stretch of a sweep.
  *
- * @param row the number of its line among the sweep's parallel lines
- * @param fromM where on its line it begins
- * @param toM where it ends, more than that
- * @param start the same as a place on the plane
- * @param end the same as a place on the plane
+ * @param row number of its line among the sweep's parallel lines
+ * @param fromM its beginning on that line
+ * @param toM its end, beyond the beginning
+ * @param start the beginning as a point of the plane
+ * @param end the end as a point of the plane
  */
 record Lane(int row, double fromM, double toM, Coordinate start, Coordinate end) {
 

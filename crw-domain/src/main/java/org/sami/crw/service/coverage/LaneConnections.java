@@ -18,15 +18,15 @@ import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.Water;
 
 /**
- * Ways between lanes: straight where that stays in what is drivable, else the shortest there, else the shortest in the area, as far off what is forbidden as
- * boats may be beside their ways, else nearer, else the shortest through what is not forbidden.
+ * Ways between lanes. A way is straight where that stays in drivable water. Otherwise it is the first of these that exists: the shortest in drivable
+ * water; the shortest in the area that keeps the boats' cross-track error from forbidden areas; a closer one; the shortest outside forbidden areas.
  */
 final class LaneConnections {
     private static final GeometryFactory FACTORY = new GeometryFactory();
     /** Lanes end on the edge of what is drivable; ways between them may touch it. */
     private static final double EDGE_M = 0.02;
 
-    /** Ways turn a little off what they keep from: lanes that end there are to lie clear of that. */
+    /** Extra distance at the turns of ways, so that lane ends next to them stay clear. */
     private static final double TURNING_M = 0.25;
 
     private final Water water;
@@ -38,10 +38,10 @@ final class LaneConnections {
     private Optional<VisibilityGraph> inRegion = Optional.empty();
 
     /**
-     * Ways on what is drivable of a region.
+     * Ways on the drivable part of a region.
      *
      * @param drivable polygons on the plane of the water
-     * @param region what they are part of
+     * @param region the region that they are part of
      */
     LaneConnections(Geometry drivable, Geometry region, Water water) {
         this.water = water;

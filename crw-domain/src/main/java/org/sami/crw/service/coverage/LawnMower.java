@@ -7,13 +7,13 @@ import java.util.Map;
 import org.locationtech.jts.geom.Geometry;
 
 /**
- * To and fro in lanes, as one mows a lawn (thesis 6.2). One tour through the whole area is cut into pieces of equal length, one for
- * each boat, so no boat's share lies in another's. The pieces are given out so that the boats' ways to them are least in sum, and
- * each is driven from its nearer end. Where what is not to be entered cuts the area apart, each part has a tour of its own, for the boats that
- * can get to it; what none can get to is named. Where a charge does not last for such a piece, pieces are as long as charges allow ({@link TourDivision}).
+ * Covers an area in parallel lanes, as one mows a lawn (thesis 6.2). One tour through the whole area is cut into pieces of equal length, one for each
+ * boat, so that shares do not overlap. The pieces are assigned so that the sum of the boats' ways to them is least, and each is driven from its
+ * nearer end. Where no-go areas divide the area, each part has a tour of its own for the boats that can reach it; parts that none can reach are
+ * named. Where a charge does not last for such a piece, pieces are as long as charges allow ({@link TourDivision}).
  *
- * <p>Tracks never leave the area and keep off its holes and what is to be avoided by the boats' cross-track error; where the area is in parts,
- * boats cross from one to the next through what is not forbidden. Lanes end a little before the area's edge, half a metre at most.
+ * <p>Tracks never leave the area, and keep the boats' cross-track error from its holes and from areas to avoid. Boats cross between parts of the area
+ * outside forbidden areas. Lanes end up to half a metre before the area's edge.
  */
 public final class LawnMower implements CoverageAlgorithm {
     @Override

@@ -3,9 +3,9 @@ package org.sami.crw.service.coverage;
 import java.util.Locale;
 
 /**
- * What boats likely leave between lanes because they take themselves to be elsewhere. Two neighbouring lanes are driven at different times, so their
- * errors are independent: where both together are off outward by more than the lanes overlap, a strip of the difference is left. Of two normal errors of a
- * deviation σ that is σ/√π on the average where nothing overlaps (docs/decisions, 0330).
+ * The strip that boats likely miss between lanes because their positions err. Two neighbouring lanes are driven at different times, so their errors
+ * are independent: where the errors point apart by more than the overlap of the lanes, a strip as wide as the difference is missed. For two normal
+ * errors with deviation σ its mean width is σ/√π where lanes do not overlap (docs/decisions, 0330).
  */
 final class MissedBetweenLanes {
     private static final double LEAST_SHARE = 0.005;
@@ -13,11 +13,11 @@ final class MissedBetweenLanes {
     private MissedBetweenLanes() {}
 
     /**
-     * The part of the area, 0 to 1, that is likely missed.
+     * The part of the area that is likely missed, 0 to 1.
      *
-     * @param positionM deviation of the position that boats know, in metres
+     * @param positionM standard deviation of the boats' positions, in metres
      * @param laneM distance between two lanes, in metres
-     * @param spacingM width of the strip that a boat covers, in metres, at least that
+     * @param spacingM width of the strip that a boat covers, in metres, at least {@code laneM}
      */
     static double share(double positionM, double laneM, double spacingM) {
         double deviationM = positionM * Math.sqrt(2);

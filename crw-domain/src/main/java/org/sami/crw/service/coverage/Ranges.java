@@ -7,10 +7,10 @@ import org.sami.spn.value.GeoPoint;
 /**
  * How far the charges of boats last.
  *
- * @param metres by boat, what its charge is sure to last for; a boat that is missing has not said
- * @param homes where boats return to for which charges are to last as well; none for a boat that is not looked at so
+ * @param metres by boat, the distance for which its charge certainly lasts; a boat that has not reported is missing
+ * @param homes the homes for whose ways charges have to last too; a boat without that condition is missing
  * @param recharged whether boats' batteries are swapped on the way
- * @param keepHome whether what charges do not last for together with the ways home is left, rather than driven without them
+ * @param keepHome whether track is left out where a charge does not last for it and the way home, instead of being driven without the way home
  */
 public record Ranges(Map<String, Double> metres, Map<String, GeoPoint> homes, boolean recharged, boolean keepHome) {
     /** Of no boat is known how far it gets. */

@@ -27,11 +27,10 @@ final class SweepLanes {
     }
 
     /**
-     * The sweep with the least driving among those along an edge of the region's convex hull; among them is the one with the fewest
-     * lines, as a region is narrowest across an edge of its hull. A turn counts as much as two spacings. Empty where no line crosses
-     * what is drivable.
+     * The sweep with the least driving among those parallel to an edge of the region's convex hull. The sweep with the fewest lines is among them,
+     * because a region is narrowest across an edge of its hull. A turn counts as two spacings. Empty where no line crosses drivable water.
      *
-     * @param region what is to be covered
+     * @param region the region to cover
      * @param drivable the part of it in which lanes run
      */
     static Optional<SweepLanes> best(Geometry region, Geometry drivable, double spacingM) {

@@ -5,9 +5,9 @@ import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.Interruption;
 
 /**
- * Divides a tour among boats so that each piece, with the ways to it and from it, is as long as its boat's charge is sure to last for at most, and otherwise
- * all are equally long. Where all charges together do not last for the tour, its end is left; or, where boats recharge on the way, each exceeds
- * its charge by up to the same.
+ * Divides a tour among boats. Each piece, with the ways to it and from it, is at most as long as its boat's charge certainly lasts; within that, all
+ * pieces are equally long. Where all charges together do not last for the tour, its end is left out; or, where boats recharge on the way, all exceed
+ * their charges by up to the same amount.
  */
 final class TourDivision {
     /** So many ways may be measured to find out which boat's piece best lies where: about a second's worth. */

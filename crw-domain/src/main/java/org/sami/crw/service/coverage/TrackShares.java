@@ -53,10 +53,11 @@ final class TrackShares {
     }
 
     /**
-     * The shares of boats: pieces of equal length, the boats' ways to them least in sum, each driven from its nearer end. Where a charge does not
-     * last for such a piece, pieces are as long as charges allow: with the ways home where charges last for all of it so, else without them.
+     * The shares of boats: pieces of equal length, assigned with the least sum of ways to them, each driven from its nearer end. Where a charge does
+     * not last for such a piece, pieces are as long as charges allow: with the ways home where charges last for the whole track with them, otherwise
+     * without.
      *
-     * @param noWay gets the boats that cannot get to their piece, and why; the others divide the track among them
+     * @param noWay receives the boats that cannot reach their piece, with reasons; the others divide the track among themselves
      */
     static Divided of(CoverageProblem problem, List<Coordinate> tour, Water water, Map<String, String> noWay) {
         TrackShares shares = new TrackShares(problem, tour, water);

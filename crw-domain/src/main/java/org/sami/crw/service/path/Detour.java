@@ -15,8 +15,8 @@ public final class Detour {
     private Detour() {}
 
     /**
-     * The points between the two ends; none where the straight leg keeps clear. An end that lies in what is forbidden is left, or come to, on the
-     * shortest way. Empty where there is no way, as what is forbidden lies between.
+     * The points between the two ends; none where the straight leg is clear. Where an end lies in a forbidden area, the way leaves or enters that
+     * area by the shortest way. Empty where forbidden areas leave no way.
      */
     public static Optional<List<GeoPoint>> between(GeoPoint from, GeoPoint to, Water water) {
         double marginM = water.error().marginM();

@@ -24,9 +24,9 @@ public sealed interface PathAnswer {
      *
      * @param points without the start, with the goal
      * @param lengthM along the surface, from the start
-     * @param clearanceM least distance of the whole way from what is forbidden; infinite where nothing is
-     * @param wantedM the distance that was to be kept from it where there is room
-     * @param shortestM length of the shortest way that boats can be held to
+     * @param clearanceM least distance of the whole way from forbidden areas; infinite where there are none
+     * @param wantedM intended distance from them, where there is room
+     * @param shortestM length of the shortest way that a boat can follow
      * @param method the algorithm's name
      */
     record Way(

@@ -5,10 +5,10 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * A way to be found.
+ * A problem of finding a way.
  *
- * @param clearanceM the distance that a safe way keeps from what is forbidden where there is room, more than zero
- * @param detour how many times as long as the shortest a way may be for keeping its distance, 1 or more
+ * @param clearanceM distance that a safe way keeps from forbidden areas where there is room, more than zero
+ * @param detour factor on the shortest way that a way may take to keep its distance, 1 or more
  */
 public record PathProblem(GeoPoint from, GeoPoint to, Water water, double clearanceM, double detour) {
     /** What a detour is worth unless it is said: half as long again. */

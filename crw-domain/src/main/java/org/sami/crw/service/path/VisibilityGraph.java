@@ -88,10 +88,10 @@ public final class VisibilityGraph {
     }
 
     /**
-     * A graph whose ways keep a clearance wherever there is room for it, and less of it in the gaps that are too narrow: the gaps are what
-     * is left between polygons grown by the clearance and shrunk again.
+     * A graph whose ways keep a clearance where there is room, and less in gaps that are too narrow. The gaps are the difference between the polygons
+     * grown by the clearance, and shrunk again, and the original polygons.
      *
-     * @param gapM what ways keep in the gaps, less than the clearance
+     * @param gapM clearance in the gaps, less than the general clearance
      */
     static VisibilityGraph withGaps(Geometry forbidden, double clearanceM, double gapM) {
         Geometry wide = around(forbidden, clearanceM);

@@ -14,9 +14,9 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * The lengths of the ways between some points, around what is forbidden, all computed at once. They are those of the ways that boats drive: a
- * way keeps its margin unless that makes it longer by more than {@link PathProblem#DETOUR}; an end that lies in what is forbidden is left, or
- * come to, on the shortest way. Immutable.
+ * The lengths of the ways between points, around forbidden areas, computed all at once. They are those that boats drive: a way keeps its margin
+ * unless that makes it longer by more than {@link PathProblem#DETOUR}; where an end lies in a forbidden area, the way leaves or enters it by the
+ * shortest way. Immutable.
  */
 public final class WayLengths {
     /** For more points lengths are straight. */

@@ -9,12 +9,12 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Where a boat is to go.
+ * The way that a boat has to go.
  *
- * @param from where the boat is, if that is known
- * @param batteryPercent its charge in percent of full, if that is known
+ * @param from position of the boat, if known
+ * @param batteryPercent its charge in percent of full, if known
  * @param points in driving order
- * @param avoid areas that the plan keeps its boats out of, such as land
+ * @param avoid areas that the plan's boats avoid, such as land
  * @param water where the boat may go; empty = everywhere
  */
 public record Way(

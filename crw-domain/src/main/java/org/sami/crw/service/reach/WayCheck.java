@@ -10,7 +10,7 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
-/** Finds what is wrong with a way before a boat is sent along it. The first that is wrong is said; a pure function. */
+/** Checks a way before a boat drives it, and returns the first problem; a pure function. */
 public final class WayCheck {
     /** A point farther from the boat than this, in metres, is nowhere that a boat of the fleet comes back from. */
     public static final double FAR_M = 5_000;

@@ -10,10 +10,10 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * That a boat may come into what is to be avoided on a way: said before it drives it. Immutable.
+ * A warning that a boat may enter an area to avoid on a way, given before it drives it. Immutable.
  *
  * @param words a clause for the operator, without the boat's name
- * @param insideM how deep it may come inside at most, in metres, to a tenth as the words say it
+ * @param insideM largest depth inside, in metres, rounded to a tenth as in the words
  */
 public record WayDanger(String words, double insideM) {
     /**

@@ -22,9 +22,9 @@ public final class Areas {
     /**
      * The polygon of an area.
      *
-     * @param what the area as people call it, for the message
-     * @throws IllegalArgumentException for an area that is no simple polygon: one that crosses itself, has a hole outside or no
-     *     extent; says what is wrong and at which point
+     * @param what the area's name in messages
+     * @throws IllegalArgumentException for an area that is no simple polygon (it crosses itself, has a hole outside, or has no extent), with the
+     *     point where
      */
     public static Polygon polygon(GeoArea area, LocalPlane plane, String what) {
         LinearRing outline = ring(area.outline(), plane, what);

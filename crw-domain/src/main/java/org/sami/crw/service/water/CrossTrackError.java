@@ -1,13 +1,13 @@
 package org.sami.crw.service.water;
 
 /**
- * How far a boat may truly be beside the straight line that it is to follow. Planners keep paths that far off what is not to be entered
- * (docs/decisions, 0301).
+ * How far a boat may truly be off the straight line that it follows. Planners keep this distance between paths and no-go areas (docs/decisions,
+ * 0301).
  *
- * @param steeringM how far it is beside its line in still water with exact instruments, at corners too, in metres: the least that any path keeps
- *     off what is forbidden
+ * @param steeringM distance from the line in still water with exact instruments, also at corners, in metres: the least distance of any path from
+ *     forbidden areas
  * @param positionM standard deviation of the position that the boat knows, along each axis, in metres
- * @param driftMps how fast current and wind carry a boat that does not steer against them, in m/s
+ * @param driftMps speed at which current and wind carry a boat that does not steer against them, in m/s
  */
 public record CrossTrackError(double steeringM, double positionM, double driftMps) {
     /** What the boat server's navigator keeps in still water; measured up to 0.4 m at 1.5 and at 3 m/s. */
@@ -33,8 +33,8 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     public static final CrossTrackError CALM = of(0, 0);
 
     /**
-     * A lake on an ordinary day: positions as in logs of the boats of 2013 to 2015, which wander by 1.4 m along each axis and jump by up to 2.1 m, a current of
-     * 0.15 m/s, and a wind of 3 m/s that carries a hull with 3 % of its speed.
+     * A lake on an ordinary day. Positions are as in logs of the boats of 2013 to 2015: they wander by 1.4 m along each axis and jump by up to 2.1 m.
+     * There is a current of 0.15 m/s, and a wind of 3 m/s that carries a hull at 3 % of its speed.
      */
     public static final CrossTrackError FIELD = of(Math.hypot(1.4, 2.1 / 3), 0.15 + 0.03 * 3);
 

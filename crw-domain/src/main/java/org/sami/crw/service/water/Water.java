@@ -96,7 +96,7 @@ public final class Water {
         return union == null ? FACTORY.createPolygon() : union;
     }
 
-    /** The same water, for boats that are so far beside their ways. */
+    /** The same water, for boats with this cross-track error. */
     public Water drivenWith(CrossTrackError other) {
         return new Water(plane, noGo, outside, forbidden, other);
     }
@@ -161,12 +161,12 @@ public final class Water {
         return forbidden.isEmpty();
     }
 
-    /** Distance to what is forbidden, in metres: zero in it, infinite where nothing is. */
+    /** Distance to forbidden areas in metres; zero inside, infinite where there are none. */
     public double clearanceM(GeoPoint point) {
         return isOpen() ? Double.POSITIVE_INFINITY : forbidden.distance(FACTORY.createPoint(coordinate(point)));
     }
 
-    /** Distance of a way to what is forbidden, likewise. */
+    /** Distance of a way to forbidden areas in metres; infinite where there are none. */
     public double clearanceM(List<GeoPoint> way) {
         if (isOpen() || way.isEmpty()) {
             return Double.POSITIVE_INFINITY;
@@ -184,9 +184,9 @@ public final class Water {
     }
 
     /**
-     * Where a boat that is inside what is forbidden comes out soonest and is clear of it again; the point itself where it is not inside.
+     * The nearest point at which a boat inside a forbidden area is outside and clear of it; the point itself for a boat outside.
      *
-     * @param marginM how far off what is forbidden, in metres
+     * @param marginM distance to keep from forbidden areas, in metres
      */
     public GeoPoint outside(GeoPoint point, double marginM) {
         if (clearanceM(point) > 0) {
@@ -205,7 +205,7 @@ public final class Water {
         return Areas.point(DistanceOp.nearestPoints(FACTORY.createLineString(stops), forbidden)[0], plane);
     }
 
-    /** Distance of the convex hull of some points to what is forbidden, likewise. */
+    /** Distance of the convex hull of some points to forbidden areas in metres; infinite where there are none. */
     public double clearanceBetweenM(List<GeoPoint> points) {
         if (isOpen() || points.isEmpty()) {
             return Double.POSITIVE_INFINITY;
