@@ -3,14 +3,14 @@ package org.sami.crw.decision;
 import java.util.Objects;
 
 /**
- * Who asks a decision; what is not known, or is not so where the domain asks, is empty text.
+ * The mission, plan and event that ask a decision; empty text where unknown, or where the domain asks.
  *
- * @param plan id of the plan whose mission asks
- * @param planTitle what people call that plan
+ * @param plan id of the mission's plan
+ * @param planTitle title of that plan
  * @param mission name of the mission
  * @param place id of the place whose output event asks
- * @param placeName what people call that place
- * @param event what people call the output event
+ * @param placeName name of that place
+ * @param event label of the output event
  */
 public record Asker(String plan, String planTitle, String mission, String place, String placeName, String event) {
     /** Not known, or the domain. */

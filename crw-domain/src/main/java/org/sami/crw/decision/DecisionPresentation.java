@@ -14,18 +14,18 @@ import org.sami.spn.protocol.Question;
 import org.sami.spn.value.ProxyValue;
 
 /**
- * A decision as it is to be shown: what its markups say of it is done (appendix .2.3). Windows, the console and the simulated operator
- * ask by this alone (docs/decisions-model.md). Immutable; made by {@link DecisionPresenter}.
+ * A decision for display, with its markups applied (appendix .2.3). Windows, the console and the simulated operator ask from this alone
+ * (docs/decisions-model.md). Immutable; made by {@link DecisionPresenter}.
  *
  * @param decision with the question as it is asked
- * @param boats whom it is about: the boats of the activation that asks or is asked about, or the boat that the domain asks about; none where it
- *     is about none, or that is not known
- * @param description lines that the author added, and the names of plan, vertex and event where the markup Description shows them
- * @param options what is offered, filtered and sorted; empty for yes or no and where values are asked for
- * @param format how options are laid out (markup Selection Options)
- * @param attention how attention is drawn to it; empty where it is not
- * @param proposedLocation what is proposed where a location is asked for; empty where nothing is
- * @param map what of the map it is about
+ * @param boats the boats that it concerns: those of the activation that asks or is asked about, or the boat that the domain asks about; none
+ *     where it concerns none, or that is unknown
+ * @param description lines by the author, and the names of plan, vertex and event where the markup Description shows them
+ * @param options the options, filtered and sorted; empty for yes or no and for values
+ * @param format layout of the options (markup Selection Options)
+ * @param attention how the decision draws attention; empty where it does not
+ * @param proposedLocation the proposal where a location is asked for; empty without one
+ * @param map what it concerns on the map
  */
 public record DecisionPresentation(
         Decision decision,
@@ -96,9 +96,9 @@ public record DecisionPresentation(
     }
 
     /**
-     * The answer that chooses some of what is offered.
+     * The answer that chooses some of the options.
      *
-     * @throws IllegalArgumentException if one of several options is to be chosen and it is not one, or nothing is offered
+     * @throws IllegalArgumentException for more or less than one where one of several options is asked for, or where there are no options
      */
     public Answer choosing(Collection<OfferedOption> chosen) {
         if (question() instanceof Question.ChooseProxies) {

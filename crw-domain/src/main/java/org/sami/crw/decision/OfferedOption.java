@@ -4,12 +4,12 @@ import java.util.Objects;
 import org.sami.spn.value.Value;
 
 /**
- * One of what a decision offers.
+ * One option of a decision.
  *
  * @param index its place in the decision's own list, from 0, by which {@code Answer.Option} names it
- * @param value a boat as a {@code ProxyValue}, an option as it was offered
+ * @param value a boat as a {@code ProxyValue}, any other option as it was offered
  * @param label a few words that name it
- * @param detail more about it, such as what plans have called the boat; may be empty text
+ * @param detail more about it, such as the boat's description by plans; may be empty text
  * @param selected whether it is selected when the decision opens (markup Default Selection)
  */
 public record OfferedOption(int index, Value value, String label, String detail, boolean selected) {

@@ -41,10 +41,10 @@ final class OfferedOptions {
     }
 
     /**
-     * What a decision offers.
+     * The options of a decision.
      *
-     * @param joined the known boats, oldest first: their age, where that is what is sorted by
-     * @param detailOf what is said of a boat beside its name
+     * @param joined the known boats, oldest first, for sorting by age
+     * @param detailOf the details of a boat, without its name
      */
     static List<OfferedOption> of(
             Decision decision, MarkupReader markups, List<String> joined, UnaryOperator<String> detailOf) {
@@ -109,7 +109,7 @@ final class OfferedOptions {
         return result;
     }
 
-    /** An answer in words, in those of what is offered. */
+    /** An answer in words, with the labels of the options. */
     static String words(Answer answer, List<OfferedOption> choices) {
         if (answer instanceof Answer.YesNo yesNo) {
             return yesNo.yes() ? "yes" : "no";

@@ -5,14 +5,14 @@ import java.util.Objects;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What the simulated operator answers with where nothing else is said.
+ * The simulated operator's default answers.
  *
  * @param quay where boats are launched and recharged
- * @param centre centre of the square in which its locations lie
+ * @param centre centre of the square for its locations
  * @param areaM side of the square in metres
- * @param locations how many locations it marks where a list of them is asked for
- * @param seed of all that it makes up
- * @param boats who gets a share where a value for each boat is asked for
+ * @param locations number of locations that it marks where a list of them is asked for
+ * @param seed of all invented values
+ * @param boats the boats that get a share where a value for each boat is asked for
  */
 public record OperatorDefaults(
         GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed, List<String> boats) {

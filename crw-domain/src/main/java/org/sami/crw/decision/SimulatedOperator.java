@@ -20,9 +20,9 @@ import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * An operator that is simulated: it says what is answered; when, its host's clock decides. Rules of an answers file come first;
- * where none fits it chooses all boats (or as many as may be chosen), takes the first option, says yes (but to a {@link DomainQuestion} that says otherwise), keeps defaults,
- * and makes up locations from its seed. The same decisions in the same order get the same answers. For one thread.
+ * A simulated operator. It decides the answers; its host's clock decides when. Rules of an answers file come first. Where none fits, it chooses all
+ * boats (or as many as allowed), takes the first option, says yes (except to a {@link DomainQuestion} with another default), keeps defaults, and
+ * invents locations from its seed. The same decisions in the same order get the same answers. For one thread.
  */
 public final class SimulatedOperator {
     private final Vocabulary vocabulary;
@@ -39,11 +39,11 @@ public final class SimulatedOperator {
     }
 
     /**
-     * The answer to a decision. Called once for each, as rules count decisions.
+     * The answer to a decision. Called once for each, because rules count decisions.
      *
-     * @param plan id of the plan whose mission asks
-     * @return no result and no finding where the operator stays silent; a finding, with its place in the answers file,
-     *     where a rule does not fit what is asked or nothing sensible can be answered
+     * @param plan id of the mission's plan
+     * @return neither result nor finding where the operator stays silent; a finding with its place in the answers file where a rule does not fit
+     *     the question, or no sensible answer exists
      */
     public Reading<Answer> answer(Decision decision, String plan) {
         List<Finding> findings = new ArrayList<>();

@@ -22,8 +22,8 @@ import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**
- * Notes in the journal, beside where boats were, what the operator was shown of them: commands and how they ended, the link, who commands,
- * the battery's class, why each moved or did not. A replay shows it again. For the fleet's thread.
+ * Records in the journal, besides positions, what the operator saw of the boats: commands and their ends, the link, the commander, the battery's
+ * class, and why each boat moved or did not. A replay shows it again. For the fleet's thread.
  */
 final class BoatLog {
     /** Each command, once. */
@@ -80,7 +80,7 @@ final class BoatLog {
         closed = true;
     }
 
-    /** Something happened to a boat: it is looked at anew, unless it told no more than where it is or what it measured. */
+    /** Looks at a boat again after an event, unless the event was only a position or a measurement. */
     void take(FleetEvent event) {
         note(event);
         if (!(event instanceof FleetEvent.StatusReported || event instanceof FleetEvent.Measured)) {

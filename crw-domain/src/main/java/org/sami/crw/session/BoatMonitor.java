@@ -33,9 +33,9 @@ final class BoatMonitor {
     private record Standstill(String reason, int looks) {}
 
     /**
-     * A monitor that has looked at nobody.
+     * A monitor before its first look.
      *
-     * @param keepsReasons whether the history is told at each look why each boat moves or does not; else only standstills are explained
+     * @param keepsReasons whether each look records why each boat moves or does not; otherwise only standstills are explained
      * @param nowMillis gives the session's time
      */
     BoatMonitor(

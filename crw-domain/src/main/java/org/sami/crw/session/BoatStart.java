@@ -25,7 +25,7 @@ public record BoatStart(GeoPoint at, CrossTrackError error) {
                 .map(at -> new BoatStart(at, boat.error().orElse(services.error())));
     }
 
-    /** The way along a path, from here on, as it would be driven where these limits hold. Computes ways around what is to be avoided. */
+    /** The way along a path from a boat's position, within these limits. Computes ways around no-go areas. */
     public List<GeoPoint> way(GeoPath path, WayLimits limits) {
         List<GeoPoint> way = new ArrayList<>(List.of(at));
         if (!path.points().isEmpty()) {

@@ -1,6 +1,6 @@
 package org.sami.crw.session;
 
-/** What boats are told as a session is left whose missions still run. Without a link, each then does what is set on it for a lost one. */
+/** The last command to the boats when a session ends while missions still run. Without a link, each boat then starts its lost-link action. */
 public enum BoatsAtEnd {
     /** What missions have for them is taken back: motors to zero, they drift. */
     STOP,

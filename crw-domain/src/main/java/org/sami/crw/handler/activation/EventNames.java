@@ -47,7 +47,7 @@ public final class EventNames {
     public static final Set<String> OF_COMMANDS =
             Set.of(PATH_COMPLETED, PATH_FAILED, LIST_COMPLETED, BLOCK_DONE, PANORAMA_TAKEN, PANORAMA_FAILED);
 
-    /** The answers by which a plan hears that what it asked has failed. */
+    /** The answers that report to a plan that its request has failed. */
     public static final Set<String> OF_FAILURES =
             Set.of(PATH_FAILED, PANORAMA_FAILED, MEASUREMENT_FAILED, GAINS_FAILED, MULTIPLIER_FAILED);
 

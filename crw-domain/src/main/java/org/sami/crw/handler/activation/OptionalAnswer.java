@@ -6,8 +6,8 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 
 /**
- * Answers that a plan need not wait for: of events with the flag {@code answer-optional}. Where no transition waits they are not sent, so
- * that the operator does not read of each one that nobody wanted it.
+ * Optional answers: events with the flag {@code answer-optional}. Without a transition that waits for them they are not sent, so that the operator
+ * sees no note about each.
  */
 public final class OptionalAnswer {
     private OptionalAnswer() {}

@@ -48,7 +48,7 @@ public final class PlanAreas {
         return List.copyOf(areas);
     }
 
-    /** The area to stay in: the activation's own, else that of the plans, where they name one and not several. */
+    /** The area to stay in: that of the activation, otherwise that of the plans, if they name exactly one. */
     public static Optional<GeoArea> within(Activation activation, EngineView view) {
         Optional<GeoArea> own = Restrictions.within(activation);
         return own.isPresent() ? own : within(activation.mission(), view);

@@ -11,8 +11,8 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
 
 /**
- * Whether plans provide for batteries that are swapped on the way: they wait for a battery's news, or have a person do something meanwhile
- * (Operator Background Action), in the plan itself or in one that it runs or that runs it.
+ * Whether plans provide for battery swaps on the way: they wait for a battery event, or give a person something to do (Operator Background Action),
+ * in the plan itself, its sub-missions or its parents.
  */
 public final class PlannedSwaps {
     private static final String BACKGROUND_ACTION = "OperatorBackgroundAction";

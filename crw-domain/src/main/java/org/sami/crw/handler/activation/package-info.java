@@ -1,7 +1,7 @@
 /**
- * What all handlers read of an activation and answer with: its fields and markups, the boats to which it speaks, the areas that its plan
- * keeps boats in, what the operator is told of it, and the input events by which plans hear what became of it.
+ * What all handlers share about an activation: its fields and markups, the boats that it addresses, the areas of its plan, messages to the operator
+ * about it, and the input events that report its result to plans.
  *
- * <p>Does not belong here: what is then done ({@code motion}, {@code planning}, {@code boat}).
+ * <p>Not here: the work itself ({@code motion}, {@code planning}, {@code boat}).
  */
 package org.sami.crw.handler.activation;

@@ -19,10 +19,9 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
 
 /**
- * What the operator is asked about single boats outside of plans: whether one that has started anew may be moved again, and whether
- * another base may have one. The answer is carried out on the boat. Which start of a boat was met last is kept in the session's
- * journal, so that a boat that started anew while the base was down is noticed too. For the fleet's thread; it passes
- * the engine's steps on to it.
+ * Questions to the operator about single boats outside of plans: whether a restarted boat may move again, and whether another base may take one. The
+ * handler carries out the answer on the boat. The session's journal keeps the last known start of each boat, so that a restart while the base was
+ * down is noticed too. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class BoatQuestions implements BoatListener, HostListener {
     private final EngineHost host;

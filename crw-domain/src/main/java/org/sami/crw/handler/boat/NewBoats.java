@@ -14,9 +14,9 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 
 /**
- * Which activations wait for boats to join. When the last of its boats has, the activation is answered, naming them: with Proxy
- * Connected where a transition after it waits for that, so that no other mission takes the boats for its own; else with Proxy
- * Created, which is news in all other missions. For the fleet's thread.
+ * Activations that wait for boats to join. When all boats of an activation have joined, its answer names them: Proxy Connected where a following
+ * transition waits for that, so that no other mission takes the boats; otherwise Proxy Created, which is news in all other missions. For the fleet's
+ * thread.
  */
 public final class NewBoats {
     private final List<Request> requests = new ArrayList<>();

@@ -13,8 +13,8 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
 
 /**
- * Asks whether boats that have started anew may move again: one question for all of them (decision 0397), from which each can be left out. Boats that come
- * while it waits are added to it, by asking anew. For the fleet's thread.
+ * Asks whether restarted boats may move again: one question for all of them (decision 0397), in which each can be left out. A boat that restarts
+ * while the question waits is added by asking again. For the fleet's thread.
  */
 final class RestartQuestion {
     /** After a resume boats answer one after the other: so long they are gathered before they are asked about. */

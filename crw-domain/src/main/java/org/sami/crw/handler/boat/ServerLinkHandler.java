@@ -13,8 +13,8 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 
 /**
- * Disconnect Server and Reconnect Server (field plans): cuts the links to the boats' servers, or has them connected anew. The boats' tokens
- * stay and their commands wait; a boat that is cut off does what is set for a lost link.
+ * Disconnect Server and Reconnect Server (field plans): closes or reopens the links to the boats' servers. The boats' tokens stay and their commands
+ * wait; a disconnected boat starts its lost-link action.
  */
 public final class ServerLinkHandler implements ActivationHandler {
     public static final String DISCONNECT = "DisconnectServer";

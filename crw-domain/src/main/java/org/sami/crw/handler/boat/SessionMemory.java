@@ -14,7 +14,7 @@ enum SessionMemory {
     BATTERY("battery/"),
     /** The waypoint list that was sent to it last and that it took. */
     LIST("list/"),
-    /** Who has taken it out of the missions' hands, as plans were told last; empty text if nobody has. */
+    /** Who has taken the boat over from the missions, as last reported to plans; empty text for none. */
     TAKEN_OVER("taken-over/");
 
     private final String prefix;

@@ -16,8 +16,8 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.value.TextValue;
 
 /**
- * Tells plans when a boat is out of the missions' hands, because a person drives it or another base commands it, and when it is
- * back: once each, also across a restart of the base, after which nobody drives by hand any longer. For the fleet's thread.
+ * Reports to plans when a person or another base takes a boat over, and when it is back: once each, also across a restart of the base, which ends
+ * driving by hand. For the fleet's thread.
  */
 public final class TakeOverNews implements BoatListener {
     private static final String BY_HAND = "operator";

@@ -18,8 +18,8 @@ import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.Value;
 
 /**
- * Finds boats that a request names and that nobody knows, such as a path for {@code boat9}: their part of it would be done by nobody, and
- * nobody would hear of it. Becomes a handler's failure in the journal. A boat that was there and has gone is none of them.
+ * Finds unknown boats in a request, such as a path for {@code boat9}: their part would silently not be done. Each becomes a handler's failure in the
+ * journal. A boat that has gone is not unknown.
  */
 public final class UnknownBoats implements HostListener {
     private final EngineHost host;

@@ -14,9 +14,8 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 
 /**
- * Send Abort Mission, Send Proxy Abort All Missions, Send Proxy Abort Future Missions: each entering boat drops what the missions of
- * the scope have in its queue, and signals to each of them Proxy Abort Mission Received. A mission other than the one that
- * asks hears, after the signal, that what it waited for has failed.
+ * Send Abort Mission, Send Proxy Abort All Missions, Send Proxy Abort Future Missions: each entering boat drops the commands of the missions in
+ * scope, and signals Proxy Abort Mission Received to each of them. Missions other than the asking one then receive the failure that they wait for.
  */
 public final class AbortHandler implements ActivationHandler {
     private final AbortScope scope;

@@ -6,8 +6,8 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**
- * How far boats may be beside their ways: what each has said of itself, and what is stated for those that say nothing (docs/decisions, 0336). For the
- * fleet's thread.
+ * The cross-track errors of boats: as each has reported, or the configured one for those that have not (docs/decisions, 0336). For the fleet's
+ * thread.
  */
 public final class BoatErrors {
     private final ProxyRegistry boats;

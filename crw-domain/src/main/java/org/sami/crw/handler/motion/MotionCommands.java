@@ -28,9 +28,8 @@ import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.TaskId;
 
 /**
- * The commands that activations have sent to boats, and what the plan is told of each: its progress, and one answer (path completed
- * or path failed). A lost link is no failure: the command waits. A command whose id is with the boat already is not sent twice.
- * For the fleet's thread.
+ * The commands that activations have sent to boats, and the answers to the plan: progress, and one result for each (path completed or path failed). A
+ * lost link is no failure: the command waits. A command whose id the boat already has is not sent twice. For the fleet's thread.
  */
 public final class MotionCommands implements BoatListener {
     public static final String UNKNOWN_BOAT = "no boat of that name is known";
@@ -153,8 +152,8 @@ public final class MotionCommands implements BoatListener {
     }
 
     /**
-     * A boat is no longer responsible for a task, by any of its names: what was asked of it for that task alone is taken back, and what
-     * it does for others too is answered without it.
+     * A boat is no longer responsible for a task, under any of its names: commands for that task alone are withdrawn, and commands for other tasks
+     * too are answered without it.
      */
     public void release(String boat, List<TaskId> names) {
         for (Map.Entry<String, SentCommand> one : List.copyOf(sent.entrySet())) {
@@ -165,7 +164,7 @@ public final class MotionCommands implements BoatListener {
         }
     }
 
-    /** Takes back what a mission has for a boat, because another wanted it so; whoever waits for it is told that it failed. */
+    /** Withdraws a mission's commands from a boat at another mission's request; a transition that waits receives the failure. */
     void abort(long mission, String boat, String reason) {
         questions.withdraw(mission, List.of(boat));
         boats.find(boat)

@@ -9,11 +9,11 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 
 /**
- * A command for one boat that an activation asks for.
+ * A command for one boat, from an activation.
  *
- * @param progress how the mission remembers what is visited; empty = it does not
- * @param reply what the plan is told of completion and failure
- * @param doubt what is wrong with it beside its way, which others look at
+ * @param progress how the mission remembers visited points; empty = it does not
+ * @param reply the answers on completion and failure
+ * @param doubt a problem other than its way, found by other checks
  */
 public record Move(
         Addressee addressee,

@@ -15,8 +15,8 @@ import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Tells the operator, once in a mission and before the boats go, of places in which boats are to lie so near to one another that others find no way
- * between them (docs/decisions, 0322). For the fleet's thread.
+ * Warns the operator, once in a mission and before the boats go, of places in which boats would lie so close together that others cannot pass between
+ * them (docs/decisions, 0322). For the fleet's thread.
  */
 public final class NearPlaces {
     private static final String TOLD = "near-places";

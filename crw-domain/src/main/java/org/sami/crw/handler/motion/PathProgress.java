@@ -59,8 +59,8 @@ public final class PathProgress {
     }
 
     /**
-     * Number of points that are behind the boat: as far as the mission knows, one that runs it, or a sub-mission of it. Missions beside
-     * it are not asked: a sub-mission that is started again begins its path anew.
+     * The number of visited points, as known by the mission, its parents and its sub-missions. Sibling missions do not count: a sub-mission that
+     * starts again begins its path again.
      */
     public static int visited(HandlerContext context, long mission, String key, int size) {
         long visited = context.query(view -> line(view, mission)

@@ -3,7 +3,7 @@ package org.sami.crw.handler.motion;
 import java.util.Optional;
 import org.sami.crw.handler.activation.EventNames;
 
-/** Which input events tell a plan what became of a command; empty where it is not told. */
+/** The input events that report the result of a command to a plan; empty for no report. */
 enum Reply {
     /** Of a way somewhere. */
     WAY(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED),
@@ -13,9 +13,9 @@ enum Reply {
     STOP_IF_AWAITED(EventNames.BLOCK_DONE, ""),
     /** Of a station, which is kept without an end, and need not be waited for. */
     STATION_IF_AWAITED("", EventNames.PATH_FAILED),
-    /** Of pictures all round, whose end has an event of its own; that they failed is told where it is waited for. */
+    /** Panorama events. Completion has its own event; a failure is reported to the place that waits for it. */
     PICTURES_IF_AWAITED("", EventNames.PANORAMA_FAILED),
-    /** Of nothing: whoever asked has ended, or is told more than that it is done. */
+    /** No events: the mission has ended, or receives more than the end of the command. */
     NONE("", "");
 
     private final String completed;

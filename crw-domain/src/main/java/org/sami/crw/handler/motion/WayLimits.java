@@ -12,9 +12,9 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Where boats may go on their ways for a mission, as it stands now.
+ * The present limits on boats' ways for a mission.
  *
- * @param avoid what is not to be entered
+ * @param avoid no-go areas
  * @param within the area to stay in
  */
 public record WayLimits(List<GeoArea> avoid, Optional<GeoArea> within) {

@@ -1,8 +1,8 @@
 /**
- * Commands that move boats, hold them or stop them: their handlers, the questions that the operator is asked before boats are sent where
- * something is wrong, and what plans hear of each command.
+ * Commands that move, hold or stop boats: their handlers, the questions to the operator where something is wrong before boats go, and the reports of
+ * each command to plans.
  *
- * <p>{@link org.sami.crw.handler.motion.MotionCommands} is the one way by which activations command boats. Does not belong here: where
- * to ({@code planning}), which command of several a boat carries out ({@code org.sami.crw.proxy}).
+ * <p>Activations command boats only through {@link org.sami.crw.handler.motion.MotionCommands}. Not here: destinations ({@code planning}), and which
+ * of several commands a boat executes ({@code org.sami.crw.proxy}).
  */
 package org.sami.crw.handler.motion;

@@ -35,10 +35,10 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
- * Allocation Request: divides locations or tasks among boats by the algorithm that serves the markup Optimize best, in as many ways
- * as the markup Selection Options asks for, no path longer than its boat's charge lasts where that can be, with the way home if possible. Distances are
- * those of ways around what the plan avoids. What nobody can do is named in the answer and told to the operator; a boat whose
- * position is not known yet gets nothing, and the operator is told.
+ * Allocation Request: divides locations or tasks among boats with the algorithm that fits the markup Optimize best, in as many ways as the markup
+ * Selection Options asks for. If possible no path is longer than its boat's charge lasts, with the way home. Distances are of ways around areas to
+ * avoid. The answer and a message to the operator name work that no boat can do. A boat without a known position gets no work, and the operator is
+ * notified.
  */
 public final class AllocationHandler implements ActivationHandler {
     public static final String TYPE = "AllocationRequest";
@@ -152,7 +152,7 @@ public final class AllocationHandler implements ActivationHandler {
         messages.tell(ActivationMessages.of(activation, context, priority, text, boats));
     }
 
-    /** Names the boats where their own tokens entered, else the tasks: whoever is named moves on. */
+    /** Names the boats where their own tokens entered, otherwise the tasks: the named tokens move on. */
     private static Occurrence answer(Activation activation, HandlerContext context, Map<String, Value> values) {
         List<Addressee> addressees = Addressee.of(activation, context);
         List<String> boats = addressees.stream().map(Addressee::boat).toList();

@@ -31,11 +31,11 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * What an Allocation Request asks, as a problem.
+ * An Allocation Request as a problem.
  *
  * @param tasks the tasks among the work, by the work's name
- * @param anew whether an earlier allocation is divided anew: the paths then begin with what boats have begun
- * @param unknown the boats that get nothing, as nobody knows where they are
+ * @param anew whether it divides an earlier allocation again: paths then begin with the work that boats have begun
+ * @param unknown boats without a known position, which get no work
  */
 record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, boolean anew, List<String> unknown) {
     private static final String LOCATIONS = "locations";
@@ -45,11 +45,11 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
     private static final String PREVIOUS = "previous";
 
     /**
-     * Reads the question. The work is: what is left of the field {@code previous}; else the field {@code locations}; else the entering
-     * tasks. The boats are those that entered, or where only tasks did those of the mission.
+     * Reads the request. The work is the rest of the field {@code previous}, otherwise the field {@code locations}, otherwise the entering tasks. The
+     * boats are those that entered, or those of the mission where only tasks did.
      *
-     * @param rangesM how far the charge of each boat is sure to take it, in metres; empty for one that has not said
-     * @param homes where boats return to for which their charges are to last as well
+     * @param rangesM distance for which each boat's charge certainly lasts, in metres; empty for a boat that has not reported
+     * @param homes homes for whose ways charges have to last too
      */
     static AllocationQuestion of(
             Activation activation,

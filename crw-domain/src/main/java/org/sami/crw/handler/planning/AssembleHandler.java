@@ -23,10 +23,9 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Assemble Location Request: a location of its own for each boat, near a point. The mission remembers who has which, so that
- * boats that are added one by one (thesis 6.3.2) do not get the same one. It answers with the locations of all of them: the plan keeps
- * one table, and whoever came earlier still finds its own in it.
- * Of places that are too near to one another the operator is told ({@link NearPlaces}).
+ * Assemble Location Request: a separate location for each boat, near a point. The mission remembers the locations, so that boats that arrive one by
+ * one (thesis 6.3.2) do not get the same one. The answer holds the locations of all of them, because the plan keeps one table in which earlier boats
+ * still find theirs. The operator is warned of places that are too close together ({@link NearPlaces}).
  */
 public final class AssembleHandler implements ActivationHandler {
     public static final String TYPE = "AssembleLocationRequest";

@@ -118,7 +118,7 @@ public final class Computations implements HostListener {
         }
     }
 
-    /** Computes something for which no activation waits, beside the fleet's thread where there are threads; and goes on there with what was found. */
+    /** Computes something without a waiting activation, on a service thread if there is one, and continues with the result on the fleet's thread. */
     <A> void aside(Supplier<A> work, Consumer<A> then) {
         if (threads.isPresent()) {
             threads.get().execute(() -> {
@@ -155,7 +155,7 @@ public final class Computations implements HostListener {
         return context.query(view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()));
     }
 
-    @SuppressWarnings("CatchingUnchecked") // whatever a service throws is told to the plan, as if its handler had
+    @SuppressWarnings("CatchingUnchecked") // an exception of a service is reported to the plan like one of its handler
     private <A> void work(Running one, Task<A> task) {
         Callable<Runnable> outcome = () -> {
             A answer = task.compute();

@@ -12,7 +12,7 @@ import org.sami.crw.service.water.CrossTrackError;
 /**
  * The services that the handlers use.
  *
- * @param error how far boats that do not say it themselves may be beside their ways: all ways keep as much off what is not to be entered
+ * @param error cross-track error of boats that do not report theirs: all ways keep that distance from no-go areas
  */
 public record CrwServices(
         AllocationService allocation,

@@ -33,10 +33,10 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 
 /**
- * Distribute Locations Request: a list of locations for each boat, in the order in which it visits them; each location is in one
- * list. The locations are those of the activation, or spread over its area at a spacing. Divided as the markup Optimize asks, by ways around
- * what the plan avoids; a location that no boat can get to is in no list, and the operator is told.
- * A boat whose position is not known yet gets none. Of lists that end too near to one another the operator is told ({@link NearPlaces}).
+ * Distribute Locations Request: a list of locations for each boat, in the order of its visits; each location is in one list. The locations are those
+ * of the activation, or spread over its area at a spacing. They are divided as the markup Optimize asks, with ways around areas to avoid. A location
+ * that no boat can reach is in no list, and a boat without a known position gets none; the operator is notified of both, and of lists that end too
+ * close together ({@link NearPlaces}).
  */
 public final class DistributeHandler implements ActivationHandler {
     public static final String TYPE = "DistributeLocationsRequest";

@@ -43,12 +43,11 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TextValue;
 
 /**
- * Proxy Explore Area: the area is divided among the boats that enter together, and each drives its share in lanes (thesis 6.2). The
- * operator is told how long the tracks are and what stays uncovered.
+ * Proxy Explore Area: divides an area among the boats that enter together; each drives its share in lanes (thesis 6.2). A message to the operator
+ * gives the length of the tracks and the uncovered rest.
  *
- * <p>The mission remembers who has which share: a boat that comes back, after an interrupt, goes on at its first unvisited point. A
- * boat that comes later takes over what a boat that has left the mission did not drive; where nobody left anything, it completes
- * at once.
+ * <p>The mission remembers the shares: a boat that returns after an interrupt goes on at its first unvisited point. A boat that comes later takes
+ * over the rest of one that has left the mission; without such a rest it completes at once.
  */
 public final class ExploreAreaHandler implements ActivationHandler {
     public static final String TYPE = "ProxyExploreArea";

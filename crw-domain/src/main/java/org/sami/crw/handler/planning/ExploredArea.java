@@ -19,10 +19,7 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
-/**
- * An area whose exploration is under way: the shares of its boats, where each reported to be, and whose share is driven. For the fleet's
- * thread.
- */
+/** An area under exploration: the shares of its boats, their reported positions, and the finished shares. For the fleet's thread. */
 final class ExploredArea {
     private static final double STEP_OF_SPACING = 1.0 / 25;
     private static final double LEAST_STEP_M = 0.5;
@@ -64,7 +61,7 @@ final class ExploredArea {
         shares.forEach(this::assume);
     }
 
-    /** Counts what was visited before this base began as driven as it was planned: nobody saw it. */
+    /** Counts points visited before this base started as driven as planned: no positions are known from that time. */
     private void assume(String boat, GeoPath path) {
         List<GeoPoint> points = path.points();
         int visited = PathProgress.visited(context, mission(), PathProgress.key(boat, path), points.size());
@@ -127,10 +124,10 @@ final class ExploredArea {
     }
 
     /**
-     * Ends the watch over it. Gives what the operator is to be told; empty where he has been told before.
+     * Ends the measurement. Returns the message for the operator; empty where it was given before.
      *
-     * @param when words on when it ended; empty text where all shares are driven
-     * @param positionM stated deviation of the boats' positions in metres
+     * @param when words on the time of the end; empty text where all shares are driven
+     * @param positionM stated standard deviation of the boats' positions, in metres
      * @return computes the words, which takes a while; on any thread
      */
     Optional<Supplier<String>> end(String when, double positionM) {

@@ -27,8 +27,8 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 
 /**
- * Watches what boats cover of the areas that they explore, by the positions that they report, and tells the operator when the last share is driven, or
- * when the mission ends before that. For the fleet's thread; it passes the engine's steps on to it.
+ * Measures the part of explored areas that boats cover, by their reported positions, and notifies the operator when the last share is driven, or at
+ * an earlier end of the mission. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class ExploredAreas implements BoatListener, HostListener {
     private final MessageSink messages;

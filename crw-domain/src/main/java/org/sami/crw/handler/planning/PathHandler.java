@@ -36,9 +36,9 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * Path Request: a way for each boat from where it is to its point, around what is to be avoided, in as many ways as the markup
- * Selection Options asks for. One answer names all boats. A boat that has no way is in none of its sets of paths; the answer
- * says why, and so is the operator told.
+ * Path Request: a way for each boat from its position to its point, around areas to avoid, in as many alternatives as the markup Selection Options
+ * asks for. One answer names all boats. A boat without a way is in none of the sets of paths; the answer and a message to the operator give the
+ * reason.
  */
 public final class PathHandler implements ActivationHandler {
     public static final String TYPE = "PathRequest";

@@ -10,11 +10,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 
 /**
- * Threads for what services compute, beside the fleet's: for sessions in real time, whose links must live on meanwhile. A computation
- * that takes longer than a limit is given up.
+ * Threads for the computations of services, separate from the fleet's: sessions in real time have to keep their links alive meanwhile. A computation
+ * beyond a time limit is given up.
  */
 public final class ServiceThreads implements AutoCloseable {
-    /** An operator who has waited so long asks something else. */
+    /** The time after which an operator would ask for something else. */
     public static final long STANDARD_LIMIT_MILLIS = 60_000;
 
     private static final long TOLD_MILLIS = 5000;
@@ -34,7 +34,7 @@ public final class ServiceThreads implements AutoCloseable {
     /**
      * The same.
      *
-     * @param onFault is told what the machine throws at a computation, which fails then: the thread's name, and what it was
+     * @param onFault receives the thread's name and the error that the machine throws at a computation, which then fails
      */
     public ServiceThreads(long limitMillis, BiConsumer<String, Throwable> onFault) {
         this.limitMillis = limitMillis;

@@ -27,10 +27,9 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Proxy Area Subscription (thesis Fig. 7.4): tells at once which of the boats that entered the place are in an area, and then of each
- * that enters or leaves the area, while it stands in the place. Its border belongs to an area. What was told last is
- * kept in the mission's memory, so that a base that goes on repeats nothing. For the fleet's thread; it passes the engine's
- * steps on to it.
+ * Proxy Area Subscription (thesis Fig. 7.4): reports at once which boats that entered the place are in an area, and then each that enters or leaves
+ * the area while it stands in the place. The border belongs to the area. The mission's memory keeps the last report, so that a restarted base repeats
+ * none. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class AreaSubscriptions implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "ProxyAreaSubscription";

@@ -29,10 +29,9 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * Battery Level Subscription (appendix .2.1): answers for each boat that entered at once, or as soon as its charge is known, and then
- * at each change of level by the subscription's own thresholds, while the boat stands in the place. What was answered last is
- * kept in the mission's memory, so that neither a link that comes back nor a base that goes on repeats it. For the fleet's
- * thread; it passes the engine's steps on to it.
+ * Battery Level Subscription (appendix .2.1): answers for each boat that entered, at once or when its charge is known, and then at each change of
+ * level by the subscription's own thresholds, while the boat stands in the place. The mission's memory keeps the last answer, so that neither a
+ * regained link nor a restarted base repeats it. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class BatterySubscriptions implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "BatteryLevelSubscription";
@@ -62,7 +61,7 @@ public final class BatterySubscriptions implements ActivationHandler, BoatListen
         }
     }
 
-    /** The missions that have subscribed to a boat's battery: what they are told goes by their thresholds alone. */
+    /** The missions that have subscribed to a boat's battery: only their own thresholds count for them. */
     public Set<Long> subscribers(String boat) {
         return open.stream()
                 .filter(subscription -> subscription.byBoat.containsKey(boat))

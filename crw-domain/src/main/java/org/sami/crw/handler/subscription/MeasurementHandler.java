@@ -29,11 +29,10 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
 
 /**
- * Take Measurement: answers with the next reading of the sensor on each boat that entered, while it stands in the place. Sensors read at
- * their own rates; a sensor is named by the channel ({@code temperature}), the instrument ({@code ctd}) or both ({@code
- * ctd/temperature}). Of readings of several values the first is told. When nothing has come for a while the operator is told which
- * sensors there are, and the measurement has failed: for the plan where a transition waits for that, else for the journal, and the boat
- * waits on. For the fleet's thread; it passes the engine's steps on to it.
+ * Take Measurement: answers with the next reading of the sensor on each boat that entered, while the boat stands in the place. Sensors read at their
+ * own rates. A sensor is named by its channel ({@code temperature}), its instrument ({@code ctd}) or both ({@code ctd/temperature}); of several
+ * values the first counts. Without a reading for a while, a message to the operator lists the sensors, and the measurement fails: for the plan where
+ * a transition waits for that, otherwise in the journal only, and the boat waits on. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class MeasurementHandler implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "TakeMeasurement";

@@ -15,10 +15,10 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 
 /**
- * The subscriptions of one kind that stand, by activation; those whose activation ends are dropped. For the fleet's thread; it
- * passes the engine's steps on to it.
+ * The open subscriptions of one kind, by activation; those of an ended activation are dropped. For the fleet's thread; it passes the engine's steps
+ * on to it.
  *
- * @param <S> what is kept of a subscription
+ * @param <S> the state of a subscription
  */
 final class OpenSubscriptions<S> implements HostListener {
     private final Executor fleet;
@@ -26,9 +26,9 @@ final class OpenSubscriptions<S> implements HostListener {
     private final Map<Long, S> open = new LinkedHashMap<>();
 
     /**
-     * None yet.
+     * Without subscriptions.
      *
-     * @param isOver whether nobody is left whom a subscription could tell anything of
+     * @param isOver whether a subscription has no boat left
      */
     OpenSubscriptions(Executor fleet, Predicate<S> isOver) {
         this.fleet = fleet;

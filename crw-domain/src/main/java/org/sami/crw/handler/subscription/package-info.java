@@ -1,7 +1,6 @@
 /**
- * What plans subscribe to: battery levels, areas that boats enter or leave, measurements; told as long as the tokens stand that wait for
- * it.
+ * Subscriptions of plans: battery levels, areas that boats enter or leave, measurements; they report while the waiting tokens stand.
  *
- * <p>Does not belong here: readings that nobody waits for ({@code org.sami.crw.operator} shows them).
+ * <p>Not here: readings without a subscription ({@code org.sami.crw.operator} shows them).
  */
 package org.sami.crw.handler.subscription;
