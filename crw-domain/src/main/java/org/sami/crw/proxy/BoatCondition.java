@@ -93,8 +93,9 @@ final class BoatCondition {
         } else if (fleetStopped) {
             return Obstacle.because(
                     Cause.FLEET_STOPPED,
-                    "the fleet stop is latched"
-                            + (stoppedFromHere ? "" : stoppedBy.isEmpty() ? ", not from here" : " by " + stoppedBy));
+                    "it is stopped"
+                            + (stoppedFromHere ? "" : stoppedBy.isEmpty() ? ", not from here," : " by " + stoppedBy)
+                            + " until it is released");
         } else if (takenOver) {
             return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
         } else if (unconfirmedRestart) {

@@ -128,7 +128,7 @@ class ExplainTest {
         assertThat(boat.proxy.explain().text()).doesNotContain("does not move");
         boat.proxy.release();
         boat.says(new Telemetry(45, 10, 0, 0, 90, BoatMode.FLEET_STOP, 1));
-        assertWhy(Cause.FLEET_STOPPED, "the fleet stop is latched");
+        assertWhy(Cause.FLEET_STOPPED, "it is stopped, not from here, until it is released");
         boat.says(new Telemetry(45, 10, 0, 0, 90, BoatMode.STOPPED, 1));
 
         boat.proxy.commands().withdraw(1);

@@ -197,7 +197,7 @@ final class CommandExecutor {
     }
 
     private static LinkMessage fleetStopped(CommandMessage command) {
-        return nack(command, NackReason.FLEET_STOPPED, "the fleet stop is latched");
+        return nack(command, NackReason.FLEET_STOPPED, "the boat is stopped until it is released");
     }
 
     static LinkMessage nack(CommandMessage command, NackReason reason, String detail) {

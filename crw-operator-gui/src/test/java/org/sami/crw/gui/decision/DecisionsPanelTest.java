@@ -69,7 +69,7 @@ class DecisionsPanelTest {
 
             world.session.fleet().stop("anna").toCompletableFuture().join();
 
-            world.until("that is seen", () -> detail(world, 1).contains("the fleet stop is latched"));
+            world.until("that is seen", () -> detail(world, 1).contains("it is stopped until it is released"));
             world.until("bert lies there", () -> detail(world, 2).contains("no mission wants anything of it"));
         }
     }

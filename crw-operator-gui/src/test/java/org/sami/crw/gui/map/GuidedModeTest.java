@@ -146,7 +146,9 @@ class GuidedModeTest {
                 .endsWith("; it is stopped, and nothing moves before the release");
         SessionWorld.until(
                 "the command waits",
-                () -> anna().why().text().equals("anna does not move: the fleet stop is latched; one command waits"));
+                () -> anna().why()
+                        .text()
+                        .equals("anna does not move: it is stopped until it is released; one command waits"));
         SessionWorld.get(world.session.fleet().releaseAll());
         SessionWorld.until(
                 "the same words as in the notice",

@@ -266,7 +266,7 @@ class FleetLinksTest {
         assertThat(world.fleet.boats()).allSatisfy(boat -> {
             assertThat(boat.hull().speedMps()).isZero();
             assertThat(boat.server().mode()).isEqualTo(BoatMode.FLEET_STOP);
-            assertThat(boat.proxy().explain().text()).contains("the fleet stop is latched; one command waits");
+            assertThat(boat.proxy().explain().text()).contains("it is stopped until it is released; one command waits");
         });
         world.proxy().commands().submit(world.path("crit", 2, Priority.CRITICAL, 30, 0));
         world.run(20);

@@ -191,7 +191,7 @@ class SessionTest {
         TestSession.get(session.fleet().connect(TestSession.address(world.boat("bert"))));
         awaitMode(session, "bert", BoatMode.FLEET_STOP);
 
-        assertThat(TestSession.get(session.fleet().why("bert")).text()).contains("the fleet stop is latched");
+        assertThat(TestSession.get(session.fleet().why("bert")).text()).contains("it is stopped until it is released");
         assertThat(TestSession.get(session.fleet().releaseAll())).containsExactly("anna", "bert");
         awaitMode(session, "anna", BoatMode.STOPPED);
         awaitMode(session, "bert", BoatMode.STOPPED);
