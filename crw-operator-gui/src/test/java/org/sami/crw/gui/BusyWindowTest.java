@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
+import javax.swing.AbstractButton;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -84,6 +85,26 @@ class BusyWindowTest {
                 .isEqualTo(BusySituation.DECISIONS);
         assertThat(WindowRobot.<List<Object>>ask(() -> column("decisions-queue", 1)))
                 .contains("Look once more · Explore Area", "Watch the links · Communications Monitoring");
+    }
+
+    @Test
+    void threeInterruptsOfAMissionAreInSightWhileDecisionsWait() {
+        size(1600, 1000, 100);
+
+        for (String name : List.of("team-avoid-boat", "battery-swap", "proxy-abort")) {
+            int hidden = WindowRobot.ask(() -> {
+                AbstractButton button = find("interrupt-" + name, AbstractButton.class);
+                JScrollPane pane = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, button);
+                int bottom = SwingUtilities.convertPoint(
+                                button,
+                                0,
+                                button.getHeight(),
+                                pane.getViewport().getView())
+                        .y;
+                return bottom - pane.getViewport().getHeight();
+            });
+            assertThat(hidden).as("pixels of %s below the edge", name).isLessThanOrEqualTo(0);
+        }
     }
 
     @ParameterizedTest

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
@@ -28,7 +30,7 @@ import org.sami.ui.look.Theme;
 @Tag("window")
 class EmptyPanelsWindowTest {
     private static final List<Double> FIRST =
-            List.of(0.36, 0.58, 0.66, 0.71, 0.38); // of OperatorPanels.FIRST, as the left or upper part
+            List.of(0.32, 0.58, 0.66, 0.66, 0.38); // of OperatorPanels.FIRST, as the left or upper part
 
     private final WindowRobot robot = new WindowRobot();
     private OperatorWindow window;
@@ -54,6 +56,10 @@ class EmptyPanelsWindowTest {
                 robot.untilSaid("boats-count", "2 of 2");
                 robot.until("the plans have the room", () -> height("decisions") < Look.px(130));
                 assertThat(WindowRobot.<Integer>ask(() -> height("interrupts"))).isLessThan(130);
+                int nothing = WindowRobot.ask(() -> height("messages"));
+                window.session().models().tell(message());
+                robot.until("messages have their room again", () -> height("messages") > nothing + Look.px(10));
+                assertMissionsHaveTheRoomOfDecisions();
 
                 long mission = start();
                 robot.until("what is asked has room", () -> height("decisions") > Look.px(300));
@@ -67,6 +73,7 @@ class EmptyPanelsWindowTest {
 
                 robot.clickAt(panel("map"), 300, 200);
                 robot.until("the plans have the room again", () -> height("decisions") < Look.px(130));
+                assertMissionsHaveTheRoomOfDecisions();
             } finally {
                 WindowRobot.ask(() -> {
                     window.end();
@@ -85,6 +92,23 @@ class EmptyPanelsWindowTest {
                 .allSatisfy(part -> assertThat(FIRST)
                         .as("%s is no proportion of the first arrangement", part)
                         .anyMatch(first -> Math.abs(first - part) < 0.02));
+    }
+
+    private void assertMissionsHaveTheRoomOfDecisions() {
+        robot.until(
+                "missions have the room, and not the neighbours of the decisions",
+                () -> height("missions") > Look.px(420) && height("messages") < Look.px(220));
+    }
+
+    private static OperatorMessage message() {
+        return new OperatorMessage(
+                0,
+                1000,
+                OperatorMessage.Source.PLAN,
+                Priority.MEDIUM,
+                "anna has measured 21 °C at its location",
+                List.of("anna"),
+                "");
     }
 
     private long start() throws Exception {

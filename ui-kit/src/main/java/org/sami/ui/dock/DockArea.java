@@ -155,7 +155,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         changed();
     }
 
-    /** Has sides whose panels are all empty leave their room to their neighbours; to be called a few times a second. */
+    /** Has sides whose panels are all empty leave their room to others of their column; to be called a few times a second. */
     public void shareRoom() {
         if (isBesideOneAnother()) {
             proportions.share(pointer::isAwayFrom, pointer::letsMove);

@@ -23,6 +23,7 @@ public final class DockPanel extends JPanel implements Dockable {
     private Optional<JComponent> first = Optional.empty();
     private boolean waiting;
     private boolean empty;
+    private boolean usesRoom;
 
     /**
      * A panel.
@@ -45,6 +46,16 @@ public final class DockPanel extends JPanel implements Dockable {
     public DockPanel withFocusOn(JComponent part) {
         first = Optional.of(part);
         return this;
+    }
+
+    /** Says that it shows more, or larger, with more room: it gets what empty panels above and below it leave. */
+    public DockPanel withUseOfRoom() {
+        usesRoom = true;
+        return this;
+    }
+
+    boolean usesRoom() {
+        return usesRoom;
     }
 
     /** What gets the keyboard's focus when it is shown; empty where that is the first thing in it that takes it. */
@@ -92,7 +103,7 @@ public final class DockPanel extends JPanel implements Dockable {
         }
     }
 
-    /** Says that nothing is in it now: a side of the window whose panels are all empty leaves its room to its neighbour. */
+    /** Says that nothing is in it now: a side of the window whose panels are all empty leaves its room to others above and below it. */
     public void setEmpty(boolean empty) {
         this.empty = empty;
     }

@@ -1,16 +1,21 @@
 package org.sami.ui.dock;
 
 import java.awt.Component;
-import java.util.ArrayList;
+import java.awt.Container;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import javax.swing.JSplitPane;
 
 /**
- * The split panes of an area: each keeps its proportion, and a side whose panels are all empty leaves its room to the other one. On the event thread.
+ * The split panes of an area: each keeps its proportion, and sides of a column whose panels are all empty leave their room to the others of that
+ * column (decision 0404). On the event thread.
  */
 final class SplitProportions {
-    private final List<PaneKeeper> keepers = new ArrayList<>();
+    private final Map<JSplitPane, PaneKeeper> keepers = new LinkedHashMap<>();
     private final Component area;
     private final Runnable moved;
 
@@ -35,31 +40,103 @@ final class SplitProportions {
     }
 
     private void add(JSplitPane pane) {
-        PaneKeeper keeper = new PaneKeeper(pane, area, moved);
+        PaneKeeper keeper = new PaneKeeper(pane, this);
         keeper.install();
-        keepers.add(keeper);
+        keepers.put(pane, keeper);
+    }
+
+    Optional<PaneKeeper> keeper(JSplitPane pane) {
+        return Optional.ofNullable(keepers.get(pane));
+    }
+
+    /** Somebody has moved a divider. */
+    void moved() {
+        moved.run();
     }
 
     /**
-     * Has each side whose panels are all empty leave its room to the other one, and take it back where it is empty no longer.
+     * Has each side whose panels are all empty leave its room to the others of its column, and take it back where it is empty no longer.
      *
-     * @param mayShrink whether what is in a pane may move because something has gone
+     * @param mayShrink whether what is in a column may move because something has gone; given its uppermost pane
      * @param mayReturn the same, because something has come
      */
     void share(Predicate<JSplitPane> mayShrink, Predicate<JSplitPane> mayReturn) {
-        keepers.removeIf(PaneKeeper::isGone);
-        keepers.forEach(keeper -> keeper.share(mayShrink, mayReturn));
+        keepers.values().removeIf(keeper -> keeper.isGoneFrom(area));
+        List<PaneKeeper> now = List.copyOf(keepers.values());
+        for (PaneKeeper keeper : now) {
+            PaneKeeper top = top(keeper);
+            if (top != keeper && !keeper.emptied().isEmpty()) { // panels were put above its column
+                top.setEmptied(keeper.emptied());
+                keeper.setEmptied(Set.of());
+            }
+        }
+        for (PaneKeeper keeper : now) {
+            if (!keeper.isBeside() && top(keeper) == keeper) {
+                share(keeper, mayShrink, mayReturn);
+            }
+        }
+    }
+
+    private void share(PaneKeeper top, Predicate<JSplitPane> mayShrink, Predicate<JSplitPane> mayReturn) {
+        DockColumn column = new DockColumn(top, this);
+        if (!column.isKnown()) {
+            return;
+        }
+        Set<Component> due = column.due();
+        if (!due.equals(top.emptied())) {
+            boolean hasCome = !due.containsAll(top.emptied());
+            if ((hasCome ? mayReturn : mayShrink).test(top.pane())) {
+                top.setEmptied(due);
+                column.unpin();
+                column.show();
+            }
+        } else if (!due.isEmpty() && !column.isShown() && mayShrink.test(top.pane())) {
+            column.show(); // a panel has come to a side, or has left it
+        }
+    }
+
+    /** The uppermost pane of the column that a pane is in; the pane itself where its sides lie beside one another. */
+    private PaneKeeper top(PaneKeeper keeper) {
+        PaneKeeper top = keeper;
+        for (Container at = keeper.pane().getParent(); at != null && at != area; at = at.getParent()) {
+            if (at instanceof DockPanel) {
+                break; // a pane in a panel
+            }
+            if (at instanceof JSplitPane pane) {
+                PaneKeeper outer = keepers.get(pane);
+                if (outer == null || outer.isBeside() || keeper.isBeside()) {
+                    break;
+                }
+                top = outer;
+            }
+        }
+        return top;
+    }
+
+    /** Whether some side in the column of a pane leaves its room to another one. */
+    boolean leavesRoom(PaneKeeper keeper) {
+        return !top(keeper).emptied().isEmpty();
+    }
+
+    /** Has the dividers of the column of a pane stand where they are to stand now. */
+    void show(PaneKeeper keeper) {
+        DockColumn column = new DockColumn(top(keeper), this);
+        if (!keeper.isBeside() && column.isKnown()) {
+            column.show();
+        } else {
+            keeper.showProportion();
+        }
     }
 
     /** Runs something, such as a look at the proportions, while no side leaves any room to another. */
     void inProportion(Runnable look) {
         List<PaneKeeper> shared =
-                keepers.stream().filter(PaneKeeper::leavesRoom).toList();
+                keepers.values().stream().filter(this::leavesRoom).toList();
         shared.forEach(PaneKeeper::showProportion);
         try {
             look.run();
         } finally {
-            shared.forEach(PaneKeeper::showShared);
+            shared.forEach(this::show);
         }
     }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.BorderLayout;
 import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -191,6 +193,100 @@ class SplitProportionsTest {
         assertThat(EventThread.get(() -> lowest.getLeftComponent().getHeight())).isCloseTo(120, within(3));
     }
 
+    @Test
+    void whatAnEmptySideLeavesGoesToThePanelThatUsesRoomAndNotToItsNeighbour() {
+        JSplitPane lowest = missionsDecisionsMessages();
+
+        empty((DockPanel) lowest.getLeftComponent(), true);
+
+        int natural = (int) Math.round(0.6 * 1000 * 0.3);
+        assertThat(below(lowest)).as("the messages").isCloseTo(natural, within(12));
+        assertThat(above(lowest)).as("the decisions").isCloseTo(120, within(2));
+        assertThat(above(inner)).as("the missions").isCloseTo(1000 - natural - 120, within(24));
+
+        resize(1280, 800);
+        assertThat(above(lowest)).as("in a smaller window as well").isCloseTo(120, within(2));
+        assertThat(below(lowest)).isCloseTo((int) Math.round(0.6 * 800 * 0.3), within(12));
+
+        empty((DockPanel) lowest.getLeftComponent(), false);
+        assertThat(part(inner)).isCloseTo(0.4, within(0.002));
+        assertThat(part(lowest)).isCloseTo(0.7, within(0.004));
+    }
+
+    @Test
+    void aDividerThatSomebodyMovesWhileASideIsEmptyStaysThereUntilSomethingComesOrGoes() {
+        JSplitPane lowest = missionsDecisionsMessages();
+        DockPanel decisions = (DockPanel) lowest.getLeftComponent();
+        empty(decisions, true);
+
+        move(inner, 0.5);
+        empty(decisions, true);
+        assertThat(part(inner)).isCloseTo(0.5, within(0.002));
+        assertThat(above(lowest)).as("the decisions").isCloseTo(120, within(2));
+
+        empty(decisions, false);
+        assertThat(part(inner)).isCloseTo(0.5, within(0.002));
+        assertThat(part(lowest)).isCloseTo(0.7, within(0.004));
+    }
+
+    @Test
+    void sidesThatComeBackOneAfterTheOtherHaveTheRoomThatTheyHad() {
+        JSplitPane lowest = missionsDecisionsMessages();
+        DockPanel decisions = (DockPanel) lowest.getLeftComponent();
+        DockPanel messages = (DockPanel) lowest.getRightComponent();
+        EventThread.get(() -> {
+            decisions.setEmpty(true);
+            return area;
+        });
+        empty(messages, true);
+        assertThat(above(inner)).as("the missions").isGreaterThan(700);
+
+        for (DockPanel panel : List.of(messages, decisions)) {
+            settled(() -> {
+                panel.setEmpty(false);
+                proportions.share(pane -> true, pane -> true);
+                lowest.doLayout(); // a split pane is laid out by itself, maybe before the one around it
+                return area;
+            });
+        }
+
+        assertThat(part(inner)).isCloseTo(0.4, within(0.002));
+        assertThat(part(lowest)).isCloseTo(0.7, within(0.004));
+        assertThat(moves).as("times that somebody moved a divider").isEqualTo(3); // by the test
+    }
+
+    @Test
+    void nothingOfTheColumnMovesBeforeAllOfItMay() {
+        JSplitPane lowest = missionsDecisionsMessages();
+        List<JSplitPane> asked = new ArrayList<>();
+
+        settled(() -> {
+            ((DockPanel) lowest.getLeftComponent()).setEmpty(true);
+            proportions.share(pane -> !asked.add(pane), pane -> true);
+            return area;
+        });
+
+        assertThat(asked).as("the pane with all that would move").containsExactly(inner);
+        assertThat(part(inner)).isCloseTo(0.4, within(0.002));
+        assertThat(part(lowest)).isCloseTo(0.7, within(0.004));
+    }
+
+    /** The column of the operator's window: missions at 40 %, below them decisions at 70 % of the rest, and messages. */
+    private JSplitPane missionsDecisionsMessages() {
+        JSplitPane lowest = EventThread.get(() -> {
+            JSplitPane pane = new JSplitPane(
+                    JSplitPane.VERTICAL_SPLIT,
+                    new DockPanel("decisions", "Decisions", "decision", new JPanel()),
+                    new DockPanel("messages", "Messages", "message", new JPanel()));
+            inner.setLeftComponent(new DockPanel("missions", "Missions", "net", new JPanel()).withUseOfRoom());
+            inner.setRightComponent(pane);
+            return pane;
+        });
+        keepFrom(1600, 1000, 0.58, 0.4);
+        move(lowest, 0.7);
+        return lowest;
+    }
+
     /** Puts the map above and the decisions below into the inner pane; gives the latter. */
     private DockPanel panels() {
         return EventThread.get(() -> {
@@ -211,6 +307,10 @@ class SplitProportionsTest {
 
     private static int below(JSplitPane pane) {
         return EventThread.get(() -> pane.getRightComponent().getHeight());
+    }
+
+    private static int above(JSplitPane pane) {
+        return EventThread.get(() -> pane.getLeftComponent().getHeight());
     }
 
     private void keepFrom(int width, int height, double beside, double below) {

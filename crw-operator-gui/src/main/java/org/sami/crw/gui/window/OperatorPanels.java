@@ -46,8 +46,8 @@ public final class OperatorPanels implements AutoCloseable {
                     .below("boats", "map", 0.34)
                     .behind("boat", "boats")
                     .behind("communication", "boats")
-                    .below("decisions", "missions", 0.64)
-                    .below("interrupts", "decisions", 0.29)
+                    .below("decisions", "missions", 0.68)
+                    .below("interrupts", "decisions", 0.34) // three of a mission are in sight
                     .right("messages", "interrupts", 0.62)
                     .behind("alarms", "messages")
                     .behind("health", "messages")
@@ -113,8 +113,8 @@ public final class OperatorPanels implements AutoCloseable {
         communication = new CommunicationPanel(context);
         asking = new DockPanel("decisions", "Decisions", "decision", decisions);
         all = List.of(
-                new DockPanel("map", "Map", "map", map),
-                new DockPanel("missions", "Missions", "net", missions),
+                new DockPanel("map", "Map", "map", map).withUseOfRoom(),
+                new DockPanel("missions", "Missions", "net", missions).withUseOfRoom(),
                 asking,
                 new DockPanel("boats", "Boats", "fleet", boats),
                 new DockPanel("boat", "Boat", "boat", boat),
