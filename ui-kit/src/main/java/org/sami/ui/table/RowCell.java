@@ -70,6 +70,9 @@ final class RowCell<R> extends DefaultTableCellRenderer {
                 .map(wide -> wide + Look.px(Spacing.NORMAL))
                 .orElse(0);
         int room = Math.max(1, width - icon - 2 * Look.px(Spacing.NORMAL));
+        if (most == 1 && column.cutInside()) {
+            return List.of(TextLines.withEnd(text, view.getFontMetrics(view.getFont()), room));
+        }
         return TextLines.of(text, view.getFontMetrics(view.getFont()), room, most);
     }
 

@@ -16,6 +16,7 @@ import org.sami.ui.look.SemanticColor;
  * @param icon before the text
  * @param spare whether it is left out where the table is too narrow for all columns
  * @param last whether it is left out only after all other spare columns
+ * @param cutInside whether a text that does not fit into one line keeps its beginning and its end
  */
 public record RowColumn<R>(
         String title,
@@ -25,7 +26,8 @@ public record RowColumn<R>(
         Function<R, SemanticColor> color,
         Function<R, Optional<Icon>> icon,
         boolean spare,
-        boolean last) {
+        boolean last,
+        boolean cutInside) {
     public RowColumn {
         Objects.requireNonNull(title, "title");
         Objects.requireNonNull(text, "text");
@@ -36,32 +38,37 @@ public record RowColumn<R>(
     /** Words. */
     public static <R> RowColumn<R> words(String title, int width, Function<R, String> text) {
         return new RowColumn<>(
-                title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false, false);
+                title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false, false, false);
     }
 
     /** A number with its unit. */
     public static <R> RowColumn<R> number(String title, int width, Function<R, String> text) {
         return new RowColumn<>(
-                title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false, false);
+                title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false, false, false);
     }
 
     /** The same in colours that say something. */
     public RowColumn<R> colored(Function<R, SemanticColor> by) {
-        return new RowColumn<>(title, width, right, text, by, icon, spare, last);
+        return new RowColumn<>(title, width, right, text, by, icon, spare, last, cutInside);
     }
 
     /** The same with icons. */
     public RowColumn<R> withIcon(Function<R, Optional<Icon>> by) {
-        return new RowColumn<>(title, width, right, text, color, by, spare, last);
+        return new RowColumn<>(title, width, right, text, color, by, spare, last, cutInside);
     }
 
     /** The same, left out where the table is too narrow for all columns; of several the last one first. */
     public RowColumn<R> asSpare() {
-        return new RowColumn<>(title, width, right, text, color, icon, true, false);
+        return new RowColumn<>(title, width, right, text, color, icon, true, false, cutInside);
     }
 
     /** The same, left out where the table is too narrow even without all other spare columns. */
     public RowColumn<R> asLastSpare() {
-        return new RowColumn<>(title, width, right, text, color, icon, true, true);
+        return new RowColumn<>(title, width, right, text, color, icon, true, true, cutInside);
+    }
+
+    /** The same for names that may differ at their ends only, such as addresses: where one does not fit, letters within it are left out. */
+    public RowColumn<R> keepingEnds() {
+        return new RowColumn<>(title, width, right, text, color, icon, spare, last, true);
     }
 }

@@ -43,6 +43,25 @@ final class TextLines {
         return List.copyOf(lines);
     }
 
+    /**
+     * A text in one line that keeps its beginning and, of more letters, its end: names that differ there only are told apart.
+     *
+     * @param width in pixels
+     */
+    static String withEnd(String text, FontMetrics metrics, int width) {
+        if (metrics.stringWidth(text) <= width) {
+            return text;
+        }
+        for (int kept = text.length() - 1; kept > 0; kept--) {
+            int first = kept / 3;
+            String cut = text.substring(0, first) + MORE + text.substring(text.length() - (kept - first));
+            if (metrics.stringWidth(cut) <= width) {
+                return cut;
+            }
+        }
+        return MORE;
+    }
+
     /** Where the line ends that begins at a letter. */
     private static int end(String text, int from, FontMetrics metrics, int width) {
         if (metrics.stringWidth(text.substring(from)) <= width) {

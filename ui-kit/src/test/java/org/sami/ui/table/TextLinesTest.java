@@ -34,6 +34,20 @@ class TextLinesTest {
     }
 
     @Test
+    void namesThatDifferAtTheirEndsAreToldApartWhereTheyDoNotFit() {
+        int room = widthOf("127.0.0.1:60");
+
+        String first = TextLines.withEnd("127.0.0.1:60111", metrics, room);
+        String second = TextLines.withEnd("127.0.0.1:60112", metrics, room);
+
+        assertThat(first).startsWith("12").contains("…").endsWith(":60111");
+        assertThat(second).endsWith(":60112");
+        assertThat(widthOf(first)).isLessThanOrEqualTo(room);
+        assertThat(TextLines.withEnd("127.0.0.1", metrics, room)).isEqualTo("127.0.0.1");
+        assertThat(TextLines.withEnd("127.0.0.1", metrics, 1)).isEqualTo("…");
+    }
+
+    @Test
     void aSingleLineIsCutWhereItIsFull() {
         assertThat(TextLines.of("one twothree", metrics, widthOf("one two…"), 1))
                 .containsExactly("one two…");

@@ -20,6 +20,7 @@ public final class BoatTables {
      */
     public static <R> RowColumn<R> names(OperatorContext context, Function<R, String> boat) {
         return RowColumn.words("Boat", NAME_WIDTH, boat)
+                .keepingEnds() // addresses of one network differ there
                 .withIcon(row -> context.models()
                         .fleet()
                         .boat(boat.apply(row))

@@ -54,8 +54,7 @@ public final class BoatWords {
 
     /** The same without how far it is on its path, which stands beside it, and without the numbers of missions. */
     static String brief(BoatSnapshot boat) {
-        boolean isAddress =
-                boat.boat().contains(":"); // of which the column of names has no room for more than the beginning
+        boolean isAddress = boat.boat().contains(":"); // of which the column of names has no room for the middle
         if (boat.why().cause() == BoatExplanation.Cause.NEVER_ANSWERED && isAddress) {
             return state(boat).replaceFirst("△ ", "△ " + boat.boat() + " · ");
         }
