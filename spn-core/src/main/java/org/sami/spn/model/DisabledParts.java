@@ -20,17 +20,24 @@ public final class DisabledParts {
 
     /** What whoever starts a mission of a plan is told of its disabled vertices, to follow a sentence; empty text where it has none. */
     public static String remark(Plan plan) {
-        List<String> disabled = of(plan);
-        return disabled.isEmpty()
-                ? ""
-                : "; it also does what is disabled for trying: "
-                        + disabled.stream()
-                                .map(id -> plan.place(id)
-                                        .map(Place::name)
-                                        .or(() -> plan.transition(id).map(Transition::name))
-                                        .filter(name -> !name.isEmpty())
-                                        .orElse(id))
-                                .collect(Collectors.joining(", "));
+        String disabled = names(plan);
+        return disabled.isEmpty() ? "" : "; it also does what is disabled for trying: " + disabled;
+    }
+
+    /** What whoever is about to start a mission of a plan is told of its disabled vertices, one sentence without a full stop; empty text where it has none. */
+    public static String warning(Plan plan) {
+        String disabled = names(plan);
+        return disabled.isEmpty() ? "" : "Also does what is disabled for trying: " + disabled;
+    }
+
+    private static String names(Plan plan) {
+        return of(plan).stream()
+                .map(id -> plan.place(id)
+                        .map(Place::name)
+                        .or(() -> plan.transition(id).map(Transition::name))
+                        .filter(name -> !name.isEmpty())
+                        .orElse(id))
+                .collect(Collectors.joining(", "));
     }
 
     /** The project as it is tried, with nothing of what is disabled. Elements that are left have their ids. */

@@ -78,6 +78,7 @@ public final class MissionStarter {
                             key(plan, name), values.containsKey(name) ? parameters.text(name, values.get(name)) : ""));
                     start(plan, values);
                 });
+        form.warnOf(plan);
         LookColors.border(form, () -> {
             int inset = Look.px(Spacing.INSET);
             return BorderFactory.createEmptyBorder(0, inset, inset, inset);

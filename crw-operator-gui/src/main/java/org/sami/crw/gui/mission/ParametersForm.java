@@ -20,6 +20,8 @@ import org.sami.crw.gui.value.JudgementView;
 import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.judgement.Judgement;
 import org.sami.crw.sim.run.settings.Parameters;
+import org.sami.spn.model.DisabledParts;
+import org.sami.spn.model.Plan;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
@@ -38,6 +40,7 @@ final class ParametersForm extends JPanel {
     private static final int STEP = 24;
 
     private final List<ParameterRow> rows = new ArrayList<>();
+    private final DisabledNote disabled = new DisabledNote("mission-values-disabled");
     private final JLabel wrong = new JLabel(" ");
     private final JudgementView judgement = new JudgementView("mission-values");
     private final JudgedDraft judged;
@@ -68,7 +71,8 @@ final class ParametersForm extends JPanel {
         this.changed = changed;
         this.started = started;
         judged = new JudgedDraft(() -> DraftAnswer.of(values()), draft -> judge.apply(draft.values()), this::rejudged);
-        JPanel column = new JPanel(new MigLayout("insets 0, gap 4 8, fillx, wrap 1", "[grow,fill]"));
+        JPanel column = new JPanel(new MigLayout("insets 0, gap 4 8, fillx, wrap 1, hidemode 3", "[grow,fill]"));
+        column.add(disabled, "wmin 0");
         for (Parameters.Description each : parameters.describe()) {
             if (each.editable() && names.contains(each.name())) {
                 ValueField field = ValueField.of(
@@ -98,6 +102,12 @@ final class ParametersForm extends JPanel {
         add(wrong, "wmin 0");
         add(start, "hmin 40");
         check();
+    }
+
+    /** Says of the plan that is to start what it does that is disabled for trying. */
+    void warnOf(Plan plan) {
+        disabled.show(Optional.of(plan));
+        disabled.reserve(!DisabledParts.warning(plan).isEmpty());
     }
 
     private static JScrollPane scrolled(JPanel column) {

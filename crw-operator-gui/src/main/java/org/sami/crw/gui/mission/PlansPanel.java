@@ -16,6 +16,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.operator.mission.PlanTree;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
@@ -49,6 +50,7 @@ public final class PlansPanel extends JPanel {
     private final CommandButton startWithBeside;
     private final RowTable<PlanTree.Line> table;
     private final OnePress begins = new OnePress();
+    private final DisabledNote disabled = new DisabledNote("plans-disabled");
     private final Command start;
     private Optional<Project> project = Optional.empty();
     private Runnable shower = () -> {};
@@ -83,6 +85,7 @@ public final class PlansPanel extends JPanel {
         table.addSelectionListener(() -> {
             start.refresh();
             startWith.refresh();
+            disabled.show(chosen());
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
@@ -107,6 +110,7 @@ public final class PlansPanel extends JPanel {
         add(beside, BorderLayout.EAST);
         arrange();
         add(table);
+        add(disabled, BorderLayout.SOUTH);
         reload();
     }
 
@@ -179,6 +183,8 @@ public final class PlansPanel extends JPanel {
 
     private void show(Project loaded) {
         project = Optional.of(loaded);
+        disabled.reserve(loaded.plans().stream()
+                .anyMatch(plan -> !DisabledParts.warning(plan).isEmpty()));
         String name = loaded.name().isEmpty() ? loaded.id() : loaded.name();
         search.setToolTipText("Search the plans of " + name);
         searchBeside.setToolTipText(search.getToolTipText());

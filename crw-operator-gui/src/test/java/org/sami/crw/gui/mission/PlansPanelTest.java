@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
@@ -23,6 +24,7 @@ import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.TextScale;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.window.WindowSettings;
 
@@ -36,6 +38,15 @@ class PlansPanelTest {
                              'description': 'The operator draws an area and chooses boats; each explores its share in lanes. Team avoid boat takes all out of the way of another vessel until the operator says that it has passed; battery swap brings chosen boats to the quay and back.',
                              'places': [{'id': 'say', 'name': 'Say', 'start': true}],
                              'transitions': [], 'inEdges': [], 'outEdges': []}""")));
+
+    private static final Project WITH_DISABLED = SessionWorld.project("""
+            {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',
+             'missionTree': [{'label': 'All', 'children': [{'plan': 'whole'}, {'plan': 'tried'}]}], 'plans': [
+             {'id': 'whole', 'name': 'Explore', 'places': [{'id': 'say', 'name': 'Say', 'start': true}],
+              'transitions': [], 'inEdges': [], 'outEdges': []},
+             {'id': 'tried', 'name': 'Explore the harbour', 'places': [{'id': 'say', 'name': 'Say', 'start': true},
+               {'id': 'ask', 'name': 'Ask the harbour', 'disabled': true}],
+              'transitions': [{'id': 'wait', 'name': 'Wait', 'disabled': true}], 'inEdges': [], 'outEdges': []}]}""");
 
     @TempDir
     private Path folder;
@@ -134,6 +145,46 @@ class PlansPanelTest {
 
             SessionWorld.type(plans, "plans-search", "");
             assertThat(SessionWorld.rows(plans, "plans-table").lines()).hasSize(9);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"100, 660, 265", "150, 608, 186"})
+    void whatIsDisabledForTryingIsSaidBeforeAMissionStarts(int percent, int width, int height) throws Exception {
+        try (TextScale scale = TextScale.percent(percent);
+                SessionWorld world = new SessionWorld(WITH_DISABLED)) {
+            PlansPanel plans = onEventThread(() -> new PlansPanel(
+                    world.context,
+                    new MissionStarter(
+                            world.context,
+                            new WindowSettings(folder.resolve("settings")),
+                            world.editors(),
+                            values -> {})));
+            JTable table = find(plans, "plans-table", JTable.class);
+            until("plans are listed", () -> table.getRowCount() == 3);
+            JLabel note = find(plans, "plans-disabled", JLabel.class);
+            int before = onEventThread(() -> {
+                table.setRowSelectionInterval(1, 1);
+                Layout.layOut(plans, width, height);
+                assertThat(note.getText()).isBlank();
+                return table.getParent().getHeight();
+            });
+
+            onEventThread(() -> {
+                table.setRowSelectionInterval(2, 2);
+                Layout.layOut(plans, width, height);
+                assertThat(note.getText()).isEqualTo("△ Also does what is disabled for trying: Ask the harbour, Wait");
+                assertThat(note.getToolTipText()).contains("Ask the harbour, Wait");
+                assertThat(new Rectangle(plans.getSize()).contains(note.getBounds()))
+                        .isTrue();
+                if (percent == 100) {
+                    assertThat(TextFit.faults(note)).isEmpty();
+                }
+                assertThat(table.getParent().getHeight())
+                        .as("nothing moves as another plan is selected")
+                        .isEqualTo(before);
+                return null;
+            });
         }
     }
 
