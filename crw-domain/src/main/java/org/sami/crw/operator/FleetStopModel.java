@@ -68,10 +68,11 @@ public final class FleetStopModel extends Model<FleetStopState> {
     static void report(FleetStopState state, HealthModel health) {
         if (state.isLatched()) {
             health.report(HealthFault.ofSession(
-                    HealthKind.FLEET_STOP,
-                    state.isOfFleet() ? Priority.CRITICAL : Priority.HIGH,
-                    state.words(),
-                    state.advice()));
+                            HealthKind.FLEET_STOP,
+                            state.isOfFleet() ? Priority.CRITICAL : Priority.HIGH,
+                            state.words(),
+                            state.advice())
+                    .withDetails(state.details()));
         } else {
             health.over(HealthKind.FLEET_STOP, "");
         }

@@ -101,6 +101,7 @@ public final class HealthModel extends Model<Health> {
                 alarm.kind().severity(),
                 alarm.text(),
                 alarm.kind().advice(),
+                "",
                 alarm.boat(),
                 Ids.NONE);
     }

@@ -35,8 +35,7 @@ final class PostedInputs implements HostListener {
         Replies.Reply<T> reply = replies.open();
         HostStatus status = host.status();
         if (status.kind() == HostStatus.Kind.WAITING) { // whoever pressed a button does not wish it minutes later
-            reply.fail(new RefusedException(
-                    "nothing is taken in while the journal cannot be written: " + status.reason()));
+            reply.fail(new RefusedException("nothing is taken in now: " + status.reason()));
             return reply.stage();
         }
         synchronized (waiting) {
@@ -79,12 +78,12 @@ final class PostedInputs implements HostListener {
     }
 
     @Override
-    public void onFailed(String reason) {
+    public void onFailed(HostStatus status) {
         List<Waiting<?>> all;
         synchronized (waiting) {
             all = new ArrayList<>(waiting.values());
             waiting.clear();
         }
-        all.forEach(caller -> caller.reply.fail(new RefusedException("the session stopped: " + reason)));
+        all.forEach(caller -> caller.reply.fail(new RefusedException("the session stopped: " + status.whole())));
     }
 }

@@ -30,7 +30,7 @@ public final class SessionFaults {
     /** Why the session cannot go on; empty as long as it can. */
     public Optional<String> failure() {
         HostStatus status = host.status();
-        return status.kind() == HostStatus.Kind.FAILED ? Optional.of(status.reason()) : Optional.empty();
+        return status.kind() == HostStatus.Kind.FAILED ? Optional.of(status.whole()) : Optional.empty();
     }
 
     /** What boats do while the engine or its journal does not work. */

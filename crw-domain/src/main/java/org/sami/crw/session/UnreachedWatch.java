@@ -92,6 +92,7 @@ final class UnreachedWatch {
                                 Priority.HIGH,
                                 one.sentence(),
                                 one.advice(),
+                                "",
                                 one.boat(),
                                 Ids.NONE));
             }

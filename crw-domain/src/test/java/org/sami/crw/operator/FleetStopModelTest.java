@@ -110,10 +110,11 @@ class FleetStopModelTest {
         does(bert, BoatMode.STOPPED);
 
         assertThat(state().words()).isEqualTo("Stopped by committee-boat: anna; it does not move before the release");
-        assertThat(state().advice())
-                .startsWith("committee-boat stopped it, another base, or this one before it started anew: ask there");
+        assertThat(state().advice()).startsWith("Ask committee-boat, then release it");
+        assertThat(state().details())
+                .isEqualTo("committee-boat stopped it, another base, or this one before it started anew");
         assertThat(models.fleet().boat("anna").orElseThrow().why().text())
-                .startsWith("anna does not move: the fleet stop is latched by committee-boat");
+                .startsWith("anna does not move: it is stopped by committee-boat until it is released");
 
         does(bert, BoatMode.FLEET_STOP);
         assertThat(state().words())
@@ -128,10 +129,12 @@ class FleetStopModelTest {
         assertThat(state().isOfFleet()).isTrue();
         assertThat(state().words())
                 .isEqualTo("FLEET STOP, not from here: 2 of 2 boats are stopped; nothing moves before the release");
-        assertThat(state().advice()).startsWith("Another base stopped it, or this one before it started anew");
+        assertThat(state().advice()).startsWith("Ask the other base, then release it");
+        assertThat(faults().get(0).fault().details())
+                .isEqualTo("Another base stopped it, or this one before it started anew");
         assertThat(faults()).hasSize(1);
         assertThat(models.fleet().boat("anna").orElseThrow().why().text())
-                .startsWith("anna does not move: the fleet stop is latched, not from here");
+                .startsWith("anna does not move: it is stopped, not from here, until it is released");
     }
 
     @Test

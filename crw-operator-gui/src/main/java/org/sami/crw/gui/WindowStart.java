@@ -105,14 +105,14 @@ final class WindowStart {
 
     private static HealthFault damagedFile(String trouble, boolean goesOn) {
         return HealthFault.of(
-                HealthKind.FILE,
-                "open-session",
-                Priority.LOW,
-                trouble,
-                goesOn
-                        ? "See whether this is the session that was not finished"
-                        : "To go on with an earlier session, close the window and write its journal's name into"
-                                + " open-session");
+                        HealthKind.FILE,
+                        "open-session",
+                        Priority.LOW,
+                        "Which session was not finished is not known: its file is damaged",
+                        goesOn
+                                ? "See whether this is the session that was not finished"
+                                : "To open an earlier one, close the window and write its journal into open-session")
+                .withDetails(trouble);
     }
 
     /** Has the classes of the largest views loaded while the session is opened: the window is there sooner. */

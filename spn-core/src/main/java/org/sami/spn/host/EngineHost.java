@@ -100,7 +100,7 @@ public final class EngineHost implements AutoCloseable {
             return true;
         }
         if (lifecycle.isWaiting() && queue.queued() + posting.size() > retries.inputs()) {
-            fail(lifecycle.status().reason() + "; more than " + retries.inputs() + " inputs wait for it", null);
+            fail(lifecycle.status().failed("more than " + retries.inputs() + " inputs wait for it"), null);
         }
         if (closing) {
             counts.refused(posting.size());
@@ -281,7 +281,7 @@ public final class EngineHost implements AutoCloseable {
         }
         if (lifecycle.isWaiting()) {
             long lost = engine.undurable() + queue.queued();
-            fail(lifecycle.status().reason() + "; the last " + lost + " inputs are not in it", null);
+            fail(lifecycle.status().failed("the last " + lost + " inputs are not in it"), null);
         }
         while (lifecycle.isRunning() && !queue.isEmpty()) {
             processBatch();
@@ -294,7 +294,7 @@ public final class EngineHost implements AutoCloseable {
             engine.sync();
             lifecycle.closed();
         } catch (IOException fault) {
-            fail("the journal failed: " + fault.getMessage(), fault);
+            fail(JournalRetryPolicy.status(HostStatus.Kind.FAILED, fault), fault);
         }
     }
 
@@ -377,7 +377,7 @@ public final class EngineHost implements AutoCloseable {
         } catch (IOException fault) {
             journalFailed(fault);
         } catch (RuntimeException | Error fault) {
-            fail("the engine failed at entry " + (engine.lastIndex() + 1) + " or after: " + fault, fault);
+            fail(met("at entry " + (engine.lastIndex() + 1) + " or after", fault), fault);
         }
     }
 
@@ -393,7 +393,7 @@ public final class EngineHost implements AutoCloseable {
         long now = clock.nowMillis();
         HostStatus next = retries.after(fault, engine.isRecoverable(), now);
         if (next.kind() == HostStatus.Kind.FAILED) {
-            fail(next.reason(), fault);
+            fail(next, fault);
             return;
         }
         timer.arm(OptionalLong.empty());
@@ -421,7 +421,7 @@ public final class EngineHost implements AutoCloseable {
         } catch (IOException fault) {
             journalFailed(fault);
         } catch (RuntimeException | Error fault) {
-            fail("the engine failed when its journal could be written again: " + fault, fault);
+            fail(met("when its journal could be written again", fault), fault);
         }
     }
 
@@ -432,13 +432,17 @@ public final class EngineHost implements AutoCloseable {
      * @param reason one sentence
      */
     public void fail(String reason) {
-        fail(reason, null);
+        fail(new HostStatus(HostStatus.Kind.FAILED, reason), null);
     }
 
-    private void fail(String reason, Throwable fault) {
+    private static HostStatus met(String when, Throwable fault) {
+        return new HostStatus(HostStatus.Kind.FAILED, "the engine met an error", when + ": " + fault);
+    }
+
+    private void fail(HostStatus failed, Throwable fault) {
         closing = true;
         counts.refused(queue.clear());
-        lifecycle.failed(reason, fault);
+        lifecycle.failed(failed, fault);
     }
 
     /** Puts a host together: an engine with its state, an executor and a clock are required. */

@@ -27,10 +27,10 @@ final class HostLifecycle {
 
     /** It waits for its journal from now on, or waits still. */
     void waits(HostStatus waiting, Throwable fault) {
-        boolean isNew = !status.equals(waiting);
+        boolean isNew = !status.reason().equals(waiting.reason());
         if (become(waiting) && isNew) {
-            LOG.log(Level.ERROR, "the engine's host waits: " + waiting.reason(), fault);
-            listeners.each(listener -> listener.onWaiting(waiting.reason()));
+            LOG.log(Level.ERROR, "the engine's host waits: " + waiting.whole(), fault);
+            listeners.each(listener -> listener.onWaiting(waiting));
         }
     }
 
@@ -49,10 +49,10 @@ final class HostLifecycle {
     }
 
     /** It has stopped by a fault; null for one that was found elsewhere. */
-    void failed(String reason, Throwable fault) {
-        if (become(new HostStatus(HostStatus.Kind.FAILED, reason))) {
-            LOG.log(Level.ERROR, "the engine's host stops: " + reason, fault);
-            listeners.each(listener -> listener.onFailed(reason));
+    void failed(HostStatus failed, Throwable fault) {
+        if (become(failed)) {
+            LOG.log(Level.ERROR, "the engine's host stops: " + failed.whole(), fault);
+            listeners.each(listener -> listener.onFailed(failed));
         }
     }
 

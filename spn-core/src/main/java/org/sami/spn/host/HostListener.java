@@ -21,9 +21,9 @@ public interface HostListener {
     /**
      * The journal cannot be written: the host waits with all that follows, and tries again. Told again where the reason has become another one.
      *
-     * @param reason one sentence
+     * @param status why it waits
      */
-    default void onWaiting(String reason) {}
+    default void onWaiting(HostStatus status) {}
 
     /** The journal is written again: the host goes on where it waited. */
     default void onGoingOn() {}
@@ -31,7 +31,7 @@ public interface HostListener {
     /**
      * The host stopped by a fault: nothing will follow. On the engine's thread, or that of whoever found the fault.
      *
-     * @param reason one sentence
+     * @param status why it stopped
      */
-    default void onFailed(String reason) {}
+    default void onFailed(HostStatus status) {}
 }

@@ -5,9 +5,10 @@ import java.util.Objects;
 /**
  * Whether a host works.
  *
- * @param reason one sentence; empty text while it runs
+ * @param reason why not, one sentence in plain words; empty text while it runs
+ * @param details where it is so, and the words of the machine, for those who mend it; empty text for none
  */
-public record HostStatus(Kind kind, String reason) {
+public record HostStatus(Kind kind, String reason, String details) {
     /** How it stands. */
     public enum Kind {
         RUNNING,
@@ -22,6 +23,22 @@ public record HostStatus(Kind kind, String reason) {
     public HostStatus {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(reason, "reason");
+        Objects.requireNonNull(details, "details");
+    }
+
+    /** Without details. */
+    public HostStatus(Kind kind, String reason) {
+        this(kind, reason, "");
+    }
+
+    /** The reason with its details, such as {@code the journal cannot be written: the disk is full (lake.journal, entry 91)}. */
+    public String whole() {
+        return details.isEmpty() ? reason : reason + " (" + details + ")";
+    }
+
+    /** It has stopped for the same reason, and for what more is said. */
+    HostStatus failed(String more) {
+        return new HostStatus(Kind.FAILED, reason + "; " + more, details);
     }
 
     /** Whether it takes inputs in, now or later. */

@@ -28,9 +28,16 @@ public final class JournalException extends IOException {
         this(file, entry, what, null);
     }
 
-    /** What is wrong before where: for a line of which the end may be cut. */
+    /** What is wrong, one sentence in plain words, such as {@code the journal cannot be written: the disk is full}. */
     public String reason() {
-        return what + " (" + file + ", " + (entry == 0 ? "head" : "entry " + entry) + ")";
+        return "the journal " + what;
+    }
+
+    /** Where it is wrong, and what the machine says of it. */
+    public String details() {
+        String where = file + ", " + (entry == 0 ? "head" : "entry " + entry);
+        String said = getCause() == null ? null : getCause().getMessage();
+        return said == null || what.contains(said) ? where : where + ": " + said;
     }
 
     /** The journal's file. */

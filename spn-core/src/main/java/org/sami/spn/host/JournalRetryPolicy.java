@@ -30,18 +30,23 @@ final class JournalRetryPolicy {
      * @param isRecoverable whether the journal may be written again
      */
     HostStatus after(IOException fault, boolean isRecoverable, long nowMillis) {
-        String reason = "the journal failed: "
-                + (fault instanceof JournalException known ? known.reason() : fault.getMessage());
+        HostStatus waiting = status(HostStatus.Kind.WAITING, fault);
         if (!isRecoverable) {
-            return new HostStatus(HostStatus.Kind.FAILED, reason);
+            return status(HostStatus.Kind.FAILED, fault);
         }
         if (sinceMillis.isEmpty()) {
             sinceMillis = OptionalLong.of(nowMillis);
         }
         return nowMillis - sinceMillis.getAsLong() < millis
-                ? new HostStatus(HostStatus.Kind.WAITING, reason)
-                : new HostStatus(
-                        HostStatus.Kind.FAILED, reason + "; it could not be written for " + millis / 1000 + " s");
+                ? waiting
+                : waiting.failed("it could not be written for " + millis / 1000 + " s");
+    }
+
+    /** How a host stands whose journal failed: the reason in plain words, then where, and what the machine says. */
+    static HostStatus status(HostStatus.Kind kind, IOException fault) {
+        return fault instanceof JournalException known
+                ? new HostStatus(kind, known.reason(), known.details())
+                : new HostStatus(kind, "the journal cannot be written: " + fault.getMessage());
     }
 
     /** It can be written again. */

@@ -108,8 +108,8 @@ public final class ProjectLoader {
             }
 
             @Override
-            public void onFailed(String reason) {
-                loaded.complete(refused(findings, error("is not loaded: " + reason)));
+            public void onFailed(HostStatus status) {
+                loaded.complete(refused(findings, error("is not loaded: " + status.whole())));
             }
         }));
         CompletableFuture<Loaded> heard =

@@ -152,12 +152,21 @@ final class Database implements AutoCloseable {
             return "the disk is full";
         }
         if (code == SQLiteErrorCode.SQLITE_READONLY.code) {
-            return "the disk is read only, or the file is";
+            return "it is read only, or its disk is";
         }
         if (code == SQLiteErrorCode.SQLITE_BUSY.code || code == SQLiteErrorCode.SQLITE_LOCKED.code) {
-            return "another program keeps the file locked";
+            return "another program locks it";
         }
-        return fault.getMessage();
+        if (code == SQLiteErrorCode.SQLITE_IOERR.code) {
+            return "its disk does not take it";
+        }
+        if (code == SQLiteErrorCode.SQLITE_CANTOPEN.code) {
+            return "it cannot be opened";
+        }
+        if (code == SQLiteErrorCode.SQLITE_CORRUPT.code || code == SQLiteErrorCode.SQLITE_NOTADB.code) {
+            return "it is damaged";
+        }
+        return code == 0 ? fault.getMessage() : "its database refuses to write"; // without a code it is ours
     }
 
     /** SQLite's write-ahead log of a file. */

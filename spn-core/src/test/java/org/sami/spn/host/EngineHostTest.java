@@ -109,8 +109,8 @@ class EngineHostTest {
             }
 
             @Override
-            public void onFailed(String reason) {
-                stopped.add(reason);
+            public void onFailed(HostStatus status) {
+                stopped.add(status.reason());
             }
         });
         host.register("Do", (activation, context) -> log.add("handled"), Runnable::run);
@@ -120,8 +120,8 @@ class EngineHostTest {
 
         assertThat(log).isEmpty();
         assertThat(host.status())
-                .isEqualTo(new HostStatus(HostStatus.Kind.FAILED, "the journal failed: the disk is full"));
-        assertThat(stopped).containsExactly("the journal failed: the disk is full");
+                .isEqualTo(new HostStatus(HostStatus.Kind.FAILED, "the journal cannot be written: the disk is full"));
+        assertThat(stopped).containsExactly("the journal cannot be written: the disk is full");
         assertThat(host.post(number(1))).isFalse();
         assertThat(host.load().refused()).isEqualTo(1);
         host.close();

@@ -17,7 +17,7 @@ import org.sami.spn.protocol.Input;
 
 /** What a host does while its journal cannot be written, with an executor and a clock that the test turns by hand. */
 class EngineHostWaitTest {
-    private static final String FULL = "the journal failed: the disk is full";
+    private static final String FULL = "the journal cannot be written: the disk is full";
 
     private final List<String> log = new ArrayList<>();
     private final WatchedJournal journal = new WatchedJournal(log);
@@ -39,8 +39,8 @@ class EngineHostWaitTest {
             }
 
             @Override
-            public void onWaiting(String reason) {
-                log.add("waits: " + reason);
+            public void onWaiting(HostStatus status) {
+                log.add("waits: " + status.reason());
             }
 
             @Override
@@ -49,8 +49,8 @@ class EngineHostWaitTest {
             }
 
             @Override
-            public void onFailed(String reason) {
-                log.add("failed: " + reason);
+            public void onFailed(HostStatus status) {
+                log.add("failed: " + status.reason());
             }
         });
     }
@@ -196,7 +196,8 @@ class EngineHostWaitTest {
         assertThat(host.status())
                 .isEqualTo(new HostStatus(
                         Kind.FAILED,
-                        "the engine failed at entry 2 or after: java.lang.OutOfMemoryError: Java heap space"));
+                        "the engine met an error",
+                        "at entry 2 or after: java.lang.OutOfMemoryError: Java heap space"));
         assertThat(log).contains("failed: " + host.status().reason());
     }
 

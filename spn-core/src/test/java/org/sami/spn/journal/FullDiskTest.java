@@ -7,6 +7,7 @@ import static org.sami.spn.host.HostPlans.number;
 import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.DriverManager;
+import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.ArrayList;
 import java.util.List;
@@ -62,13 +63,26 @@ class FullDiskTest {
             statement.execute("BEGIN IMMEDIATE");
 
             assertThatThrownBy(() -> journal.append(numbers(4, 5), Durability.PROCESS))
-                    .hasMessage(file + ", entry 4: cannot be written: another program keeps the file locked")
-                    .isInstanceOfSatisfying(
-                            JournalException.class,
-                            fault -> assertThat(fault.reason())
-                                    .startsWith("cannot be written: another program keeps the file locked (")
-                                    .endsWith("session.journal, entry 4)"));
+                    .hasMessage(file + ", entry 4: cannot be written: another program locks it")
+                    .isInstanceOfSatisfying(JournalException.class, fault -> {
+                        assertThat(fault.reason()).isEqualTo("the journal cannot be written: another program locks it");
+                        assertThat(fault.details())
+                                .startsWith(file + ", entry 4: ")
+                                .contains("SQLITE_BUSY");
+                    });
         }
+    }
+
+    @Test
+    void aDiskThatFailsIsSaidSoInPlainWords() {
+        int ioErrorAtWriting = 778;
+        SQLException fault = new SQLException(
+                "[SQLITE_IOERR_WRITE] I/O error in the VFS layer (disk I/O error)", "", ioErrorAtWriting);
+
+        JournalException told = new JournalException(file, 91, "cannot be written: " + Database.words(fault), fault);
+
+        assertThat(told.reason()).isEqualTo("the journal cannot be written: its disk does not take it");
+        assertThat(told.details()).isEqualTo(file + ", entry 91: " + fault.getMessage());
     }
 
     @Test

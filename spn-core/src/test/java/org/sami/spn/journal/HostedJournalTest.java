@@ -102,7 +102,7 @@ class HostedJournalTest {
         host.close();
 
         assertThat(host.status().kind()).isEqualTo(HostStatus.Kind.FAILED);
-        assertThat(host.status().reason()).contains("session.journal").contains("entry 1");
+        assertThat(host.status().details()).contains("session.journal").contains("entry 1");
         assertThat(heard).isEmpty();
     }
 }

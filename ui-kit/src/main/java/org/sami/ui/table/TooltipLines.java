@@ -4,13 +4,13 @@ import java.text.BreakIterator;
 import java.util.Locale;
 
 /** Breaks the text of a tooltip into lines, since a tooltip shows a line as long as it is, beyond the window too. */
-final class TooltipLines {
+public final class TooltipLines {
     private static final int MOST_CHARACTERS = 80;
 
     private TooltipLines() {}
 
     /** The same text with line breaks where words end; a longer word has a line of its own. */
-    static String of(String text) {
+    public static String of(String text) {
         BreakIterator words = BreakIterator.getLineInstance(Locale.ENGLISH);
         words.setText(text);
         StringBuilder lines = new StringBuilder();

@@ -59,7 +59,7 @@ public record Alarm(
         /** A boat sends more than the base takes in; the text says how much was left out. */
         LINK_FLOOD(
                 Priority.HIGH,
-                "Look at the boat's server and its sensors, or disconnect it; its commands and answers still come through"),
+                "Look at the boat's server and its sensors, or disconnect it; commands still come through"),
         /** Something else about a link, such as a boat that speaks another version of it. */
         LINK_FAULT(Priority.MEDIUM, "Look at the address and at the version of the boat's server");
 

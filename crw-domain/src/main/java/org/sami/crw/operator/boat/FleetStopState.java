@@ -109,9 +109,17 @@ public record FleetStopState(
 
     /** What the operator can do about it: one sentence without a full stop at its end. */
     public String advice() {
-        String who = areAllNamed() ? clients() + " stopped it, another base" : "Another base stopped it";
-        String ask = elsewhere.isEmpty() ? "" : who + ", or this one before it started anew: ask there; ";
-        String release = "when all is clear, release it in two steps; commands wait until then";
-        return ask.isEmpty() ? Character.toUpperCase(release.charAt(0)) + release.substring(1) : ask + release;
+        String release = "elease it in two steps; commands wait until then";
+        return elsewhere.isEmpty()
+                ? "When all is clear, r" + release
+                : "Ask " + (areAllNamed() ? clients() : "the other base") + ", then r" + release;
+    }
+
+    /** Who stopped boats that were not stopped from here, as a sentence without a full stop; empty text where there are none. */
+    public String details() {
+        return elsewhere.isEmpty()
+                ? ""
+                : (areAllNamed() ? clients() + " stopped it, another base" : "Another base stopped it")
+                        + ", or this one before it started anew";
     }
 }

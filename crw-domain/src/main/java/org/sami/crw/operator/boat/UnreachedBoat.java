@@ -45,8 +45,8 @@ public record UnreachedBoat(String address, String boat, String reason, boolean 
     /** What the operator can do about it, one sentence without a full stop. */
     public String advice() {
         return refused
-                ? "Look who is at this address: give that boat an id of its own, or disconnect the address"
-                : "Switch the boat on, look at the address and the network; disconnect the address if no boat is there";
+                ? "Look who is at this address: give that boat an id of its own, or give the address up"
+                : "Switch the boat on, look at address and network; give the address up if no boat is there";
     }
 
     /** The reason, which need not say once more that it is one of a refusal. */

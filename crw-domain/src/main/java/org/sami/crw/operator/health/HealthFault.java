@@ -9,39 +9,59 @@ import org.sami.spn.protocol.Priority;
  *
  * @param subject whom it concerns, for people and as a key beside the kind: a boat's id, an address, a mission's title with its number, a file; empty text
  *     where the session has only one of the kind
- * @param text what is wrong, one sentence without a full stop at its end
- * @param advice what the operator can do about it, one sentence without a full stop at its end
+ * @param text what is wrong, in plain words, one sentence without a full stop at its end: short, as it is read in one line of a small window
+ * @param advice what the operator can do about it, one sentence without a full stop at its end, as short
+ * @param details what explains it to those who look closer: files, numbers, what the machine says; without a full stop at its end; empty text for none
  * @param boat id of the boat that it concerns; empty text for none, or where no boat of an id is known
  * @param mission that it concerns, or {@link Ids#NONE}
  */
 public record HealthFault(
-        HealthKind kind, String subject, Priority severity, String text, String advice, String boat, long mission) {
+        HealthKind kind,
+        String subject,
+        Priority severity,
+        String text,
+        String advice,
+        String details,
+        String boat,
+        long mission) {
     public HealthFault {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(subject, "subject");
         Objects.requireNonNull(severity, "severity");
         Objects.requireNonNull(text, "text");
         Objects.requireNonNull(advice, "advice");
+        Objects.requireNonNull(details, "details");
         Objects.requireNonNull(boat, "boat");
     }
 
     /** A fault of the session itself, of which there is one of its kind. */
     public static HealthFault ofSession(HealthKind kind, Priority severity, String text, String advice) {
-        return new HealthFault(kind, "", severity, text, advice, "", Ids.NONE);
+        return new HealthFault(kind, "", severity, text, advice, "", "", Ids.NONE);
     }
 
     /** A fault of a file, an address or something else that is neither boat nor mission. */
     public static HealthFault of(HealthKind kind, String subject, Priority severity, String text, String advice) {
-        return new HealthFault(kind, subject, severity, text, advice, "", Ids.NONE);
+        return new HealthFault(kind, subject, severity, text, advice, "", "", Ids.NONE);
     }
 
     /** A fault that concerns a boat. */
     public static HealthFault ofBoat(HealthKind kind, String boat, Priority severity, String text, String advice) {
-        return new HealthFault(kind, boat, severity, text, advice, boat, Ids.NONE);
+        return new HealthFault(kind, boat, severity, text, advice, "", boat, Ids.NONE);
     }
 
     /** A fault of a mission. */
     public static HealthFault ofMission(long mission, String title, Priority severity, String text, String advice) {
-        return new HealthFault(HealthKind.MISSION, title + " (" + mission + ")", severity, text, advice, "", mission);
+        return new HealthFault(
+                HealthKind.MISSION, title + " (" + mission + ")", severity, text, advice, "", "", mission);
+    }
+
+    /** The same with what explains it. */
+    public HealthFault withDetails(String explained) {
+        return new HealthFault(kind, subject, severity, text, advice, explained, boat, mission);
+    }
+
+    /** All that is known of it, in sentences: what is wrong, what to do, the details. */
+    public String whole() {
+        return text + ". " + advice + "." + (details.isEmpty() ? "" : " " + details + ".");
     }
 }

@@ -11,6 +11,7 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
@@ -20,8 +21,7 @@ import org.sami.spn.protocol.Priority;
  * not need the engine for that, nor for a fleet stop. Safe for use by several threads.
  */
 public final class EngineWatch implements HostListener {
-    private static final String FULL = "the disk is full";
-    private static final String WAITS = "Missions stand still: ";
+    private static final String WAITS = "Missions stand still; ";
     private static final String STOPPED = "The engine has stopped: ";
 
     private final HealthModel health;
@@ -72,14 +72,27 @@ public final class EngineWatch implements HostListener {
     }
 
     @Override
-    public void onWaiting(String reason) {
+    public void onWaiting(HostStatus status) {
         health.report(HealthFault.ofSession(
-                HealthKind.JOURNAL,
-                Priority.CRITICAL,
-                WAITS + reason + "; " + still.words(),
-                (reason.contains(FULL) ? "Make room on the journal's disk" : "See to the journal's file and its disk")
-                        + ": missions go on by themselves then. The fleet stop (F12) works"));
+                        HealthKind.JOURNAL,
+                        Priority.CRITICAL,
+                        WAITS + status.reason(),
+                        remedy(status.reason()) + ", and missions go on; " + still.brief() + ", F12 works")
+                .withDetails(details(still.words() + "; the fleet stop (F12) works", status)));
         begin();
+    }
+
+    private static String remedy(String reason) {
+        if (reason.contains("disk is full")) {
+            return "Make room on the journal's disk";
+        }
+        return reason.contains("another program")
+                ? "End the program that has the journal open"
+                : "See to the journal's file and its disk";
+    }
+
+    private static String details(String first, HostStatus status) {
+        return status.details().isEmpty() ? first : first + ". " + status.details();
     }
 
     @Override
@@ -90,16 +103,19 @@ public final class EngineWatch implements HostListener {
     }
 
     @Override
-    public void onFailed(String reason) {
-        health.report(
-                HealthFault.ofSession(
+    public void onFailed(HostStatus status) {
+        health.report(HealthFault.ofSession(
                         HealthKind.ENGINE,
                         Priority.CRITICAL,
-                        STOPPED + reason + "; no mission goes on, " + still.words(),
-                        "Bring boats home by hand, or stop them (F12); then end the session and open it again: it goes on where its journal ends"));
+                        STOPPED + status.reason(),
+                        "Bring boats home by hand, or stop them (F12); then end the session and open it again")
+                .withDetails(details(
+                        "No mission goes on. " + still.words()
+                                + ". A session that is opened again goes on where its journal ends",
+                        status)));
         health.over(HealthKind.JOURNAL, ""); // what it waited for is in the reason
         begin();
-        broken.accept(reason);
+        broken.accept(status.reason());
     }
 
     private void begin() {

@@ -45,13 +45,13 @@ final class JournalWatch {
             health.over(HealthKind.JOURNAL, file.toString());
         } else {
             health.report(HealthFault.of(
-                    HealthKind.JOURNAL,
-                    file.toString(),
-                    Priority.CRITICAL,
-                    "the journal " + file
-                            + " is no longer there (its disk was taken out, or it was deleted or moved): missions go on, but "
-                            + "nothing of this session outlives the program",
-                    "Bring it back if it was moved; else bring the missions to an end, and begin a new session"));
+                            HealthKind.JOURNAL,
+                            file.toString(),
+                            Priority.CRITICAL,
+                            "The journal's file is gone: nothing of this session outlives the program",
+                            "Bring it back if it was moved; else end the missions and begin a new session")
+                    .withDetails("Missions go on. " + file
+                            + " is no longer there: its disk was taken out, or it was deleted or moved"));
         }
         try {
             long free = Files.getFileStore(folder()).getUsableSpace();

@@ -50,9 +50,11 @@ final class MemoryWatch {
 
     static HealthFault nearlyNone(long mostBytes) {
         return HealthFault.ofSession(
-                HealthKind.MEMORY,
-                Priority.HIGH,
-                String.format(Locale.ROOT, "the program has nearly used up its memory of %d MB", mostBytes >> 20),
-                "Close what is not needed, such as large base maps; start it with more memory (JAVA_OPTS=-Xmx2g) the next time");
+                        HealthKind.MEMORY,
+                        Priority.HIGH,
+                        String.format(
+                                Locale.ROOT, "The program has nearly used up its memory of %d MB", mostBytes >> 20),
+                        "Close what is not needed, such as large base maps")
+                .withDetails("Start it with more memory the next time (JAVA_OPTS=-Xmx2g)");
     }
 }

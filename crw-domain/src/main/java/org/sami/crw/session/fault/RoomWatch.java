@@ -66,7 +66,7 @@ final class RoomWatch {
     }
 
     private static String words(long freeBytes, double minutes) {
-        String free = "the journal's disk has " + size(freeBytes) + " left";
+        String free = "The journal's disk has " + size(freeBytes) + " left";
         return minutes > 24 * 60 ? free : free + ": room for " + time(minutes);
     }
 

@@ -74,21 +74,23 @@ public final class ThreadGuard implements Thread.UncaughtExceptionHandler {
 
     private static HealthFault ofMachine(String thread, Throwable fault) {
         return HealthFault.ofSession(
-                HealthKind.MEMORY,
-                Priority.CRITICAL,
-                words(fault) + " on the thread '" + thread + "'",
-                "End the session and open it again, with more memory (JAVA_OPTS=-Xmx2g) or smaller maps and projects");
+                        HealthKind.MEMORY,
+                        Priority.CRITICAL,
+                        "The program has a fault: " + words(fault),
+                        "End the session and open it again, with smaller maps and projects or more memory")
+                .withDetails("It was met on the thread '" + thread + "'. JAVA_OPTS=-Xmx2g gives more memory");
     }
 
     private HealthFault ofThread(String thread, Throwable fault) {
         int times = counts.merge(thread, 1, Integer::sum);
         return HealthFault.of(
-                HealthKind.THREAD,
-                thread,
-                Priority.HIGH,
-                "the thread '" + thread + "' met " + (times == 1 ? "an error: " : times + " errors, the last: ")
-                        + fault,
-                ADVICE);
+                        HealthKind.THREAD,
+                        thread,
+                        Priority.HIGH,
+                        "A part of the program (thread '" + thread + "') met "
+                                + (times == 1 ? "an error" : times + " errors"),
+                        ADVICE)
+                .withDetails((times == 1 ? "" : "The last: ") + fault);
     }
 
     private static String words(Throwable fault) {

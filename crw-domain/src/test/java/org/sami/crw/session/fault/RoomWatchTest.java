@@ -23,7 +23,7 @@ class RoomWatchTest {
         assertThat(watch.look(MINUTE, 11 * MB, 999 * MB)).isEmpty(); // 999 minutes
 
         Optional<HealthFault> said = watch.look(2 * MINUTE, 60 * MB, 950 * MB);
-        assertThat(text(said)).isEqualTo("the journal's disk has 950 MB left: room for about 40 minutes");
+        assertThat(text(said)).isEqualTo("The journal's disk has 950 MB left: room for about 40 minutes");
         assertThat(said.orElseThrow().severity()).isEqualTo(Priority.MEDIUM);
     }
 
@@ -31,14 +31,14 @@ class RoomWatchTest {
     void countsWhatOthersWriteThere() {
         watch.look(0, 10 * MB, 2000 * MB);
         assertThat(text(watch.look(MINUTE, 10 * MB, 1800 * MB)))
-                .isEqualTo("the journal's disk has 1800 MB left: room for about 9 minutes");
+                .isEqualTo("The journal's disk has 1800 MB left: room for about 9 minutes");
     }
 
     @Test
     void littleRoomIsSaidBeforeAnythingWasWritten() {
-        assertThat(text(watch.look(0, MB, 40 * MB))).isEqualTo("the journal's disk has 40 MB left");
+        assertThat(text(watch.look(0, MB, 40 * MB))).isEqualTo("The journal's disk has 40 MB left");
         Optional<HealthFault> none = watch.look(1000, MB, 3 * MB / 2);
-        assertThat(text(none)).isEqualTo("the journal's disk has 1.5 MB left");
+        assertThat(text(none)).isEqualTo("The journal's disk has 1.5 MB left");
         assertThat(none.orElseThrow().severity()).isEqualTo(Priority.HIGH);
     }
 

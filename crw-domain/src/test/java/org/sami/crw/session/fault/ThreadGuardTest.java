@@ -30,7 +30,8 @@ class ThreadGuardTest {
         assertThat(stopped).isEmpty();
         assertThat(health)
                 .extracting(HealthFault::text)
-                .containsExactly("memory ran out (Java heap space) on the thread 'files'");
+                .containsExactly("The program has a fault: memory ran out (Java heap space)");
+        assertThat(health.get(0).details()).startsWith("It was met on the thread 'files'");
     }
 
     @Test
@@ -40,14 +41,16 @@ class ThreadGuardTest {
 
         assertThat(stopped).isEmpty();
         assertThat(health)
-                .extracting(HealthFault::subject, HealthFault::text)
+                .extracting(HealthFault::subject, HealthFault::text, HealthFault::details)
                 .containsExactly(
                         tuple(
                                 "AWT-EventQueue-0",
-                                "the thread 'AWT-EventQueue-0' met an error: java.lang.IllegalStateException: a gap"),
+                                "A part of the program (thread 'AWT-EventQueue-0') met an error",
+                                "java.lang.IllegalStateException: a gap"),
                         tuple(
                                 "AWT-EventQueue-0",
-                                "the thread 'AWT-EventQueue-0' met 2 errors, the last: java.lang.StackOverflowError"));
+                                "A part of the program (thread 'AWT-EventQueue-0') met 2 errors",
+                                "The last: java.lang.StackOverflowError"));
     }
 
     @Test

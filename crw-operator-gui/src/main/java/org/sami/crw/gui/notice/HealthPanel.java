@@ -51,7 +51,7 @@ public final class HealthPanel extends JPanel {
 
     private static String what(HealthEntry entry) {
         return (entry.severity() == Priority.CRITICAL ? "▲ " : "△ ")
-                + entry.fault().text() + ". " + entry.fault().advice() + ".";
+                + entry.fault().whole();
     }
 
     private static SemanticColor color(HealthEntry entry) {

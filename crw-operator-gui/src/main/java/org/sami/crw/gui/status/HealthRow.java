@@ -5,7 +5,6 @@ import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
-import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.health.HealthEntry;
@@ -16,15 +15,16 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
+import org.sami.ui.table.TooltipLines;
 
 /**
- * The row below the strip: the worst fault that lasts, since when, what to do, and how many there are besides. It is always there, so that nothing moves when
- * a fault comes or goes; pressing it shows all faults. On the event thread.
+ * The row below the strip: the worst fault that lasts, since when, what to do, and how many there are besides. What to do stands beside what is wrong, or below
+ * it where one line has no room for both. The row is always there and equally high, so that nothing moves when a fault comes or goes; pressing it shows all
+ * faults with their details. On the event thread.
  */
 public final class HealthRow extends JButton {
-    private static final String CONTENTS = "wmin 0";
-
     private static final int LEAST_HEIGHT = 40;
+    private static final int INSET = 12;
     private static final int GAP = 16;
 
     private final transient Command showHealth;
@@ -39,15 +39,14 @@ public final class HealthRow extends JButton {
      */
     public HealthRow(OperatorContext context, Command showHealth) {
         this.showHealth = showHealth;
-        setLayout(new MigLayout(
-                "novisualpadding, insets 0 12 0 12, gap 16", "[][grow, shrinkprio 200][shrink 0]", "push[]push"));
+        setLayout(null);
         setName("health-row");
         setFocusable(false);
         what.setName("health-worst");
         advice.setName("health-advice");
         others.setName("health-others");
-        add(what, CONTENTS);
-        add(advice, CONTENTS);
+        add(what);
+        add(advice);
         add(others);
         addActionListener(showHealth);
         style();
@@ -63,19 +62,43 @@ public final class HealthRow extends JButton {
         }
     }
 
-    /** The advice is shown whole or not at all; the tooltip and the list have it. */
     @Override
     public void doLayout() {
-        int taken = what.getPreferredSize().width + others.getPreferredSize().width + Look.px(4 * GAP);
-        advice.setVisible(advice.getPreferredSize().width + taken <= getWidth());
-        super.doLayout();
+        int left = Look.px(INSET);
+        int besides = others.getPreferredSize().width;
+        int right = getWidth() - left - besides;
+        put(others, right, 0, besides, getHeight());
+        int room = Math.max(0, right - left - (besides > 0 ? Look.px(GAP) : 0));
+        int first = what.getPreferredSize().width;
+        int second = advice.getPreferredSize().width;
+        if (second == 0 || first + Look.px(GAP) + second <= room) {
+            put(what, left, 0, first, getHeight());
+            put(advice, left + first + Look.px(GAP), 0, second, getHeight());
+        } else {
+            int line = line();
+            int top = (getHeight() - 2 * line) / 2;
+            put(what, left, top, Math.min(first, room), line);
+            put(advice, left, top + line, Math.min(second, room), line);
+        }
     }
 
-    /** As high without a fault as with one. */
+    private static void put(JLabel label, int x, int y, int width, int height) {
+        label.setBounds(x, y, Math.max(0, width), height);
+    }
+
+    private int line() {
+        return what.getFontMetrics(what.getFont()).getHeight();
+    }
+
+    /** As high without a fault as with one, of which what to do stands below it. */
     @Override
     public Dimension getPreferredSize() {
-        int line = what.getFontMetrics(what.getFont()).getHeight();
-        return new Dimension(0, Math.max(Look.px(LEAST_HEIGHT), line + Look.px(8)));
+        return new Dimension(0, Math.max(Look.px(LEAST_HEIGHT), 2 * line() + Look.px(4)));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
     }
 
     private void style() {
@@ -92,17 +115,23 @@ public final class HealthRow extends JButton {
         advice.setText(worst.map(entry -> entry.fault().advice()).orElse(""));
         int besides = health.entries().size() - 1;
         others.setText(besides > 0 ? besides + " more" : "");
+        revalidate();
         colour(worst.map(HealthEntry::severity));
-        String all = worst.map(entry -> what.getText() + ". " + entry.fault().advice())
+        String all = worst.map(entry -> words(entry) + ". " + entry.fault().advice() + details(entry))
                         .orElse("No fault of engine, journal, missions, boats or links")
                 + (besides > 0 ? ". " + others.getText() : "");
         getAccessibleContext().setAccessibleName(all);
-        setToolTipText(all + " – show all (" + showHealth.keyText() + ")");
+        setToolTipText(TooltipLines.of(all + " – show all (" + showHealth.keyText() + ")"));
     }
 
     private static String words(HealthEntry entry) {
         return (entry.severity() == Priority.CRITICAL ? "▲ " : "△ ")
                 + entry.fault().text() + ", since " + SessionClock.text(entry.sinceMillis());
+    }
+
+    private static String details(HealthEntry entry) {
+        String details = entry.fault().details();
+        return details.isEmpty() ? "" : ". " + details;
     }
 
     private void colour(Optional<Priority> severity) {

@@ -121,11 +121,12 @@ public final class OperatorWindow {
         session.models()
                 .health()
                 .report(HealthFault.of(
-                        HealthKind.FILE,
-                        data.arrangement().getFileName().toString(),
-                        Priority.LOW,
-                        trouble,
-                        "The panels lie as at first; arrange them anew"));
+                                HealthKind.FILE,
+                                data.arrangement().getFileName().toString(),
+                                Priority.LOW,
+                                "The file of the arrangement of panels is damaged",
+                                "The panels lie as at first; arrange them anew")
+                        .withDetails(trouble));
     }
 
     /** Says in the title what conditions were named for the session. */

@@ -61,7 +61,7 @@ final class DiskAttacks {
             assertThat(process.waitFor(100, TimeUnit.SECONDS)).isTrue();
             String text = Files.readString(said, StandardCharsets.UTF_8);
             assertThat(text)
-                    .contains("▲ Missions stand still: the journal failed")
+                    .contains("▲ Missions stand still; the journal cannot be written")
                     .contains("all boats are stopped");
             assertThat(process.exitValue()).as(text).isEqualTo(4);
         } finally {

@@ -83,7 +83,10 @@ final class SituationCommands {
         health.entries()
                 .forEach(entry -> out.accept(lower(entry.severity()) + "  "
                         + entry.fault().text() + "  since " + Numbers.clock(entry.sinceMillis()) + "  to do: "
-                        + entry.fault().advice()));
+                        + entry.fault().advice()
+                        + (entry.fault().details().isEmpty()
+                                ? ""
+                                : "  details: " + entry.fault().details())));
     }
 
     private void alarms(Arguments arguments, Consumer<String> out) {

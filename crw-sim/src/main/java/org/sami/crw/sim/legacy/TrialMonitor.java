@@ -12,6 +12,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.host.HostStatus;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -82,8 +83,8 @@ final class TrialMonitor implements HostListener {
     }
 
     @Override
-    public void onFailed(String reason) {
-        keep(Severity.ERROR, TrialCodes.ENGINE, "", reason);
+    public void onFailed(HostStatus status) {
+        keep(Severity.ERROR, TrialCodes.ENGINE, "", status.whole());
     }
 
     private void activated(Effect.Activated activated) {

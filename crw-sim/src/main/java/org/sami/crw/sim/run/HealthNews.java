@@ -46,6 +46,9 @@ public final class HealthNews implements AutoCloseable {
                     told.put(entry.number(), entry);
                     out.accept("FAULT: " + entry.fault().text());
                     out.accept("    " + entry.fault().advice());
+                    if (!entry.fault().details().isEmpty()) {
+                        out.accept("    " + entry.fault().details());
+                    }
                 }
             }
         }

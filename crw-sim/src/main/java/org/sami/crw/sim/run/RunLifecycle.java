@@ -67,7 +67,7 @@ public final class RunLifecycle {
     public Optional<RunOutcome> outcome() {
         HostStatus status = session.host().status();
         if (status.kind() == HostStatus.Kind.FAILED) {
-            fail(status.reason());
+            fail(status.whole());
         }
         Optional<String> failure = mission.failure();
         if (failure.isPresent()) {

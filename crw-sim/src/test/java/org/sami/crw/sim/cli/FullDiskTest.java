@@ -98,8 +98,8 @@ class FullDiskTest {
 
         assertThat(said.exitCode()).as(said.text()).isEqualTo(4);
         assertThat(said.text())
-                .contains("Missions stand still: the journal failed")
-                .contains("boats that were under way for missions hold their places");
+                .contains("Missions stand still; the journal cannot be written")
+                .contains("Boats that were under way for missions hold their places");
     }
 
     /** A real disk of a few hundred KiB: root alone can mount one. */

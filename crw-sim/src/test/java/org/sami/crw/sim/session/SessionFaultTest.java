@@ -115,13 +115,15 @@ class SessionFaultTest {
         HealthEntry said = awaitEntry(session, HealthKind.JOURNAL);
         assertThat(said.severity()).isEqualTo(Priority.CRITICAL);
         assertThat(said.fault().text())
-                .isEqualTo("Missions stand still: the journal failed: the disk is full; boats that were under way for "
-                        + "missions hold their places");
+                .isEqualTo("Missions stand still; the journal cannot be written: the disk is full");
+        assertThat(said.fault().advice())
+                .isEqualTo("Make room on the journal's disk, and missions go on; boats hold their places, F12 works");
+        assertThat(said.fault().details()).startsWith("Boats that were under way for missions hold their places");
         Await.until("anna is held", () -> isHeld(session));
         assertThat(TestSession.get(session.fleet().why("anna")).text())
                 .containsPattern("holds? its place while the engine does not work.*following its path for mission 7");
         assertThatThrownBy(() -> TestSession.get(session.start("clv", "second", Map.of())))
-                .hasMessageContaining("nothing is taken in while the journal cannot be written");
+                .hasMessageContaining("nothing is taken in now: the journal cannot be written: the disk is full");
         assertThat(session.faults().failure()).isEmpty();
 
         journal.makeRoom();
@@ -164,7 +166,7 @@ class SessionFaultTest {
         assertThat(session.faults().boats()).isEqualTo(BoatsAtFault.STOP);
         journal.fill();
 
-        assertThat(awaitEntry(session, HealthKind.JOURNAL).fault().text()).contains("all boats are stopped");
+        assertThat(awaitEntry(session, HealthKind.JOURNAL).fault().details()).startsWith("All boats are stopped");
         awaitMode(session, BoatMode.FLEET_STOP);
     }
 
@@ -183,8 +185,9 @@ class SessionFaultTest {
         HealthEntry said = awaitEntry(session, HealthKind.ENGINE);
         assertThat(said.fault().text())
                 .startsWith(
-                        "The engine has stopped: the journal failed: the disk is full; it could not be written for 1 s");
-        assertThat(said.fault().advice()).contains("by hand", "F12", "where its journal ends");
+                        "The engine has stopped: the journal cannot be written: the disk is full; it could not be written for 1 s");
+        assertThat(said.fault().advice()).contains("by hand", "F12", "open it again");
+        assertThat(said.fault().details()).contains("where its journal ends");
         assertThat(broken).hasSize(1);
         assertThat(session.faults().failure()).isPresent();
         assertThat(isHeld(session)).isTrue();
@@ -236,8 +239,8 @@ class SessionFaultTest {
                 "both are in the health",
                 () -> entry(session, HealthKind.THREAD)
                         .filter(entry -> entry.fault()
-                                .text()
-                                .contains("2 errors, the last: java.lang.IllegalStateException: a gap"))
+                                .whole()
+                                .matches(".*2 errors.*The last: java.lang.IllegalStateException: a gap.*"))
                         .isPresent());
         assertThat(session.faults().failure()).isEmpty();
         TestSession.get(session.start("clv", "goes on", Map.of()));
@@ -253,7 +256,8 @@ class SessionFaultTest {
         Path away = Files.move(file.getParent(), folder.resolve("away"));
 
         HealthEntry said = awaitEntry(session, HealthKind.JOURNAL);
-        assertThat(said.fault().text()).startsWith("the journal " + file + " is no longer there");
+        assertThat(said.fault().text()).startsWith("The journal's file is gone");
+        assertThat(said.fault().details()).contains(file + " is no longer there");
         assertThat(said.severity()).isEqualTo(Priority.CRITICAL);
 
         Files.move(away, file.getParent());

@@ -6,6 +6,7 @@ import java.util.OptionalLong;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -57,8 +58,8 @@ public final class RunMission implements HostListener {
     }
 
     @Override
-    public void onFailed(String reason) {
-        failure = Optional.of(reason);
+    public void onFailed(HostStatus status) {
+        failure = Optional.of(status.whole());
     }
 
     /** How the run's mission ended; empty while it goes on. */
