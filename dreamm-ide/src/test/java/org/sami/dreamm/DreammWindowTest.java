@@ -62,7 +62,7 @@ class DreammWindowTest {
         ProjectDocument document = window.context().document();
         WindowRobot robot = new WindowRobot();
 
-        robot.find(JTextField.class, "search-everything-text");
+        robot.find(JTextField.class, "palette-search");
         robot.press(VK_N, VK_CONTROL, VK_SHIFT);
         robot.find(JTextField.class, "name-bar-name");
         robot.type("second plan");

@@ -19,6 +19,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
@@ -44,7 +45,7 @@ public final class MissionTreePanel extends JPanel {
         LookColors.background(this, SemanticColor.SURFACE);
         tree = new MissionTreeView(context);
         hits = new HitList(context, this::showTree);
-        names = new NameBar(tree::requestFocusInWindow);
+        names = new NameBar(this::bringUp, tree::requestFocusInWindow);
         search.setName("search-everything-text");
         search.putClientProperty("JTextField.placeholderText", "Search everything (Ctrl+Shift+F)");
         search.putClientProperty("JTextField.showClearButton", true);
@@ -155,13 +156,22 @@ public final class MissionTreePanel extends JPanel {
         cards.show(middle, HITS);
     }
 
+    /** Shows the panel where it lies behind another or is folded. */
+    void bringUp() {
+        if (!isShowing()) {
+            context.commands().find("panel-mission-tree").ifPresent(Command::run);
+        }
+    }
+
     /** Puts the focus on what was found. */
     void focusHits() {
+        bringUp();
         hits.focusFirst();
     }
 
     /** Puts the focus where a search is typed. */
     void focusSearch() {
+        bringUp();
         search.requestFocusInWindow();
         search.selectAll();
     }

@@ -21,16 +21,19 @@ import org.sami.ui.look.StrongLabel;
 
 /** The bar below the mission tree in which names are given: Enter takes them, Escape leaves. It is gone while nothing is asked. */
 final class NameBar extends JPanel {
+    private final Runnable bringUp;
     private final Runnable left;
     private final List<JTextField> fields = new ArrayList<>();
 
     /**
      * A bar that asks nothing.
      *
+     * @param bringUp shows the panel that it is a part of
      * @param left is called when the bar is gone, for the focus
      */
-    NameBar(Runnable left) {
+    NameBar(Runnable bringUp, Runnable left) {
         super(new MigLayout("insets 8 12 8 12, wrap 2, gap 6, fillx", "[][grow, fill]"));
+        this.bringUp = bringUp;
         this.left = left;
         setName("name-bar");
         setVisible(false);
@@ -52,6 +55,7 @@ final class NameBar extends JPanel {
      * @param take takes what was given; false where it was refused, and the bar stays
      */
     void ask(String title, String button, Map<String, String> asked, Predicate<List<String>> take) {
+        bringUp.run();
         removeAll();
         fields.clear();
         JLabel head = new StrongLabel(title);

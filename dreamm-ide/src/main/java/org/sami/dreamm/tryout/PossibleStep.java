@@ -58,7 +58,7 @@ record PossibleStep(String key, String who, String what, What of) {
             all.add(new PossibleStep(
                     "decision-" + d.id(),
                     "Operator",
-                    d.prompt() + (asking.isEmpty() ? "" : " (" + words.deciding(asking) + ")"),
+                    asked(d.prompt(), asking.isEmpty() ? "" : words.deciding(asking)),
                     new What.Decide(d)));
         }
         for (Possible.OpenActivation open : possible.activations()) {
@@ -92,6 +92,12 @@ record PossibleStep(String key, String who, String what, What of) {
         known.forEach(robot -> all.add(
                 new PossibleStep("drop-" + robot, "Robot", robot + " is dropped", new What.Robot(robot, false))));
         return all;
+    }
+
+    /** A question with the event that asks it, unless the one names the other. */
+    private static String asked(String prompt, String event) {
+        String title = event.contains(" at ") ? event.substring(0, event.indexOf(" at ")) : event;
+        return title.isEmpty() || prompt.contains(title) ? prompt : prompt + " (" + event + ")";
     }
 
     private static String whom(Activation asked) {

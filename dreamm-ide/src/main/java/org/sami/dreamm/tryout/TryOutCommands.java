@@ -19,6 +19,7 @@ public final class TryOutCommands {
     private final DreammContext context;
     private final TryOut tryOut;
     private final StartMarkingSetup setup;
+    private Runnable started = () -> {};
     private final Timer timer = new Timer(STEP_MS, e -> tick());
 
     /** Adds the commands to a window's. */
@@ -149,13 +150,20 @@ public final class TryOutCommands {
                 .orElse(List.of());
     }
 
+    /** Says who is told when a run is started by a command. */
+    public void whenStarted(Runnable listener) {
+        started = listener;
+    }
+
     private void start() {
         timer.stop();
+        started.run();
         context.editor().planId().ifPresent(plan -> tryOut.start(plan, setup.given()));
     }
 
     private void startAt() {
         timer.stop();
+        started.run();
         setup.start().ifPresent(start -> context.editor().planId().ifPresent(plan -> tryOut.startAt(plan, start)));
     }
 

@@ -10,15 +10,12 @@ import java.util.Optional;
 import java.util.Set;
 import javax.swing.AbstractAction;
 import javax.swing.JButton;
-import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.stepping.Stepper;
@@ -40,12 +37,9 @@ import org.sami.ui.table.RowTable;
  */
 public final class TryOutPanel extends JPanel {
     private static final int ALL_WORDS = 960;
-    private static final int SHORT_WORDS = 810;
-    private static final int FEWEST_WORDS = 660;
+    private static final int SHORT_WORDS = 820;
+    private static final int FEWEST_WORDS = 740;
     private static final int TWO_ROWS = 520;
-    private static final int TWO_ROWS_OF_BUTTONS = 620;
-    private static final String ROBOTS = "hmin 32";
-    private static final String ROBOTS_BELOW = "newline, span, split 4, " + ROBOTS;
     private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
     private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";
     private static final String SMALL_HALVES = "[36%, grow, fill][260:64%, grow, fill]";
@@ -62,14 +56,14 @@ public final class TryOutPanel extends JPanel {
     private final RowTable<PossibleStep> possibleSteps;
     private final Column editorPlace = new Column();
     private final transient MigLayout bars =
-            new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[][]12[][]12[][]push", "[]");
+            new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[grow, fill]", "[]");
     private final transient MigLayout halves = new MigLayout(HALVES, WIDE_HALVES, "[grow, fill]");
     private final JPanel now = new JPanel(halves);
+    private final JPanel bar = new JPanel(bars);
     private final JPanel one = new JPanel(new BorderLayout());
     private final JPanel buttons =
             new JPanel(new MigLayout("novisualpadding, insets 4, gap 8, hidemode 3", "push[][]", "[]"));
-    private final JPanel behindTabs =
-            new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[grow, fill][]", "[]"));
+    private final JPanel behindTabs = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "push[]", "[]"));
     private final JPanel foot =
             new JPanel(new MigLayout("insets 2 12 4 12, gap 16, hidemode 3", "[grow, fill][]", "[]"));
     private final transient MigLayout columns = new MigLayout("insets 0, gap 1, fill", BESIDE, "[grow, fill]");
@@ -78,13 +72,8 @@ public final class TryOutPanel extends JPanel {
     private final JButton reject = new JButton("None of them");
     private final JLabel message = new JLabel();
     private final JLabel where = new JLabel();
-    private final JSpinner robots;
-    private final JSpinner locations;
-    private final JCheckBox operator = new JCheckBox("Operator answers");
-    private final JCheckBox answering = new JCheckBox("Robots answer");
+    private final transient PlayerSettings settings;
     private final JTabbedPane tabs = new JTabbedPane();
-    private final JLabel label = new JLabel("Robots");
-    private final JLabel locationsLabel = new JLabel("Locations");
     private final transient CommandButton run;
     private final transient List<CommandButton> worded = new ArrayList<>();
     private transient Optional<PossibleStepEditor> editor = Optional.empty();
@@ -106,8 +95,7 @@ public final class TryOutPanel extends JPanel {
                         RowColumn.<PossibleStep>words("Who", 84, PossibleStep::who)
                                 .colored(row -> SemanticColor.MUTED),
                         RowColumn.words("What can happen now", 0, PossibleStep::what)));
-        robots = new JSpinner(new SpinnerNumberModel(tryOut.robots(), 0, TryOut.MOST_ROBOTS, 1));
-        locations = new JSpinner(new SpinnerNumberModel(tryOut.locations(), 1, TryOut.MOST_LOCATIONS, 1));
+        settings = new PlayerSettings(tryOut);
         run = new CommandButton(context.commands().get("try-run"));
         tabs.setName("try-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
@@ -133,7 +121,6 @@ public final class TryOutPanel extends JPanel {
     }
 
     private JPanel toolbar() {
-        JPanel bar = new JPanel(bars);
         bar.setOpaque(false);
         for (String id : List.of("try-start", "try-step")) {
             CommandButton button = new CommandButton(context.commands().get(id));
@@ -145,47 +132,20 @@ public final class TryOutPanel extends JPanel {
         for (String id : List.of("try-back", "try-restart", "try-stop")) {
             bar.add(CommandButton.iconOnly(context.commands().get(id)), "hmin 32");
         }
-        label.setLabelFor(robots);
-        label.setDisplayedMnemonic('b');
-        robots.setName("try-robots");
-        robots.setToolTipText("With how many robots the next run begins");
-        robots.addChangeListener(e -> tryOut.setRobots((Integer) robots.getValue()));
-        bar.add(label);
-        bar.add(robots, ROBOTS);
-        locationsLabel.setLabelFor(locations);
-        locationsLabel.setDisplayedMnemonic('l');
-        locations.setName("try-locations");
-        locations.setToolTipText("How many locations the operator gives by himself where some are asked for");
-        locations.addChangeListener(e -> tryOut.setLocations((Integer) locations.getValue()));
-        bar.add(locationsLabel);
-        bar.add(locations, ROBOTS);
-        operator.setName("try-operator-answers");
-        operator.setToolTipText(
-                "Step and Run let an operator answer that says yes, chooses all and takes what is proposed");
-        operator.addActionListener(e -> tryOut.setMockOperator(operator.isSelected()));
-        answering.setName("try-robots-answer");
-        answering.setToolTipText("Step and Run let robots and services answer that all went well, with sample values");
-        answering.addActionListener(e -> tryOut.setMockRobots(answering.isSelected()));
-        operator.setOpaque(false);
-        answering.setOpaque(false);
-        bar.add(operator);
-        bar.add(answering);
+        bar.add(settings.row());
         return bar;
     }
 
-    /** In a narrow panel buttons show their icons alone, then boxes the first of their words; tooltips say the rest. */
+    /** In a narrow panel buttons show their icons alone; where there is less room still, the settings are a tab of their own. */
     @Override
     public void doLayout() {
         boolean narrow = getWidth() < Look.px(ALL_WORDS);
         boolean small = getWidth() < Look.px(FEWEST_WORDS);
         boolean brief = getWidth() < Look.px(SHORT_WORDS);
-        boolean twoRows = getWidth() < Look.px(TWO_ROWS_OF_BUTTONS);
         worded.forEach(button -> button.setHideActionText(narrow));
-        label.setVisible(!brief);
-        locationsLabel.setVisible(!brief);
-        bars.setComponentConstraints(robots, twoRows ? ROBOTS_BELOW : ROBOTS);
-        operator.setText(brief ? "Operator" : "Operator answers");
-        answering.setText(brief ? "Robots" : "Robots answer");
+        if (!small) {
+            settings.inRow(brief);
+        }
         showRun();
         arrange(small);
         placeMessage(small);
@@ -207,19 +167,27 @@ public final class TryOutPanel extends JPanel {
             parts.remove(now);
             columns.setColumnConstraints("[grow, fill]");
             tabs.insertTab("Now", null, now, "What can happen now", 0);
+            settings.inColumn();
+            tabs.addTab("Settings", settings.column());
             tabs.setSelectedIndex(0);
-            behindTabs.add(buttons, "wmin 0");
-            tabs.putClientProperty("JTabbedPane.tabHeight", HIGH_TAB);
-            tabs.putClientProperty(BEHIND_TABS, behindTabs);
             parts.revalidate();
         } else if (!small && isTab) {
             tabs.remove(now);
+            tabs.remove(settings.column());
             columns.setColumnConstraints(BESIDE);
             parts.add(now, "wmin 0, hmin 0", 0);
-            one.add(buttons, BorderLayout.SOUTH);
-            tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
-            tabs.putClientProperty(BEHIND_TABS, null);
             parts.revalidate();
+        }
+        placeButtons(small && !isTight());
+    }
+
+    /** What lets it happen stands below what is filled in, or behind the tabs where there is more width than height. */
+    private void placeButtons(boolean behind) {
+        JPanel place = behind ? behindTabs : one;
+        if (buttons.getParent() != place) {
+            place.add(buttons, behind ? "wmin 0" : BorderLayout.SOUTH);
+            tabs.putClientProperty("JTabbedPane.tabHeight", behind ? HIGH_TAB : TAB);
+            tabs.putClientProperty(BEHIND_TABS, behind ? behindTabs : null);
         }
     }
 
@@ -227,12 +195,13 @@ public final class TryOutPanel extends JPanel {
         return getWidth() < Look.px(TWO_ROWS);
     }
 
-    /** The message stands at the foot, or behind the tabs where these leave it room. */
+    /** The message stands at the foot, or behind the buttons where there is little height. */
     private void placeMessage(boolean small) {
         boolean behind = small && !isTight();
-        JPanel place = behind ? behindTabs : foot;
+        JPanel place = behind ? bar : foot;
+        settings.row().setVisible(!small);
         if (message.getParent() != place) {
-            place.add(message, behind ? "w 0, wmin 0, growx" : "wmin 0, h 20!", 0); // tabs come first
+            place.add(message, behind ? "w 0, wmin 0, growx, pushx" : "wmin 0, h 20!", behind ? -1 : 0);
         }
         foot.setVisible(!behind);
         where.setVisible(!isTight());
@@ -322,8 +291,7 @@ public final class TryOutPanel extends JPanel {
         message.setToolTipText(tryOut.message().isEmpty() ? null : tryOut.message());
         LookColors.foreground(message, tryOut.isOutdated() ? SemanticColor.WARNING : SemanticColor.MUTED);
         where.setText(stepper.map(this::words).orElse(""));
-        operator.setSelected(tryOut.isMockOperator());
-        answering.setSelected(tryOut.isMockRobots());
+        settings.refresh();
         showRun();
     }
 

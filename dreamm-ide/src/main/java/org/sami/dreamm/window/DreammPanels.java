@@ -17,38 +17,38 @@ import org.sami.ui.dock.DockPanel;
 
 /** The panels of the window, and how they lie at first (thesis, Figure 5.1). Those that the profile hides are left out. */
 final class DreammPanels {
+    /** The net with what an author draws with beside it; what checks and runs it comes below it when it is opened. */
     private static final Arrangement ROOMY = Arrangement.of("model-view")
-            .right("palette", "model-view", 0.26)
-            .left("mission-tree", "model-view", 0.24)
+            .right("palette", "model-view", 0.263)
+            .behind("mission-tree", "palette")
             .below("inspector", "palette", 0.55)
             .below("issues", "model-view", 0.36)
             .behind("try-out", "issues")
             .behind("replay", "issues")
-            .behind("comparison", "model-view");
-
-    /** Two columns instead of three: names are read, and the net keeps its room. */
-    private static final Arrangement COMPACT = Arrangement.of("model-view")
-            .right("mission-tree", "model-view", 0.38)
-            .behind("palette", "mission-tree")
-            .below("inspector", "mission-tree", 0.5)
-            .below("issues", "model-view", 0.44)
-            .behind("try-out", "issues")
-            .behind("replay", "issues")
-            .behind("comparison", "model-view");
-
-    /** The net beside one stack of all that is done with it: each panel has half of the window. */
-    private static final Arrangement TIGHT = Arrangement.of("model-view")
-            .right("inspector", "model-view", 0.5)
             .behind("comparison", "model-view")
-            .behind("mission-tree", "inspector")
-            .behind("palette", "inspector")
-            .behind("issues", "inspector")
-            .behind("try-out", "inspector")
-            .behind("replay", "inspector");
+            .folding("issues", "try-out", "replay", "comparison");
 
-    /** How they lie at first: in three columns as in the thesis; in two in small windows or with large letters, and in two stacks in the smallest. */
+    /** The net alone; each panel that is opened comes into one stack beside it. */
+    private static final Arrangement COMPACT = besideOneStack(0.42);
+
+    /** The same with more than half of the window for what is opened. */
+    private static final Arrangement TIGHT = besideOneStack(0.54);
+
+    /** How they lie at first: the net has most of the window, in small windows and with large letters all of it (decision 0439). */
     static final Arrangements FIRST =
-            new Arrangements(ROOMY, COMPACT, TIGHT, new Dimension(1390, 0), new Dimension(720, 420));
+            new Arrangements(ROOMY, COMPACT, TIGHT, new Dimension(1200, 0), new Dimension(720, 420));
+
+    private static Arrangement besideOneStack(double part) {
+        return Arrangement.of("model-view")
+                .right("inspector", "model-view", part)
+                .behind("comparison", "model-view")
+                .behind("mission-tree", "inspector")
+                .behind("palette", "inspector")
+                .behind("issues", "inspector")
+                .behind("try-out", "inspector")
+                .behind("replay", "inspector")
+                .folding("inspector", "mission-tree", "palette", "issues", "try-out", "replay", "comparison");
+    }
 
     private final List<DockPanel> all;
     private final List<String> profileIds;

@@ -22,6 +22,7 @@ import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.dock.DockArea;
+import org.sami.ui.dock.DockPanel;
 import org.sami.ui.window.FrameSize;
 import org.sami.ui.window.ViewCommands;
 import org.sami.ui.window.WindowSettings;
@@ -147,6 +148,10 @@ public final class DreammWindow {
     public void open() {
         FrameSize.show(frame);
         dock.arrange();
+        dock.panels().stream()
+                .map(DockPanel::getPersistentID)
+                .filter("model-view"::equals)
+                .forEach(dock::show);
     }
 
     /** The frame, for those who drive it. */

@@ -1,5 +1,8 @@
 package org.sami.dreamm.window;
 
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.swing.JComponent;
@@ -86,7 +89,16 @@ final class RunParts implements AutoCloseable {
     }
 
     JComponent tryOut() {
-        return new TryOutPanel(context, tryOut, tryOutCommands, setup, cases);
+        TryOutPanel panel = new TryOutPanel(context, tryOut, tryOutCommands, setup, cases);
+        tryOutCommands.whenStarted(() -> {
+            if (!panel.isShowing()) {
+                Component focused =
+                        KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+                show("panel-try-out");
+                Optional.ofNullable(focused).ifPresent(Component::requestFocusInWindow);
+            }
+        });
+        return panel;
     }
 
     ReplayPanel replay() {

@@ -22,8 +22,9 @@ class FirstArrangementTest {
 
     @ParameterizedTest
     @CsvSource({
-        "1600, 1000, 100, roomy", "1280, 800, 100, compact", "1280, 800, 150, compact",
-        "2560, 1440, 200, compact", "1280, 800, 200, tight", "1600, 1000, 200, tight"
+        "1920, 1080, 100, roomy", "1600, 1000, 100, roomy", "1280, 800, 100, roomy", "1920, 1080, 150, roomy",
+        "1600, 1000, 150, compact", "1280, 800, 150, compact", "2560, 1440, 200, roomy", "1280, 800, 200, tight",
+        "1600, 1000, 200, tight"
     })
     void theLessRoomThereIsTheFewerPanelsLieBesideOneAnother(int width, int height, int percent, String which) {
         Look.apply(Theme.LIGHT, percent);

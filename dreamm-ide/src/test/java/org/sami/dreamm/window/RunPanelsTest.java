@@ -40,6 +40,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
+import org.sami.ui.dock.PanelSizes;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
@@ -126,15 +127,49 @@ class RunPanelsTest {
             Layout.layOut(panel, 786, 197);
 
             assertThat(faults(panel)).isEmpty();
-            JComponent last =
-                    Layout.find(panel, "try-robots-answer", JComponent.class).orElseThrow();
-            assertThat(last.getX() + last.getWidth()).isLessThanOrEqualTo(panel.getWidth());
             assertThat(table(panel, "try-possible-steps").getWidth()).isGreaterThan(240);
 
             Layout.layOut(panel, 1400, 480);
             assertThat(faults(panel)).isEmpty();
             Look.apply(Theme.LIGHT, 100);
         });
+    }
+
+    @Test
+    void inASmallWindowWhatCanHappenIsSeenAndTheNumbersHaveTheirNames() throws Exception {
+        onEventThread(() -> {
+            JComponent panel = openInASmallWindow();
+            context.commands().get("try-start").run();
+            Dimension area = new Dimension(1280, 800 - Look.px(90));
+            Dimension room =
+                    PanelSizes.of(DreammPanels.FIRST.fitting(area), area).get("try-out");
+            for (Dimension size : List.of(room, new Dimension(786, 197))) {
+                Layout.layOut(panel, size.width, size.height);
+                Layout.layOut(panel, size.width, size.height);
+
+                assertThat(faults(panel)).as("%s", size).isEmpty();
+                JTable steps = table(panel, "try-possible-steps");
+                assertThat(steps.getVisibleRect().height).as("%s", size).isGreaterThanOrEqualTo(steps.getRowHeight());
+                JTabbedPane tabs =
+                        Layout.find(panel, "try-tabs", JTabbedPane.class).orElseThrow();
+                tabs.setSelectedIndex(tabs.indexOfTab("Settings"));
+                Layout.layOut(panel, size.width, size.height);
+                assertThat(faults(panel)).as("%s", size).isEmpty();
+                for (String number : List.of("try-robots", "try-locations")) {
+                    assertThat(labelOf(panel, number).isVisible()
+                                    && labelOf(panel, number).getWidth() > 0)
+                            .isTrue();
+                    assertThat(isShown(panel, number)).isTrue();
+                }
+                tabs.setSelectedIndex(0);
+            }
+            Look.apply(Theme.LIGHT, 100);
+        });
+    }
+
+    private static JLabel labelOf(JComponent panel, String field) {
+        JComponent of = Layout.find(panel, field, JComponent.class).orElseThrow();
+        return (JLabel) of.getClientProperty("labeledBy");
     }
 
     @Test

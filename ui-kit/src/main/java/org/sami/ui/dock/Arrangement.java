@@ -5,24 +5,33 @@ import io.github.andrewauclair.moderndocking.app.WindowLayoutBuilder;
 import io.github.andrewauclair.moderndocking.layouts.ApplicationLayout;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
-/** How panels lie in a window, as the program wants it first: each beside, below or behind one that is placed already. Immutable. */
+/**
+ * How panels lie in a window, as the program wants it first: each beside, below or behind one that is placed already. Some are folded to the
+ * edge at first: they have a place, and take it when they are opened. Immutable.
+ */
 public final class Arrangement {
     private final String first;
     private final List<Step> steps;
+    private final Set<String> folded;
 
     /** A panel that is placed at another. */
     record Step(String panel, String at, DockingRegion region, double part) {}
 
-    private Arrangement(String first, List<Step> steps) {
+    private Arrangement(String first, List<Step> steps, Set<String> folded) {
         this.first = first;
         this.steps = steps;
+        this.folded = folded;
     }
 
     /** One panel fills the window. */
     public static Arrangement of(String panel) {
-        return new Arrangement(panel, List.of());
+        return new Arrangement(panel, List.of(), Set.of());
     }
 
     /** A panel to the right of another, of whose width it takes a part. */
@@ -45,6 +54,57 @@ public final class Arrangement {
         return with(new Step(panel, of, DockingRegion.CENTER, 0.5));
     }
 
+    /** The same with panels that are folded to the edge until somebody opens them. */
+    public Arrangement folding(String... panels) {
+        return new Arrangement(first, steps, Set.of(panels));
+    }
+
+    /** Whether some panels are folded at first. */
+    boolean folds() {
+        return !folded.isEmpty();
+    }
+
+    /** The same as far as some panels are concerned, none of which is folded. */
+    Arrangement with(Set<String> placed) {
+        return new Arrangement(first, steps, Set.of()).of(placed);
+    }
+
+    /**
+     * Where a panel takes its place beside those that have theirs: behind one of its stack, else where its stack lies. Empty where it is the
+     * first one, or none of those that it lies at has a place.
+     */
+    Optional<Step> home(String panel, Predicate<String> isPlaced) {
+        String head = head(panel);
+        Optional<String> stack = all().filter(each -> head(each).equals(head) && isPlaced.test(each))
+                .findFirst();
+        if (stack.isPresent()) {
+            return Optional.of(new Step(panel, stack.get(), DockingRegion.CENTER, 0.5));
+        }
+        return step(head).flatMap(step -> {
+            Optional<String> at = all().filter(each -> head(each).equals(head(step.at)) && isPlaced.test(each))
+                    .findFirst();
+            return at.isPresent()
+                    ? at.map(found -> new Step(panel, found, step.region, step.part))
+                    : home(step.at, isPlaced).map(there -> new Step(panel, there.at, there.region, there.part));
+        });
+    }
+
+    private Stream<String> all() {
+        return Stream.concat(Stream.of(first), steps.stream().map(Step::panel));
+    }
+
+    private Optional<Step> step(String panel) {
+        return steps.stream().filter(step -> step.panel.equals(panel)).findFirst();
+    }
+
+    /** The panel behind which another lies, at any depth: the one that has a place of its own. */
+    private String head(String panel) {
+        return step(panel)
+                .filter(step -> step.region == DockingRegion.CENTER)
+                .map(step -> head(step.at))
+                .orElse(panel);
+    }
+
     /** The panel that fills the window first. */
     String first() {
         return first;
@@ -58,7 +118,7 @@ public final class Arrangement {
     private Arrangement with(Step step) {
         List<Step> more = new ArrayList<>(steps);
         more.add(step);
-        return new Arrangement(first, more);
+        return new Arrangement(first, more, folded);
     }
 
     /**
@@ -80,7 +140,7 @@ public final class Arrangement {
                         .filter(each -> each.at.equals(step.panel))
                         .findFirst()
                         .map(heir -> inherited(step.panel, heir))
-                        .orElseGet(() -> new Arrangement(first, others(step)))
+                        .orElseGet(() -> new Arrangement(first, others(step), folded))
                         .of(present);
             }
         }
@@ -95,15 +155,19 @@ public final class Arrangement {
                         step.region,
                         step.part))
                 .toList();
-        return new Arrangement(first.equals(missing) ? heir.panel : first, next);
+        return new Arrangement(first.equals(missing) ? heir.panel : first, next, folded);
     }
 
     private List<Step> others(Step without) {
         return steps.stream().filter(step -> !step.equals(without)).toList();
     }
 
-    /** As Modern Docking has it; of panels in a stack the first stands in front. */
+    /** As Modern Docking has it, without those that are folded; of panels in a stack the first stands in front. */
     ApplicationLayout layout() {
+        if (folds()) {
+            return with(all().filter(panel -> !folded.contains(panel)).collect(Collectors.toSet()))
+                    .layout();
+        }
         WindowLayoutBuilder builder = new WindowLayoutBuilder(first);
         for (Step step : steps) {
             builder.dock(step.panel, step.at, step.region, step.part);

@@ -37,6 +37,16 @@ public record Arrangements(
         return new Arrangements(roomy.of(present), compact.of(present), tight.of(present), leastRoomy, leastCompact);
     }
 
+    /** Whether panels are folded at first in any of them: then those that are closed are folded as well. */
+    boolean fold() {
+        return all().stream().anyMatch(Arrangement::folds);
+    }
+
+    /** The panel that fills the window first, where there is much room. */
+    String largest() {
+        return roomy.first();
+    }
+
     List<Arrangement> all() {
         return List.of(roomy, compact, tight);
     }

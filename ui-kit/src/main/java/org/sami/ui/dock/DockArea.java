@@ -9,6 +9,7 @@ import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
 import io.github.andrewauclair.moderndocking.event.DockingListener;
 import io.github.andrewauclair.moderndocking.event.MaximizeListener;
 import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
+import io.github.andrewauclair.moderndocking.layouts.ApplicationLayout;
 import io.github.andrewauclair.moderndocking.settings.Settings;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -23,6 +24,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.LayoutFocusTraversalPolicy;
@@ -58,8 +62,12 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private final SplitProportions proportions;
     private final PointerRest pointer = new PointerRest();
     private final Timer saving = new Timer(SAVE_MS, event -> save());
-    private final DockingListener docked = event -> changed();
+    private final DockingListener docked = event -> {
+        changed();
+        EventThread.later(this::showFolded);
+    };
     private final MaximizeListener enlarged = (panel, large) -> changed();
+    private final boolean folds;
     private boolean arranged;
 
     /**
@@ -81,17 +89,20 @@ public final class DockArea extends JPanel implements AutoCloseable {
         root = new RootDockingPanel(frame);
         folded = new FoldedPanels(
                 this,
-                this::unfold,
+                this::unfoldAll,
                 () -> alone.ifPresent(DockArea::focus),
+                this::pressed,
                 panel -> keys.getOrDefault(panel.getPersistentID(), ""));
         add(root);
         proportions = SplitProportions.keep(root, this::changed);
         TabWidths.keep(root);
+        panels.forEach(panel -> this.panels.put(panel.getPersistentID(), panel));
+        this.offered = offered.of(this.panels.keySet());
+        folds = this.offered.fold();
         panels.forEach(panel -> {
-            this.panels.put(panel.getPersistentID(), panel);
+            panel.setFoldable(folds && !panel.getPersistentID().equals(this.offered.largest()));
             Docking.registerDockable(panel);
         });
-        this.offered = offered.of(this.panels.keySet());
         AppState.setPersistFile(remembered.toFile());
         AppState.setAutoPersist(false); // it would keep the places that dividers have while a side is empty
         saving.setRepeats(false);
@@ -119,16 +130,34 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Arrangement fit = fitting();
         fitted = Optional.of(fit);
         String now = DockShape.of(DockingState.getApplicationLayout());
-        boolean another = offered.all().stream()
-                .anyMatch(one -> DockShape.of(one.layout()).equals(now));
-        if (another && !DockShape.of(fit.layout()).equals(now)) {
-            Component focused =
-                    KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-            DockingState.restoreApplicationLayout(fit.layout());
-            if (focused != null) {
-                EventThread.later(() -> keepFocus(focused));
-            }
+        Set<String> placed = placed();
+        if (isOf(now, Arrangement::layout)) {
+            take(fit.layout(), now);
+        } else if (folds && isOf(now, one -> one.with(placed).layout())) {
+            take(fit.with(placed).layout(), now);
         }
+    }
+
+    private boolean isOf(String shape, Function<Arrangement, ApplicationLayout> layout) {
+        return offered.all().stream()
+                .map(layout)
+                .anyMatch(one -> DockShape.of(one).equals(shape));
+    }
+
+    private void take(ApplicationLayout layout, String now) {
+        if (DockShape.of(layout).equals(now)) {
+            return;
+        }
+        Component focused =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        DockingState.restoreApplicationLayout(layout);
+        if (focused != null) {
+            EventThread.later(() -> keepFocus(focused));
+        }
+    }
+
+    private Set<String> placed() {
+        return panels.keySet().stream().filter(Docking::isDocked).collect(Collectors.toSet());
     }
 
     /** The focus stays in the panels: what moves is taken out of the window meanwhile, and a key would reach what comes first in it. */
@@ -151,6 +180,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
             refuse("it is no arrangement of these panels: " + unfit.getMessage());
         }
         arranged = true;
+        showFolded();
         adapt();
         changed();
     }
@@ -206,6 +236,41 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     // ---- Folding
 
+    /** Where the program folds panels at first, those without a place stand in the strip at the edge. */
+    private void showFolded() {
+        if (folds && isBesideOneAnother()) {
+            folded.fold(panels.values().stream()
+                    .filter(panel -> !Docking.isDocked(panel))
+                    .toList());
+        }
+    }
+
+    private void pressed(DockPanel panel) {
+        if (alone.isPresent()) {
+            folded.toggle(panel);
+        } else {
+            show(panel.getPersistentID());
+        }
+    }
+
+    /** Gives a folded panel its place beside the others. */
+    private void place(DockPanel panel) {
+        fitting()
+                .home(panel.getPersistentID(), Docking::isDocked)
+                .ifPresentOrElse(
+                        step -> Docking.dock(step.panel(), step.at(), step.region(), step.part()),
+                        () -> Docking.display(panel));
+        showFolded();
+    }
+
+    private void unfoldAll() {
+        if (alone.isPresent()) {
+            unfold();
+        } else {
+            panels.values().stream().filter(panel -> !Docking.isDocked(panel)).forEach(this::place);
+        }
+    }
+
     /** Gives a panel all the room and folds the others to the edge, or puts them back; a panel that is open over the edge is folded first. */
     public void toggleFolded(String panel) {
         if (alone.isPresent()) {
@@ -230,6 +295,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
             folded.unfold();
             alone = Optional.empty();
             Docking.minimize(panel);
+            showFolded();
             adapt();
             changed();
             revalidate();
@@ -258,7 +324,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     @Override
     public void doLayout() {
         Rectangle all = new Rectangle(getSize());
-        root.setBounds(alone.isPresent() ? folded.layOut(all) : all);
+        root.setBounds(folded.isShown() ? folded.layOut(all) : all);
     }
 
     @Override
@@ -281,15 +347,19 @@ public final class DockArea extends JPanel implements AutoCloseable {
         unfold();
         fitted = Optional.of(fitting());
         DockingState.restoreApplicationLayout(fitting().layout());
+        showFolded();
     }
 
     /** Brings a panel to the front, back into the window if it was closed, and the keyboard's focus to the first thing in it. */
     public void show(String panel) {
         DockPanel shown = panels.get(panel);
-        if (folded.has(shown)) {
+        if (alone.isPresent() && folded.has(shown)) {
             folded.show(shown);
             focus(shown);
             return;
+        }
+        if (folds && alone.isEmpty() && !Docking.isDocked(shown)) {
+            place(shown);
         }
         if (alone.isPresent()) {
             folded.close();

@@ -24,11 +24,13 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
     private final HeaderController controller;
     private final HeaderModel model;
     private final JLabel title;
+    private final boolean foldable;
 
     DockHeader(DockPanel panel, HeaderController controller, HeaderModel model) {
         super(new BorderLayout());
         this.controller = controller;
         this.model = model;
+        this.foldable = panel.isFoldable();
         controller.setUI(this);
         title = new JLabel(panel.title(), panel.getIcon(), JLabel.LEADING);
         JButton more = new JButton(Icons.small("more")) {
@@ -39,13 +41,27 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
             }
         };
         more.setName(panel.getPersistentID() + "-menu");
-        more.setToolTipText("Set " + panel.title() + " free, enlarge or close it");
+        more.setToolTipText("Set " + panel.title() + " free, enlarge or " + (foldable ? "fold" : "close") + " it");
         more.getAccessibleContext().setAccessibleName("Menu of " + panel.title());
         more.putClientProperty("JButton.buttonType", "toolBarButton");
         more.addActionListener(e -> displaySettingsMenu(more));
         add(title);
-        add(more, BorderLayout.EAST);
+        add(panel.isFoldable() ? buttons(panel, more) : more, BorderLayout.EAST);
         colour();
+    }
+
+    private JPanel buttons(DockPanel panel, JButton more) {
+        JButton fold = new JButton(Icons.small("right"));
+        fold.setName(panel.getPersistentID() + "-fold");
+        fold.setToolTipText("Fold " + panel.title() + " to the edge");
+        fold.getAccessibleContext().setAccessibleName("Fold " + panel.title() + " to the edge");
+        fold.putClientProperty("JButton.buttonType", "toolBarButton");
+        fold.addActionListener(e -> controller.close());
+        JPanel both = new JPanel(new BorderLayout());
+        both.setOpaque(false);
+        both.add(fold, BorderLayout.WEST);
+        both.add(more);
+        return both;
     }
 
     private void colour() {
@@ -77,7 +93,7 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
                 model.isMaximized()
                         ? item("Back to its size", true, controller::minimize)
                         : item("Enlarge", model.isMaximizeAllowed(), controller::maximize));
-        menu.add(item("Close", model.isCloseAllowed(), controller::close));
+        menu.add(item(foldable ? "Fold to the edge" : "Close", model.isCloseAllowed(), controller::close));
         menu.show(below, 0, below.getHeight());
     }
 

@@ -24,6 +24,7 @@ public final class DockPanel extends JPanel implements Dockable {
     private boolean waiting;
     private boolean empty;
     private boolean usesRoom;
+    private boolean foldable;
 
     /**
      * A panel.
@@ -106,6 +107,15 @@ public final class DockPanel extends JPanel implements Dockable {
     /** Says that nothing is in it now: a side of the window whose panels are all empty leaves its room to others above and below it. */
     public void setEmpty(boolean empty) {
         this.empty = empty;
+    }
+
+    /** Says whether it is folded to the edge where it is closed. */
+    void setFoldable(boolean foldable) {
+        this.foldable = foldable;
+    }
+
+    boolean isFoldable() {
+        return foldable;
     }
 
     boolean isEmpty() {

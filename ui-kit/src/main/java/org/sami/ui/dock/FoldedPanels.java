@@ -2,11 +2,13 @@ package org.sami.ui.dock;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -16,6 +18,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
+import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
@@ -24,17 +27,23 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /**
- * Panels folded to the right edge while one of them has all the room: a strip with a button for each, and the one that is open lies over the edge
+ * Panels folded to the right edge: a strip with a button for each. While one panel has all the room, the one that is open lies over the edge
  * of the large one, which keeps its size. On the event thread.
  */
 final class FoldedPanels {
     private static final int WIDTH = 400;
+    private static final int UNFOLD = 48;
+    private static final int WITH_LABEL = 52;
+    private static final String ICON = "w 36!, h 36!";
+    private static final String LABELLED = "wmin 64, growx, h 48!";
     private static final double MOST = 0.6; // of the area's width
 
     private final JComponent area;
     private final Function<DockPanel, String> keyOf;
     private final Runnable focusLarge;
-    private final JPanel strip = new JPanel(new MigLayout("novisualpadding, insets 4, gap 4, wrap 1", "[]", "[]"));
+    private final Consumer<DockPanel> pressed;
+    private final MigLayout strips = new MigLayout("novisualpadding, insets 4, gap 4, wrap 1", "[center]", "[]");
+    private final JPanel strip = new JPanel(strips);
     private final JPanel open = new JPanel(new BorderLayout());
     private final JLabel title = new JLabel();
     private final List<JToggleButton> buttons = new ArrayList<>();
@@ -47,11 +56,18 @@ final class FoldedPanels {
      * @param area which lays them out
      * @param unfold puts all panels back
      * @param focusLarge gives the focus back to the large panel
+     * @param pressed is told whose button was pressed
      * @param keyOf the key that shows a panel, in words; empty text where it has none
      */
-    FoldedPanels(JComponent area, Runnable unfold, Runnable focusLarge, Function<DockPanel, String> keyOf) {
+    FoldedPanels(
+            JComponent area,
+            Runnable unfold,
+            Runnable focusLarge,
+            Consumer<DockPanel> pressed,
+            Function<DockPanel, String> keyOf) {
         this.area = area;
         this.focusLarge = focusLarge;
+        this.pressed = pressed;
         this.keyOf = keyOf;
         strip.setName("folded-panels");
         open.setName("folded-open");
@@ -88,8 +104,15 @@ final class FoldedPanels {
         return button;
     }
 
-    /** Folds panels. */
+    /** Folds panels, and no others. */
     void fold(List<DockPanel> folded) {
+        if (folded.equals(panels)) {
+            return;
+        }
+        unfold();
+        if (folded.isEmpty()) {
+            return;
+        }
         for (DockPanel panel : folded) {
             JToggleButton button = new JToggleButton(panel.getIcon());
             button.setName("folded-" + panel.getPersistentID());
@@ -97,20 +120,34 @@ final class FoldedPanels {
             button.setToolTipText(panel.title() + (key.isEmpty() ? "" : " (" + key + ")"));
             button.getAccessibleContext().setAccessibleName(panel.title());
             button.putClientProperty("JButton.buttonType", "toolBarButton");
-            button.addActionListener(e -> {
-                if (shown.equals(Optional.of(panel))) {
-                    leave();
-                } else {
-                    show(panel);
-                }
-            });
-            strip.add(button, "w 36!, h 36!");
+            button.addActionListener(e -> pressed.accept(panel));
+            button.setVerticalTextPosition(SwingConstants.BOTTOM);
+            button.setHorizontalTextPosition(SwingConstants.CENTER);
+            button.setFont(Fonts.small());
+            button.setMargin(new Insets(2, 2, 2, 2));
+            strip.add(button, ICON);
             buttons.add(button);
             panels.add(panel);
         }
         area.add(open, 0);
         area.add(strip, 0);
         open.setVisible(false);
+        area.revalidate();
+        area.repaint();
+    }
+
+    /** Opens a panel over the edge, or folds it again where it is open. */
+    void toggle(DockPanel panel) {
+        if (shown.equals(Optional.of(panel))) {
+            leave();
+        } else {
+            show(panel);
+        }
+    }
+
+    /** Whether any panel is folded. */
+    boolean isShown() {
+        return !panels.isEmpty();
     }
 
     /** Puts all back into their panels. */
@@ -121,6 +158,8 @@ final class FoldedPanels {
         panels.clear();
         area.remove(open);
         area.remove(strip);
+        area.revalidate();
+        area.repaint();
     }
 
     /** Whether it is one of those that are folded. */
@@ -162,6 +201,14 @@ final class FoldedPanels {
         return shown;
     }
 
+    /** Where there is room the buttons have the names of their panels below their icons. */
+    private void label(boolean labelled) {
+        for (int i = 0; i < buttons.size(); i++) {
+            buttons.get(i).setText(labelled ? panels.get(i).title() : "");
+            strips.setComponentConstraints(buttons.get(i), labelled ? LABELLED : ICON);
+        }
+    }
+
     private void select() {
         for (int i = 0; i < buttons.size(); i++) {
             buttons.get(i).setSelected(shown.equals(Optional.of(panels.get(i))));
@@ -170,6 +217,7 @@ final class FoldedPanels {
 
     /** Lays strip and open panel over an area; returns what is left of it for the large panel. */
     Rectangle layOut(Rectangle all) {
+        label(all.height >= Look.px(UNFOLD + buttons.size() * WITH_LABEL));
         Dimension size = strip.getPreferredSize();
         int left = all.x + all.width - size.width;
         strip.setBounds(left, all.y, size.width, all.height);

@@ -13,6 +13,9 @@ public final class PanelSizes {
     private static final int DIVIDER = 8;
     private static final int HEADER = 26;
     private static final int TABS = 34;
+    private static final int STRIP = 44;
+    private static final int LABELLED_STRIP = 88;
+    private static final int LEAST_LABELLED = 420;
 
     /** Panels in one place. */
     private record Stack(List<String> panels, Dimension size) {}
@@ -24,7 +27,9 @@ public final class PanelSizes {
     /** The sizes by the ids of the panels, below their headers, at the scale in force. */
     public static Map<String, Dimension> of(Arrangement arrangement, Dimension area) {
         PanelSizes all = new PanelSizes();
-        all.stacks.put(arrangement.first(), new Stack(new ArrayList<>(List.of(arrangement.first())), area));
+        int strip = area.height < Look.px(LEAST_LABELLED) ? STRIP : LABELLED_STRIP;
+        Dimension room = arrangement.folds() ? new Dimension(area.width - Look.px(strip), area.height) : area;
+        all.stacks.put(arrangement.first(), new Stack(new ArrayList<>(List.of(arrangement.first())), room));
         arrangement.steps().forEach(all::place);
         Map<String, Dimension> sizes = new LinkedHashMap<>();
         all.stacks.forEach((panel, stack) -> {
