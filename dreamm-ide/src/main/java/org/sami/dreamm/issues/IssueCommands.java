@@ -21,7 +21,7 @@ public final class IssueCommands {
     static final KeyStroke SHOW = KeyStroke.getKeyStroke("ENTER");
 
     private static final List<String> DEEP_KEYS =
-            List.of("ctrl F8", "ctrl shift F8", "alt F8", "alt shift F8", "ctrl alt F8", "ctrl alt shift F8");
+            List.of("ctrl F8", "ctrl shift F8", "alt F8", "alt shift F8", "ctrl alt F8", "ctrl alt shift F8", "alt F2");
 
     private final DreammContext context;
     private final IssueList issues;

@@ -96,6 +96,9 @@ public interface EngineView {
     /** When the next timer or deadline is due, in milliseconds on the session's clock. */
     OptionalLong nextDueMillis();
 
+    /** When timers and deadlines are due, in milliseconds on the session's clock: each such time once, in order. */
+    List<Long> dueMillis();
+
     /** Why a transition of a running mission cannot fire now, in words. */
     EnablingExplanation whyNotEnabled(long mission, String transition);
 }

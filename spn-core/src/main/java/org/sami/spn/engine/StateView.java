@@ -17,6 +17,7 @@ import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.RunningTimer;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
@@ -296,6 +297,11 @@ final class StateView implements EngineView {
         return state.timers.isEmpty()
                 ? OptionalLong.empty()
                 : OptionalLong.of(state.timers.first().due());
+    }
+
+    @Override
+    public List<Long> dueMillis() {
+        return state.timers.stream().map(RunningTimer::due).distinct().toList();
     }
 
     @Override

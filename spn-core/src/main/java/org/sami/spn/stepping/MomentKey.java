@@ -4,6 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
+import java.util.Set;
+import org.sami.spn.engine.AlikeKey;
 import org.sami.spn.engine.StateKey;
 
 /**
@@ -25,6 +27,14 @@ public final class MomentKey {
         sha.update(state);
         sha.update(moment.tasks.words().getBytes(StandardCharsets.UTF_8));
         return new MomentKey(sha.digest(), state.length);
+    }
+
+    /** The key of a moment but for which robot and made task is which, points, and how long timers run ({@link AlikeKey}). */
+    static MomentKey alike(Moment moment, Set<String> robots) {
+        AlikeKey key = AlikeKey.of(moment.state, robots);
+        moment.tasks.addTo(key);
+        byte[] state = key.bytes();
+        return new MomentKey(sha256().digest(state), state.length);
     }
 
     private static MessageDigest sha256() {

@@ -24,7 +24,9 @@ public record NextStep(Kind kind, TestStep step) {
         /** Something happens that nobody asked for. */
         NEWS,
         /** The operator gives a list without any item where one is asked for. */
-        EMPTY
+        EMPTY,
+        /** The operator drops a robot from the mission. */
+        DROP
     }
 
     public NextStep {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.sami.spn.engine.AlikeKey;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.vocabulary.EventFlag;
@@ -90,6 +91,15 @@ final class RobotTasks {
             }
         });
         return next;
+    }
+
+    /** Adds the queues to a key. */
+    void addTo(AlikeKey key) {
+        queues.forEach((robot, tasks) -> {
+            for (int i = 0; i < tasks.size(); i++) {
+                key.left(robot, i, tasks.get(i), started.contains(tasks.get(i)));
+            }
+        });
     }
 
     /** What the queues are, to compare two moments by. */

@@ -380,6 +380,16 @@ public final class Stepper {
         return now.key();
     }
 
+    /**
+     * Names the present moment likewise, but for what makes no difference to where it leads: which of the robots and made tasks is which, where
+     * points lie, and how long timers run.
+     *
+     * @param robots names of robots that are like one another
+     */
+    public MomentKey keyAlike(Set<String> robots) {
+        return MomentKey.alike(now, robots);
+    }
+
     /** The keys of all moments before the present one, from the start on. */
     Set<MomentKey> keysBefore() {
         Set<MomentKey> keys = new LinkedHashSet<>();

@@ -7,7 +7,12 @@ import java.util.stream.Collectors;
 /** Runs the plan once and asks of its states all that deep checks ask. */
 final class EveryQuestion implements SpaceQuestion {
     private static final List<SpaceQuestion> PARTS = List.of(
-            new StuckStates(), new LeftAtTheEnd(), new WaitsForNobody(), new TokensPileUp(), new NeverReached());
+            new StuckStates(),
+            new LeftAtTheEnd(),
+            new WaitsForNobody(),
+            new TokensPileUp(),
+            new NeverReached(),
+            new StuckAfterDrop());
 
     static List<DeepCheck> withItsParts() {
         List<DeepCheck> all = new ArrayList<>(List.of(new EveryQuestion()));
@@ -28,6 +33,11 @@ final class EveryQuestion implements SpaceQuestion {
     @Override
     public String help() {
         return "Runs the plan once and looks for all that the other searches look for.";
+    }
+
+    @Override
+    public boolean dropsRobots() {
+        return true;
     }
 
     @Override

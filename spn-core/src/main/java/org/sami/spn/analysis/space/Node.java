@@ -12,12 +12,17 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.stepping.MomentKey;
 import org.sami.spn.stepping.NextStep;
 import org.sami.spn.stepping.Stepper;
 
 /** A state that was reached. */
 final class Node {
     private final List<Edge> before = new ArrayList<>(2);
+    private final MomentKey key;
+    private final Optional<String> dropped;
+    private final List<String> withRobots;
     private final List<String> marked;
     private final Map<String, Integer> counts;
     private final Optional<Outcome> outcome;
@@ -40,6 +45,10 @@ final class Node {
         this.first = first;
         first.ifPresent(before::add);
         steps = first.map(edge -> edge.from().steps + 1).orElse(0);
+        key = stepper.key();
+        dropped = first.flatMap(edge ->
+                edge.step().step() instanceof TestStep.Drop drop ? Optional.of(drop.proxy()) : edge.from().dropped);
+        withRobots = dropped.isEmpty() ? List.of() : withRobots(stepper);
         outcome = stepper.outcome();
         Optional<MissionView> mission = stepper.view().mission(stepper.mission());
         marked = mission.map(view -> List.copyOf(view.marking().keySet())).orElse(List.of());
@@ -60,6 +69,35 @@ final class Node {
                 .forEach(asked -> counts.merge(
                         shared.apply(asked.place() + " in " + asked.plan() + ": nobody"), 1, Integer::sum));
         return Map.copyOf(counts);
+    }
+
+    private static List<String> withRobots(Stepper stepper) {
+        return stepper.view().mission(stepper.mission()).stream()
+                .flatMap(mission -> mission.marking().entrySet().stream())
+                .filter(place -> place.getValue().stream().anyMatch(Token.Proxy.class::isInstance))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** The robot that was dropped on the way here. */
+    Optional<String> dropped() {
+        return dropped;
+    }
+
+    /** Ids of the places in which robots stand; only where one was dropped. */
+    List<String> withRobots() {
+        return withRobots;
+    }
+
+    /** A stepper that stands here and came by the witness. */
+    Stepper replayed(Stepper start) {
+        Stepper at = start.fork();
+        way().forEach(at::take);
+        return at;
+    }
+
+    MomentKey key() {
+        return key;
     }
 
     /** Whether all that is tried here was tried. */
@@ -99,10 +137,13 @@ final class Node {
         return before;
     }
 
-    /** Notes another step that leads here; a shorter way is that of the witness. */
-    void reached(Edge edge) {
+    /**
+     * Notes another step that leads here. A shorter way is that of the witness, where it leads to this very state: to one that is only like it
+     * others would go on.
+     */
+    void reached(Edge edge, Stepper there) {
         before.add(edge);
-        if (edge.from().steps + 1 < steps) {
+        if (edge.from().steps + 1 < steps && there.key().equals(key)) {
             first = Optional.of(edge);
             steps = edge.from().steps + 1;
         }

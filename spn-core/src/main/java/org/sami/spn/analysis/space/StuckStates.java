@@ -12,6 +12,7 @@ import java.util.Set;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.stepping.NextStep;
 
 /**
  * Finds states from which no run comes to an end: whatever robots, services and operator do, the mission goes on for ever or stands still.
@@ -53,13 +54,14 @@ final class StuckStates implements SpaceQuestion {
     public List<DeepFinding> findings(Exploration found, DeepRequest request) {
         Plan plan = request.project().plan(request.plan()).orElseThrow();
         return stuck(found, request).stream()
+                .filter(node -> node.dropped().isEmpty())
                 .limit(MOST)
                 .map(node -> finding(request, plan, node))
                 .toList();
     }
 
     /** The first state of each set of marked places from which no run comes to an end. */
-    private static List<Node> stuck(Exploration found, DeepRequest request) {
+    static List<Node> stuck(Exploration found, DeepRequest request) {
         if (!hasEnd(request) || SearchWords.isShared(request)) {
             return List.of();
         }
@@ -67,10 +69,21 @@ final class StuckStates implements SpaceQuestion {
         Set<Node> usual = found.usual();
         Map<Set<String>, Node> stuck = new LinkedHashMap<>();
         found.nodes().stream()
-                .filter(node -> usual.contains(node) && !hopeful.contains(node))
-                .sorted(Comparator.comparingInt(Node::steps))
+                .filter(node -> usual.contains(node) && !hopeful.contains(node) && robotsWork(node, request))
+                .sorted(Comparator.comparing((Node node) -> node.dropped().isPresent())
+                        .thenComparing(Node::steps))
                 .forEach(node -> stuck.putIfAbsent(Set.copyOf(node.marked()), node));
         return List.copyOf(stuck.values());
+    }
+
+    /** Whether a state has robots at work still after one was dropped: where the last one was, the mission waits for its operator. */
+    private static boolean robotsWork(Node node, DeepRequest request) {
+        Plan plan = request.project().plan(request.plan()).orElseThrow();
+        PlanRoles roles = new PlanRoles(plan, request.vocabulary());
+        return node.dropped().isEmpty()
+                || node.withRobots().stream()
+                        .flatMap(id -> plan.place(id).stream())
+                        .anyMatch(place -> !place.start() && !roles.isChoice(place));
     }
 
     /** States from which an end was reached, or from which something leads to what was not looked at. */
@@ -85,17 +98,24 @@ final class StuckStates implements SpaceQuestion {
         while (!open.isEmpty()) {
             Node node = open.pop();
             if (hopeful.add(node)) {
-                node.before().forEach(edge -> open.add(edge.from()));
+                node.before().stream()
+                        .filter(edge ->
+                                edge.step().kind() != NextStep.Kind.DROP) // an end by dropping robots is no way out
+                        .forEach(edge -> open.add(edge.from()));
             }
         }
         return hopeful;
     }
 
+    static String where(DeepRequest request, Node node) {
+        return node.marked().isEmpty()
+                ? "no token is left anywhere"
+                : "tokens stand in " + SearchWords.places(request, node.marked());
+    }
+
     private static DeepFinding finding(DeepRequest request, Plan plan, Node node) {
         List<String> marked = node.marked();
-        String where = marked.isEmpty()
-                ? "no token is left anywhere"
-                : "tokens stand in " + SearchWords.places(request, marked);
+        String where = where(request, node);
         String how = node.isHalted() ? "fires without end and is halted" : "can end no more";
         String message = "The plan \"" + plan.title() + "\" " + how + " where " + where
                 + SearchWords.when(request, node.steps()) + "; play it to see what is missing";
@@ -110,7 +130,9 @@ final class StuckStates implements SpaceQuestion {
         if (SearchWords.isShared(request)) {
             return "as a shared sub-mission it goes on with whoever enters";
         }
-        int stuck = stuck(found, request).size();
+        long stuck = stuck(found, request).stream()
+                .filter(node -> node.dropped().isEmpty())
+                .count();
         return stuck == 0
                 ? "from each of them the mission can still end"
                 : "in " + stuck + (stuck == 1 ? " marking" : " markings") + " it can end no more";

@@ -8,6 +8,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.Severity;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TestCase;
@@ -15,6 +16,8 @@ import org.sami.spn.model.TestStep;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
+import org.sami.spn.value.DurationValue;
+import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
 
@@ -226,6 +229,121 @@ class DeepCheckTest {
 
         assertThat(result.findings()).isEmpty();
         assertThat(result.summary()).contains("not looked at: the operator is asked for @x");
+    }
+
+    // ---- States that are like one another
+
+    /** Robots go on one after the other, each by news of it; the mission ends when both are there. */
+    private static NetBuilder oneByOne() {
+        return new NetBuilder("one-by-one")
+                .start("s")
+                .end("end")
+                .transition("heard", "Pose")
+                .in("s", "heard", "relevant all")
+                .out("heard", "there", "take all relevant")
+                .transition("both")
+                .in("there", "both", "proxy >= 2")
+                .out("both", "end", "take all any");
+    }
+
+    private static int states(Plan plan) {
+        DeepResult result = new StuckStates().run(request(plan, 1_000), SearchWatch.NONE);
+        assertThat(result.complete()).isTrue();
+        assertThat(result.findings()).isEmpty();
+        return result.states();
+    }
+
+    @Test
+    void robotsThatNobodyTellsApartAreExchanged() {
+        assertThat(states(oneByOne().build()))
+                .as("both at the start, one of them there, the end")
+                .isEqualTo(3);
+    }
+
+    @Test
+    void robotsOfWhichAPlanSpeaksAreNotExchanged() {
+        NetBuilder naming = oneByOne().variable("@who", ValueType.Simple.PROXY, new ProxyValue("A"));
+
+        assertThat(states(naming.build()))
+                .as("A there and B there are two states")
+                .isEqualTo(4);
+    }
+
+    @Test
+    void timerThatIsStartedAnewForEverHidesNoneThatRunsLonger() {
+        Plan plan = new NetBuilder("timers")
+                .start("s")
+                .end("end")
+                .transition("fork")
+                .in("s", "fork", "generic >= 1")
+                .out("fork", "short", "take 1 generic")
+                .out("fork", "long", "add 1 generic")
+                .output(
+                        "short",
+                        "StartTimer",
+                        Map.of("duration", new FieldSource.Fixed(new DurationValue(7_000))),
+                        Map.of())
+                .output(
+                        "long",
+                        "StartTimer",
+                        Map.of("duration", new FieldSource.Fixed(new DurationValue(60_000))),
+                        Map.of())
+                .transition("again", "TimerExpired")
+                .in("short", "again", "generic >= 1")
+                .out("again", "short", "take 1 generic")
+                .transition("over", "TimerExpired")
+                .in("long", "over", "generic >= 1")
+                .out("over", "end", "take all any")
+                .build();
+
+        assertThat(states(plan)).isLessThan(5);
+    }
+
+    // ---- Dropped robots
+
+    @Test
+    void missionThatWaitsForADroppedRobotIsNotedWithARunThatShowsIt() {
+        Plan plan = oneByOne().build();
+
+        DeepResult result = new StuckAfterDrop().run(request(plan, 100), SearchWatch.NONE);
+
+        assertThat(result.findings()).singleElement().satisfies(found -> {
+            assertThat(found.finding().code()).isEqualTo("N-STUCK-AFTER-DROP");
+            assertThat(found.finding().severity()).isEqualTo(Severity.NOTE);
+            assertThat(found.finding().elements()).containsExactly("s", "there");
+            TestCase witness = found.witness().orElseThrow();
+            assertThat(witness.steps())
+                    .filteredOn(TestStep.Drop.class::isInstance)
+                    .hasSize(1);
+            Stepper played =
+                    Stepper.startAs(new Engine(TestVocabulary.TEST, NetBuilder.project(plan)), plan.id(), witness);
+            witness.steps()
+                    .forEach(step -> assertThat(played.take(step).refusal()).isEmpty());
+            assertThat(played.outcome()).isEmpty();
+        });
+        assertThat(result.summary()).contains("a robot dropped at each of them leads to", "wait for it for ever");
+        assertThat(new StuckStates().run(request(plan, 100), SearchWatch.NONE).findings())
+                .isEmpty();
+    }
+
+    @Test
+    void missionThatGoesOnWithWhoIsLeftIsNotNoted() {
+        Plan plan = new NetBuilder("goes-on")
+                .start("s")
+                .end("end")
+                .transition("heard", "Pose")
+                .in("s", "heard", "relevant all")
+                .out("heard", "there", "take all relevant")
+                .transition("all")
+                .in("there", "all", "proxy >= 1")
+                .in("s", "all", "proxy = 0")
+                .out("all", "end", "take all any")
+                .build();
+
+        DeepResult result = DeepCheck.ALL.get(0).run(request(plan, 100), SearchWatch.NONE);
+
+        assertThat(result.findings()).isEmpty();
+        assertThat(result.summary()).contains("a robot dropped at each of them leads to");
     }
 
     @Test
