@@ -456,6 +456,65 @@ class PatternsTest {
         assertThat(team.fired(transitionNamed("Battery changed"))).isEqualTo(1);
     }
 
+    /** Chosen boats go to a point and end there: all together, as the transition waits for all. */
+    private void goTogether() {
+        first("OperatorSelectBoatList");
+        behind("OperatorSelectsBoatList", "AssembleLocationRequest");
+        set("AssembleLocationRequest", "location", new GeoPoint(43.6, -79.4, 0));
+        set("AssembleLocationRequest", "spacing", new RealValue(5));
+        done(AddEvent.usual(
+                        "p",
+                        "ProxyGotoPoint",
+                        new EventTarget.OnVertex(placeBehind("AssembleLocationResponse")),
+                        Mode.NOMINAL,
+                        LIBRARY)
+                .withSequence(Gathering.WAIT_FOR_ALL.id()));
+        done(new VertexEdit.SetEnd("p", placeBehind("ProxyPathCompleted"), true, false));
+    }
+
+    /** A team of three, of whom b2's battery is low once; it arrives only after that. */
+    private PlayedTeam teamWithALowBattery(long seed) {
+        Set<String> low = new java.util.HashSet<>();
+        return team(3, seed)
+                .decides("OperatorSelectBoatList", d -> new Answer.Proxies(List.of("b1", "b2", "b3")))
+                .once("AssembleLocationRequest", "AssembleLocationResponse", PatternsTest::points)
+                .some(
+                        "BatteryLevelSubscription",
+                        "BatteryLow",
+                        a -> a.proxies().contains("b2") && low.add("b2") ? List.of("b2") : List.of())
+                .some(
+                        "ProxyGotoPoint",
+                        "ProxyPathCompleted",
+                        a -> a.proxies().stream()
+                                .filter(p -> !p.equals("b2") || a.proxies().size() == 1)
+                                .toList());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void whoWaitsForAllWaitsForABoatWhoseBatteryIsChanged(long seed) {
+        goTogether();
+        draw("battery-watch-around-this", place("ProxyGotoPoint"));
+
+        PlayedTeam team = teamWithALowBattery(seed);
+
+        assertThat(team.run("p")).contains(Outcome.ENDED);
+        assertThat(team.firedOf(transitionNamed("Battery changed"), transition("ProxyPathCompleted")))
+                .as("b2 comes back before the others go on")
+                .containsExactly(transitionNamed("Battery changed"), transition("ProxyPathCompleted"));
+    }
+
+    @Test
+    void whoeverTakesAllAlongTakesABoatWhoseBatteryIsChanged() {
+        history = history(BOATS.projectOf("station-keep").orElseThrow());
+        draw("battery-watch-around-this", "hold");
+        String away = named("Change the battery");
+
+        assertThat(plan().inEdges().stream().filter(e -> e.place().equals(away)).map(e -> e.transition()))
+                .contains("finish", "stop")
+                .doesNotContain("time-to-look");
+    }
+
     @Test
     void watchSaysWhereItCannotStand() {
         history = history(BOATS.projectOf("explore-area").orElseThrow());

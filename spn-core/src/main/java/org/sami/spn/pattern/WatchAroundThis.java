@@ -7,17 +7,20 @@ import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FreshIds;
 import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.WaitFor;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.Sequence;
 
 /**
  * A watch that a domain draws around a place, such as one for low batteries: robots leave the place when something happens, and come back.
- * Whoever waits until nobody is left in the place waits for those as well who are away (thesis 7.0.3).
+ * Whoever waits until nobody is left in the place, or until all there have answered, waits for those as well who are away (thesis 7.0.3);
+ * whoever takes along all who are there takes them along.
  */
 final class WatchAroundThis implements Pattern {
     private final Sequence.Manual sequence;
@@ -75,28 +78,50 @@ final class WatchAroundThis implements Pattern {
                 (plan, context) -> alsoAway(plan, watch.change(plan, context), place.id()));
     }
 
-    /** Adds to each transition that waits until no robot is left in the place that none is away either. */
+    /** Lets each transition that looks at the watched place look at those where robots are away as well, where that makes a difference to them. */
     private Plan alsoAway(Plan before, Plan watched, String place) {
         List<InEdge> edges = new ArrayList<>(watched.inEdges());
         FreshIds ids = new FreshIds(watched);
         for (InEdge edge : before.inEdges()) {
-            boolean inhibits = edge.place().equals(place)
-                    && edge.requirements().stream()
-                            .anyMatch(r -> r.match() == Match.ZERO && r.kind() == TokenKind.ANY_PROXY);
-            for (Place away : watched.places()) {
-                if (inhibits && before.place(away.id()).isEmpty()) {
+            List<InRequirement> away = edge.place().equals(place) ? away(before, edge) : List.of();
+            for (Place resting : watched.places()) {
+                if (!away.isEmpty() && before.place(resting.id()).isEmpty()) {
                     edges.add(new InEdge(
-                            ids.take(away.id() + "-" + edge.transition()),
-                            away.id(),
+                            ids.take(resting.id() + "-" + edge.transition()),
+                            resting.id(),
                             edge.transition(),
                             edge.mode(),
-                            edge.requirements().stream()
-                                    .filter(r -> r.match() == Match.ZERO && r.kind() == TokenKind.ANY_PROXY)
-                                    .toList(),
+                            away,
                             true));
                 }
             }
         }
         return watched.withInEdges(edges);
+    }
+
+    /**
+     * What a transition that looks at the watched place asks of those who are away: that none is, where it waits until nobody is left or until
+     * all have answered; to come along, where it takes whoever is there. Nothing where it takes one after the other.
+     */
+    private static List<InRequirement> away(Plan plan, InEdge edge) {
+        List<InRequirement> absent = edge.requirements().stream()
+                .filter(r -> ComingTokens.isAbsence(r)
+                        && (r.kind() == TokenKind.ANY_PROXY || r.kind() == TokenKind.ANY_TOKEN))
+                .toList();
+        if (!absent.isEmpty()) {
+            return absent;
+        }
+        boolean waitsForAll = plan.transition(edge.transition())
+                .filter(t -> t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty())
+                .isPresent();
+        if (waitsForAll) {
+            return List.of(InRequirement.of(TokenKind.ANY_PROXY, Match.ZERO, 0));
+        }
+        boolean takesWhoeverIsThere = edge.requirements().stream().allMatch(r -> r.kind() == TokenKind.UNCONDITIONAL)
+                && plan.outEdgesOf(edge.transition()).stream()
+                        .flatMap(e -> e.requirements().stream())
+                        .anyMatch(r ->
+                                r.takesAll() && (r.kind() == TokenKind.ANY_PROXY || r.kind() == TokenKind.ANY_TOKEN));
+        return takesWhoeverIsThere ? edge.requirements() : List.of();
     }
 }
