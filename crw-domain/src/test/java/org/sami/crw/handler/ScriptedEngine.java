@@ -203,6 +203,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
+    public List<Long> dueMillis() {
+        return List.of();
+    }
+
+    @Override
     public EnablingExplanation whyNotEnabled(long mission, String transition) {
         return new EnablingExplanation(true, List.of());
     }
