@@ -7,12 +7,12 @@ import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * A boat that would go, as it is now. Immutable.
+ * A boat that an answer would send, in its present state. Immutable.
  *
- * @param from where it is, if that is known
- * @param batteryPercent its charge in percent of full, if that is known
- * @param home where it returns to, if that is known
- * @param error how far it may be beside its ways
+ * @param from its position, if known
+ * @param batteryPercent its charge in percent of full, if known
+ * @param home where it returns to, if known
+ * @param error how far it may be off its path
  * @param cruiseMps its speed on paths that name none, in m/s
  */
 public record JudgedBoat(

@@ -9,14 +9,14 @@ import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoArea;
 
 /**
- * What a question's answers are judged by, as the engine's state has it now. Immutable.
+ * The criteria for the answers to a question, from the engine's present state. Immutable.
  *
- * @param requests output events whose fields the answer gives
- * @param next output events that chosen boats come to next
- * @param limits what the mission's plan and the project avoid, and the area in which its boats stay
+ * @param requests output events whose fields the answer fills
+ * @param next output events at which chosen boats arrive next
+ * @param limits no-go areas of the mission's plan and the project, and the area in which its boats stay
  * @param area the project's fence and no-go areas
- * @param swaps whether the plans provide for batteries that are swapped on the way
- * @param boats that would go, unless the answer chooses some: those of the mission, or all
+ * @param swaps whether the plans provide for battery swaps on the way
+ * @param boats the boats that would go unless the answer chooses some: those of the mission, or all
  */
 public record JudgedQuestion(
         Question question,

@@ -16,8 +16,7 @@ import org.sami.spn.protocol.Question;
 import org.sami.spn.value.Value;
 
 /**
- * Reads from the engine's state what values are judged by that nobody asks for: those with which a mission is to start, and those that globals are to
- * have. On the engine's thread.
+ * Reads the criteria for values without a question from the engine's state: start values of a mission and values of globals. On the engine's thread.
  */
 public final class StartReader {
     private static final Question NONE_ASKED = new Question.FillIn(List.of());

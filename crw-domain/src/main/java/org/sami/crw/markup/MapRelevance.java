@@ -74,9 +74,9 @@ public record MapRelevance(Optional<Boats> boats, Optional<Area> area, Optional<
     /**
      * A part of the map.
      *
-     * @param area with source AREA, as far as the markup says it
-     * @param point with source POINT, as far as the markup says it
-     * @param boats around whom it is, with the other sources
+     * @param area for source AREA, where the markup gives it
+     * @param point for source POINT, where the markup gives it
+     * @param boats the boats that it surrounds, for the other sources
      */
     public record Area(
             AreaSource source,

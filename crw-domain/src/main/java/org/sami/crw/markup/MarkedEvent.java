@@ -9,12 +9,12 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
 
 /**
- * An event with markup that was sent or received, as the models need it; immutable.
+ * An event with markup that was sent or received, as models need it; immutable.
  *
- * @param activation whose visit ends it; {@code Ids.NONE} for an input event, which the next firing of its transition replaces
- * @param event names the event of the plan, the same for all missions and visits: {@code plan/event}
+ * @param activation the activation whose visit ends it; {@code Ids.NONE} for an input event, which the next firing of its transition replaces
+ * @param event names the plan's event, the same for all missions and visits: {@code plan/event}
  * @param type name of the event's type
- * @param boats that entered, or that were named: the relevant ones
+ * @param boats the entering or named boats
  */
 public record MarkedEvent(
         long activation, long mission, String event, String type, List<MarkupSpec> markups, List<String> boats) {

@@ -130,8 +130,8 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
     }
 
     /**
-     * Says why an answer would not be accepted now, in one sentence; empty where it would be. From any thread; what is posted may still
-     * come too late, as somebody else answers first.
+     * Why an answer would be refused now, in one sentence; empty where it would be accepted. From any thread. A posted answer may still be too late,
+     * if another operator answers first.
      */
     public Optional<String> check(long decision, Answer answer, Vocabulary vocabulary) {
         return find(decision)

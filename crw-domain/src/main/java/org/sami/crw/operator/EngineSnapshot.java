@@ -106,8 +106,8 @@ record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons)
     }
 
     /**
-     * All interrupts of a plan in an order that stays for the life of its mission, whether they are offered now or not: as its transitions and
-     * places have them, then those whose names the plan does not have. With the place that offers each, if one does.
+     * All interrupts of a plan, offered now or not, in an order that stays for the life of its mission: those of its transitions and places, then
+     * those whose names the plan does not have. With the place that offers each, if any.
      */
     private static Map<String, Optional<Place>> inPlanOrder(Vocabulary vocabulary, Plan plan, Set<String> offered) {
         Map<String, Optional<Place>> all = new LinkedHashMap<>();

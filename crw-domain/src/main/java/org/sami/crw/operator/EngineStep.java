@@ -21,14 +21,14 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
- * What one step of the engine means to the models, with all that must be asked on the engine's thread; immutable.
+ * One step of the engine as models need it, with everything that must be read on the engine's thread; immutable.
  *
- * @param presentations decisions that it opened, as they are to be shown
- * @param plans of missions that it started
- * @param newTasks tasks that came to be with it, by the names of their owners; some may be known before
- * @param marked output and input events with markup that were sent and used up
- * @param globals the project's variables, where the project was changed
- * @param avoided the areas that missions keep their boats out of, by mission, where they were changed
+ * @param presentations decisions that it opened, presented
+ * @param plans plans of missions that it started
+ * @param newTasks tasks that it made, by the names of their owners; some may be known already
+ * @param marked output and input events with markup that were sent and used
+ * @param globals the project's variables, where the project changed
+ * @param avoided areas to avoid, by mission, where they changed
  */
 record EngineStep(
         long atMillis,

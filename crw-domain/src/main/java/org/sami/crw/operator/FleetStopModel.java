@@ -64,7 +64,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
         change();
     }
 
-    /** A fault as long as it lasts: that nobody moves is to be seen before anything else. */
+    /** A fault while it lasts: operators must see first that no boat moves. */
     static void report(FleetStopState state, HealthModel health) {
         if (state.isLatched()) {
             health.report(HealthFault.ofSession(

@@ -47,9 +47,8 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What is to be drawn on the operator's map, by what boats and missions do, by the markups Relevant Area, Relevant Information and
- * Relevant Proxy, and by what the operator wants to see (thesis 5.2.1, 5.3). Methods for the operator may be called from any thread and
- * are done a little later.
+ * The contents of the operator's map, from the state of boats and missions, from the markups Relevant Area, Relevant Information and Relevant Proxy,
+ * and from the operator's choices (thesis 5.2.1, 5.3). Methods for the operator may be called from any thread and take effect a little later.
  */
 public final class MapModel extends Model<MapSnapshot> {
     private final Consumer<Runnable> inbox;

@@ -36,7 +36,7 @@ public final class MissionModel extends Model<MissionsSnapshot> {
     private FollowedMarking marking = new FollowedMarking();
     private long firings;
 
-    /** A mission and what is known of it; its snapshot is made anew where something has changed. */
+    /** A mission and its state; its snapshot is renewed after a change. */
     private static final class Tracked {
         private final Effect.MissionStarted start;
         private final String title;
@@ -97,7 +97,7 @@ public final class MissionModel extends Model<MissionsSnapshot> {
         change();
     }
 
-    /** Begins anew with a state that was restored: the effects that tell its marking. */
+    /** Starts from a restored state: the effects that give its marking. */
     void restore(List<Effect> effects, Map<Long, StartedPlan> plans, Map<Long, Earlier> earlier, long atMillis) {
         marking = new FollowedMarking();
         tracked.clear();

@@ -32,8 +32,8 @@ public abstract class Model<S> {
     }
 
     /**
-     * From now on a snapshot for which nobody listens is made when somebody asks for it. Only where nobody but the owner's thread asks; to be called before
-     * anybody does.
+     * From now on a snapshot without listeners is made only on request. For models that only their owner's thread reads; to be called before the
+     * first read.
      */
     final void takeWhenAsked() {
         takenWhenAsked = true;

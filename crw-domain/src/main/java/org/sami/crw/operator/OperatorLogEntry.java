@@ -6,14 +6,14 @@ import java.util.Optional;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Something that an operator did, or wrote down.
+ * An action or note of an operator.
  *
- * @param number of all entries of the session, from 1
- * @param atMillis when, on the session's clock
+ * @param number among all entries of the session, from 1
+ * @param atMillis its time on the session's clock
  * @param text one line
- * @param mission whom it concerned; {@code Ids.NONE} for none in particular
- * @param boats whom it concerned; may be empty
- * @param position where, for a note about a place; empty for none
+ * @param mission the mission concerned; {@code Ids.NONE} for none
+ * @param boats the boats concerned; may be empty
+ * @param position for a note about a place; empty for none
  */
 public record OperatorLogEntry(
         long number,

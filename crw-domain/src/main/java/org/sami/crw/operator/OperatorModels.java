@@ -22,12 +22,11 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * What lies before the operator, fed by a host, by the fleet and by handlers. The models belong to the one thread of an executor;
- * everything reaches them by one hop to it, at this border and nowhere else. Whoever feeds them never waits, and no public method of a
- * model does (docs/threads.md).
+ * The operator's models, fed by a host, by the fleet and by handlers. They belong to the one thread of an executor; all input reaches them by one hop
+ * to it, at this border and nowhere else. Neither feeding them nor any public method of a model waits (docs/threads.md).
  *
- * <p>A session makes one, adds it to its host, subscribes {@link #fleetListener} to its fleet's events, and calls {@link #look} ten times
- * a second on the fleet's thread and {@link #refresh} a few times a second on any.
+ * <p>A session makes one, adds it to its host, subscribes {@link #fleetListener} to its fleet's events, and calls {@link #look} ten times a second on
+ * the fleet's thread and {@link #refresh} a few times a second on any.
  */
 public final class OperatorModels implements HostListener, MessageSink {
     /** A boat is shown ten times a second at most. */
@@ -64,7 +63,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         this(owner, () -> 0);
     }
 
-    /** Models of a session without a thread to spare: what the map needs is computed by whoever tells of it. */
+    /** Models of a session without a thread of their own: the thread that reports computes what the map needs. */
     public OperatorModels(Executor owner, LongSupplier nowMillis) {
         this(owner, nowMillis, Runnable::run);
     }
@@ -112,8 +111,8 @@ public final class OperatorModels implements HostListener, MessageSink {
     }
 
     /**
-     * From now on what follows each move of boats is only put together when somebody asks for it, or listens: the boats, their communication, the map. Only
-     * where nobody but the owner's thread asks; to be called before anybody does.
+     * From now on the boats, their communication and the map are put together only on request or for listeners, not after each move. For models that
+     * only their owner's thread reads; to be called before the first read.
      */
     public void showBoatsWhenAsked() {
         fleet.takeWhenAsked();

@@ -49,7 +49,7 @@ public final class ReplayFeed {
         models.post(() -> models.fleet().show(boat));
     }
 
-    /** A boat was still as it was; only the ages of what is known of it have changed. */
+    /** A boat has not changed; only the ages of its values have. */
     public void stillSeen(BoatSnapshot boat) {
         models.post(() -> models.stillSeen(boat));
     }
@@ -76,7 +76,7 @@ public final class ReplayFeed {
         models.log().restore(entries);
     }
 
-    /** Has this done on the models' owner's thread, after what was told before: the clock of ages goes on. */
+    /** Runs work on the models' owner's thread, after earlier events: the clock of ages goes on. */
     public void then(Runnable change) {
         models.post(change);
     }

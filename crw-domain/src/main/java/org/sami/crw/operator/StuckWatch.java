@@ -20,8 +20,8 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
 
 /**
- * Watches which missions cannot go on by themselves: those that were so in every look for five seconds are shown with the missions and are faults of the
- * session's health, until they go on or end (decision 0395). For the engine's thread; models hear of it by one hop.
+ * Finds missions that cannot go on by themselves. Those that were stuck at every look for five seconds are shown with the missions and are faults of
+ * the session's health, until they go on or end (decision 0395). For the engine's thread; models receive the result by one hop.
  */
 public final class StuckWatch {
     /** Within this time everything has been asked and said that follows from an input. */
@@ -42,7 +42,7 @@ public final class StuckWatch {
         failed.take(atMillis, input, effects);
     }
 
-    /** Looks at all missions, with what was under way for them beside the engine a moment ago. */
+    /** Looks at all missions, with their commands, computations and questions of a moment ago. */
     public void look(EngineView view, FleetWants wants, long nowMillis) {
         Map<Long, StuckMission> now = new LinkedHashMap<>();
         for (StuckMission one : StuckMissions.of(view.vocabulary(), view, wants, failed, nowMillis)) {

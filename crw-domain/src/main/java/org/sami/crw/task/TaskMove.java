@@ -15,7 +15,7 @@ public final class TaskMove {
     /**
      * Why a task cannot be moved now, in one sentence; empty where it can. On the thread that owns the state.
      *
-     * @param boat who is to have it; empty to take it from whoever has it
+     * @param boat the boat that gets it; empty to take it from its present boat
      */
     public static Optional<String> refusal(TaskId task, Optional<String> boat, EngineView view) {
         List<TaskId> names = view.namesOf(task);

@@ -4,16 +4,16 @@ import java.util.Objects;
 import org.sami.spn.protocol.Priority;
 
 /**
- * Something that is wrong with a boat and that the operator must know of.
+ * An alarm about a boat.
  *
- * @param number of all alarms of the session, from 1; names it
- * @param boat id of the boat; empty text where it is not known, or where no single boat is concerned
- * @param other id of the second boat, where two are concerned; else empty text
+ * @param number among all alarms of the session, from 1; names it
+ * @param boat id of the boat; empty text where unknown, or where it concerns no single boat
+ * @param other id of the second boat, where two are concerned; otherwise empty text
  * @param text one sentence
- * @param sinceMillis when it began, on the session's clock
- * @param active whether it is still so; what is over stays until it is acknowledged
- * @param acknowledged whether the operator has said that it is known
- * @param muted whether alarms of this kind about this boat are to make no sound
+ * @param sinceMillis its beginning on the session's clock
+ * @param active whether its cause lasts; an alarm that is over stays until it is acknowledged
+ * @param acknowledged whether the operator has acknowledged it
+ * @param muted whether alarms of this kind about this boat are silent
  */
 public record Alarm(
         long number,

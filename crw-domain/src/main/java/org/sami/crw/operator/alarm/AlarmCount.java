@@ -5,11 +5,11 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * How many alarms there are: the one count of them. What is over and was not acknowledged is counted apart from what is so now.
+ * The one count of alarms. Active alarms are counted apart from those that are over but not acknowledged.
  *
- * @param open that are so now, and that nobody acknowledged
- * @param known that are so now, and acknowledged
- * @param over that are so no longer, and that nobody acknowledged
+ * @param open active, not acknowledged
+ * @param known active, acknowledged
+ * @param over no longer active, not acknowledged
  */
 public record AlarmCount(int open, int known, int over) {
     /** That of a list. */

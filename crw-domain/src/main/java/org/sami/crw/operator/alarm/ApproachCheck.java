@@ -46,8 +46,8 @@ public final class ApproachCheck {
     }
 
     /**
-     * A boat has said where it is and how it moves. Gives in words each other boat that it comes too near to, and without words those of whom that is so
-     * no longer. Nobody is looked at again a moment after the last look.
+     * Takes a report of a boat's position and motion. Returns each boat that it approaches too closely, with a sentence, and those that it no longer
+     * approaches, without one. A boat is not checked again shortly after its last check.
      */
     public Map<String, Optional<String>> at(String boat, BoatPose pose, long atMillis) {
         LocalPlane at = plane.orElseGet(() -> new LocalPlane(pose.position()));

@@ -12,7 +12,7 @@ import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.LinkState;
 
-/** Finds what is wrong with one boat, by what is known of it. For one thread. */
+/** Finds the alarms of one boat from its known state. For one thread. */
 public final class BoatAlarms {
     /** A boat whose link stands says several times a second where it is. */
     private static final long STALE_AFTER_MILLIS = 5_000;
@@ -68,9 +68,9 @@ public final class BoatAlarms {
     }
 
     /**
-     * What is wrong with the age of a boat's pose.
+     * The alarm about the age of a boat's pose.
      *
-     * @param sampledEveryMillis so much older it may be than the base was told
+     * @param sampledEveryMillis interval by which the pose may be older than the base's last report
      */
     public static Optional<String> stale(BoatSnapshot boat, long nowMillis, long sampledEveryMillis) {
         OptionalLong age = boat.poseAgeMillis(nowMillis);

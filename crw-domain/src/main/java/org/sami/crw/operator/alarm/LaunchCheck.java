@@ -15,9 +15,9 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 
 /**
- * What is to be so before a boat is put into the water, as far as it is known now.
+ * The conditions for launching a boat, as far as they are known.
  *
- * @param items in the order in which they are gone through
+ * @param items in the order of the checklist
  */
 public record LaunchCheck(List<Item> items) {
     private static final long FRESH_MS = 3500;

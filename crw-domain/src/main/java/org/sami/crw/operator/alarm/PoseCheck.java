@@ -9,8 +9,8 @@ import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.LocalPlane;
 
 /**
- * Whether a boat knows where it is and where it heads, by what it says one after the other: a position that jumps or stands still while
- * the boat moves is doubtful, and a heading that is not where the boat goes (the compass failures of thesis 6.3.3). For one thread.
+ * Checks a boat's reported positions and headings one after the other. A position that jumps, or stands still while the boat moves, is doubtful; so
+ * is a heading away from the boat's motion (the compass failures of thesis 6.3.3). For one thread.
  */
 final class PoseCheck {
     /** No boat of the fleet is faster than this over ground. */

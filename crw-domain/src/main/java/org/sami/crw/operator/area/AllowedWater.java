@@ -18,10 +18,10 @@ public final class AllowedWater {
     private final Map<String, Map<String, int[]>> breaches = new HashMap<>(); // by boat and command; segments in order
 
     /**
-     * Water with what is forbidden in it.
+     * Water with forbidden areas.
      *
-     * @param ofPositions where boats may be, by the positions that they tell
-     * @param ofPaths where they may be sent
+     * @param ofPositions where boats may be, by their reported positions
+     * @param ofPaths where boats may be sent
      */
     public AllowedWater(Water ofPositions, Water ofPaths) {
         this.ofPositions = ofPositions;
@@ -84,7 +84,7 @@ public final class AllowedWater {
         return wrong.stream().mapToInt(Integer::intValue).toArray();
     }
 
-    /** Whether a segment, or a point alone, leads through what is forbidden, also as it is driven: around what the command's water bars. */
+    /** Whether a segment or a point lies in a forbidden area, also with the detours of the drive around the command's no-go areas. */
     private static boolean leaves(Water allowed, List<GeoPoint> segment, BoatCommand command) {
         return !allowed.allows(segment)
                 && (segment.size() < 2

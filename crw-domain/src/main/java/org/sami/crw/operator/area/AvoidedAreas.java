@@ -19,8 +19,8 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 
 /**
- * The areas that missions keep their boats out of: what the requests of their plans for ways and places, and of the plans that run them,
- * name as {@code avoid}, as it stands now. For the engine's thread.
+ * The areas that missions avoid: the {@code avoid} areas in the requests of their plans, and of the plans that run them, at present. For the engine's
+ * thread.
  */
 public final class AvoidedAreas {
     private static final String AVOID = "avoid";

@@ -15,11 +15,11 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * Where the boats of a session are to be: inside the fence and outside of the no-go areas (docs/decisions/0210). Immutable.
+ * The operating area of a session's boats: inside the fence and outside the no-go areas (docs/decisions/0210). Immutable.
  *
- * @param fence what boats are to stay in; empty where there is none
- * @param noGo what they are not to enter
- * @param byHand whether the operator set or took away the fence, rather than the project
+ * @param fence the area to stay in; empty without one
+ * @param noGo areas that boats may not enter
+ * @param byHand whether the operator, and not the project, set or removed the fence
  */
 public record OperatingArea(Optional<GeoArea> fence, List<GeoArea> noGo, boolean byHand) {
     /** The global variable that holds the fence. */

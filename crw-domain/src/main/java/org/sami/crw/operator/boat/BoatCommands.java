@@ -8,12 +8,12 @@ import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 
 /**
- * The commands of one boat: what runs, what waits and why, and what became of the latest that are gone.
+ * The commands of one boat: running, waiting with reasons, and the latest that have ended.
  *
- * @param queue what missions have for it now
- * @param upload how far the path that went to it last has come
- * @param inOtherHands who has it, in words, so that all of its commands wait; empty text where nobody else has
- * @param concluded the latest that have left the queue, oldest first
+ * @param queue the present queue
+ * @param upload progress of the last path on its way to the boat
+ * @param inOtherHands who has taken the boat over, in words, so that all of its commands wait; empty text for none
+ * @param concluded the latest commands that have left the queue, oldest first
  */
 public record BoatCommands(
         String boat,

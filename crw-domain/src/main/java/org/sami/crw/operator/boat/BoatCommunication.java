@@ -6,12 +6,12 @@ import java.util.OptionalLong;
 import org.sami.crw.proxy.status.LinkState;
 
 /**
- * How a boat stands in all missions (thesis 6.3.4), and its link.
+ * The status of a boat in all missions (thesis 6.3.4), and its link.
  *
- * @param status severe if it is so in any mission, else warning if it is so in any, else nominal
- * @param missions what each mission said last, in order of missions; without those that said nothing
- * @param link how its link stands, whatever missions say
- * @param heardAtMillis when the last frame came, on the session's clock; empty before one has
+ * @param status severe if any mission says so, otherwise warning if any does, otherwise nominal
+ * @param missions the last status in each mission, in order of missions; without missions that gave none
+ * @param link state of its link, independent of missions
+ * @param heardAtMillis time of the last frame on the session's clock; empty before the first
  */
 public record BoatCommunication(
         String boat, ProxyStatus status, List<InMission> missions, LinkState link, OptionalLong heardAtMillis) {

@@ -133,7 +133,9 @@ public record BoatSnapshot(
         return pose.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Math.max(0, nowMillis - poseAtMillis));
     }
 
-    /** How fast it is over ground, in m/s: carried where it does not drive, else as it says; negative astern. Empty before it has said where it is. */
+    /**
+     * Speed over ground in m/s: of the drift for a boat that does not drive, otherwise as reported; negative astern. Empty before the first position.
+     */
     public OptionalDouble speedMps() {
         OptionalDouble carried = drift.filter(Drift::isMoving).stream()
                 .mapToDouble(Drift::speedMps)

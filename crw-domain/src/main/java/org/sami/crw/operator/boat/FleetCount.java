@@ -4,11 +4,11 @@ import java.util.Collection;
 import org.sami.crw.proxy.status.LinkState;
 
 /**
- * How many boats there are, and how their links are: the one count of them, for every panel, the console and reports.
+ * The one count of boats and their links, for every panel, the console and reports.
  *
- * @param linked whose link stands
- * @param lost whose link stood and is lost
- * @param all that the session was to have: those that never answered as well
+ * @param linked boats with a link
+ * @param lost boats whose link is lost
+ * @param all all boats of the session, also those that have never answered
  */
 public record FleetCount(int linked, int lost, int all) {
     /** That of boats, and of addresses at which none has answered. */

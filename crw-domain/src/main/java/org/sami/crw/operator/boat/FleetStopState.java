@@ -8,15 +8,15 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * How the fleet stop stands. Stopped boats do not move before they are released, whatever they are told.
+ * The state of the fleet stop. Stopped boats do not move before they are released, whatever the command.
  *
- * @param everyBoat whether this base stopped the whole fleet, and whoever joins it
- * @param here boats that are stopped from this base
- * @param elsewhere boats that another base stopped, or this one before it started anew
- * @param by the clients that stopped those, by boat, where the boats say it
+ * @param everyBoat whether this base stopped the whole fleet, including boats that join later
+ * @param here boats stopped by this base
+ * @param elsewhere boats stopped by another base, or by this one before its restart
+ * @param by the clients that stopped those, by boat, where the boats report them
  * @param free the other boats
- * @param unreached those that have never answered, by their names or addresses
- * @param sinceMillis when the first of them was stopped, on the session's clock; 0 where none is
+ * @param unreached boats that have never answered, by their names or addresses
+ * @param sinceMillis time of the first stop on the session's clock; 0 for none
  */
 public record FleetStopState(
         boolean everyBoat,
@@ -48,7 +48,7 @@ public record FleetStopState(
         return everyBoat || (stopped() > 0 && free.isEmpty());
     }
 
-    /** Whether a boat is stopped, or is to be as soon as it can be told. */
+    /** Whether a boat is stopped, or will be as soon as it can be reached. */
     public boolean stops(String boat) {
         return everyBoat || here.contains(boat) || elsewhere.contains(boat);
     }

@@ -4,11 +4,11 @@ import java.util.Objects;
 import org.sami.spn.protocol.Priority;
 
 /**
- * A fault that is not over.
+ * A present fault.
  *
- * @param number of all faults of the session, from 1; names it as long as it lasts
- * @param fault what is wrong, in the newest words
- * @param sinceMillis when it began, on the session's clock
+ * @param number among all faults of the session, from 1; names it while it lasts
+ * @param fault the fault, in its newest words
+ * @param sinceMillis its beginning on the session's clock
  */
 public record HealthEntry(long number, HealthFault fault, long sinceMillis) {
     public HealthEntry {

@@ -5,15 +5,14 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 
 /**
- * A fault that lasts, as whoever finds it reports it. Two faults of one kind and one subject are the same fault, maybe in other words.
+ * A lasting fault, as its finder reports it. Two faults of one kind and one subject are the same fault, possibly in other words.
  *
- * @param subject whom it concerns, for people and as a key beside the kind: a boat's id, an address, a mission's title with its number, a file; empty text
- *     where the session has only one of the kind
- * @param text what is wrong, in plain words, one sentence without a full stop at its end: short, as it is read in one line of a small window
- * @param advice what the operator can do about it, one sentence without a full stop at its end, as short
- * @param details what explains it to those who look closer: files, numbers, what the machine says; without a full stop at its end; empty text for none
- * @param boat id of the boat that it concerns; empty text for none, or where no boat of an id is known
- * @param mission that it concerns, or {@link Ids#NONE}
+ * @param subject the subject, for people and with the kind as a key: a boat's id, an address, a mission's title with its number, a file; empty
+ *     text where the session has only one of the kind
+ * @param text the fault, one sentence without a full stop at its end
+ * @param advice what the operator can do, one sentence without a full stop at its end
+ * @param boat id of the boat concerned; empty text for none, or where its id is unknown
+ * @param mission the mission concerned, or {@link Ids#NONE}
  */
 public record HealthFault(
         HealthKind kind,

@@ -18,7 +18,7 @@ public enum HealthKind {
     UNREACHED_BOAT,
     /** The link to a boat is lost, or was lost repeatedly. */
     LINK,
-    /** A boat that nobody commands has drifted from where it was left, or off the station that it is to keep: beyond its circle, where the alarm is raised. */
+    /** A boat without a command has drifted from its place, or a boat has left the circle of its station: where the alarm is raised. */
     DRIFT,
     /** Boats are stopped until they are released. */
     FLEET_STOP,

@@ -17,9 +17,8 @@ import org.sami.crw.operator.manipulation.ManipulationPolicy;
 import org.sami.crw.operator.manipulation.Ruling;
 
 /**
- * The events whose markup changes the map now: those that were sent for a visit that goes on, and the last input event of a
- * transition, each until its mission ends. Which of them may change it is ruled once, when they come (meta-markup, thesis 5.3). For the
- * owner's thread.
+ * The events whose markup changes the map now: output events of present visits, and the last input event of each transition, until its mission ends.
+ * Whether an event may change the map is decided once, when it arrives (meta-markup, thesis 5.3). For the owner's thread.
  */
 public final class MapEvents {
     private static final String COMPONENT = "map";

@@ -6,17 +6,17 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What is to be drawn on the map at a moment. All that is known is here; {@link #layers} says what of it is to be seen.
+ * The contents of the map at a moment. It holds everything known; {@link #layers} says which of it is shown.
  *
- * @param layers one state of each layer, in the order in which they are drawn
- * @param boats that have said where they are
- * @param tracks of boats, by boat
- * @param paths of boats, current and future, by boat and then in the order in which they are driven
- * @param waysHome of boats that are expected to come home by themselves, by boat
- * @param data what sensors measured, as far as it is shown
- * @param channels all that sensors have measured, for choosing
- * @param view the part that is to be seen; empty before anybody asked for one
- * @param heldBack the last automatic change that was not made, or is made later, and why; empty text for none
+ * @param layers one state of each layer, in drawing order
+ * @param boats boats with a known position
+ * @param tracks tracks of boats, by boat
+ * @param paths present and later paths, by boat and then in driving order
+ * @param waysHome expected ways home of boats that return by themselves, by boat
+ * @param data the shown measurements
+ * @param channels all measured channels, for choosing
+ * @param view the part to show; empty before the first request
+ * @param heldBack the last automatic change that was suppressed or delayed, and why; empty text for none
  */
 public record MapSnapshot(
         List<LayerState> layers,

@@ -38,10 +38,10 @@ public final class SensorFields {
     private long computedAtMillis = Long.MIN_VALUE / 2;
 
     /**
-     * A layer that somebody wants.
+     * A requested layer.
      *
      * @param word names the sensor or channel; empty text for the first channel of the boats
-     * @param boats whose readings; empty for all
+     * @param boats the boats of the readings; empty for all
      * @param threshold for that visualization; empty for the middle between least and greatest
      */
     record Wanted(String word, Visualization visualization, Set<String> boats, OptionalDouble threshold, String why) {
@@ -55,10 +55,10 @@ public final class SensorFields {
     }
 
     /**
-     * No readings.
+     * Without readings.
      *
-     * @param computing does what it is given one after the other
-     * @param computed is given all channels and the layers that are wanted, on that executor
+     * @param computing runs work one task after the other
+     * @param computed receives all channels and the requested layers, on that executor
      */
     public SensorFields(Executor computing, BiConsumer<List<SensorChannel>, List<SensorLayer>> computed) {
         this.computing = computing;

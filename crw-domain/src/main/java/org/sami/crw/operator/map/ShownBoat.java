@@ -8,12 +8,12 @@ import org.sami.spn.value.GeoPoint;
 /**
  * A boat on the map.
  *
- * @param position where it said it was last, WGS 84
+ * @param position its last reported position, WGS 84
  * @param headingRad radians clockwise from true north
- * @param courseRad where it goes, or is carried to, in radians clockwise from true north
+ * @param courseRad direction of its motion or drift, in radians clockwise from true north
  * @param speedMps along that course, negative astern
- * @param poseAtMillis when it said so, on the session's clock: what is old is to be drawn as such
- * @param batteryPercent of full; empty before it was told
+ * @param poseAtMillis time of the report on the session's clock: old values are drawn as such
+ * @param batteryPercent of full; empty before the first report
  * @param highlighted whether a markup or a person points at it
  */
 public record ShownBoat(

@@ -4,12 +4,11 @@ import java.util.Objects;
 import org.sami.crw.markup.MapRelevance.MapType;
 
 /**
- * The part of the map that is to be seen, by the last event with the markup Relevant Area that was allowed to change it, or by a person
- * who asked where something is.
+ * The part of the map to show, set by the last permitted event with the markup Relevant Area, or by a person who asked for a place.
  *
- * @param number of all views of the session, from 1: a window goes to a view whose number it has not seen
- * @param background what lies below the layers
- * @param mission whose event it was; {@code Ids.NONE} for a person
+ * @param number among all views of the session, from 1: a window goes to a view with a new number
+ * @param background the background below the layers
+ * @param mission the event's mission; {@code Ids.NONE} for a person
  * @param why in words
  */
 public record ShownPart(

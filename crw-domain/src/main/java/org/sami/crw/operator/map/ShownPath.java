@@ -5,13 +5,13 @@ import java.util.Objects;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Where a boat is to go.
+ * A path of a boat.
  *
- * @param mission that wants it
+ * @param mission the mission that sends the boat
  * @param command id of the command
- * @param points in driving order, with the turns around what is not to be entered where they are known; one point where it is to stay there
- * @param visited how many points are behind the boat
- * @param current whether the boat does it now, rather than later
+ * @param points in driving order, with known turns around no-go areas; one point for a boat that stays there
+ * @param visited number of visited points
+ * @param current whether the boat follows it now, and not later
  */
 public record ShownPath(
         String boat, long mission, String command, List<GeoPoint> points, int visited, boolean current) {

@@ -9,15 +9,15 @@ import org.sami.crw.operator.manipulation.ManipulationLimit;
 import org.sami.spn.protocol.Priority;
 
 /**
- * Something that the operator is told and need not answer (appendix .2.1, Display Message; thesis 6.3.4).
+ * A message to the operator, which needs no answer (appendix .2.1, Display Message; thesis 6.3.4).
  *
- * @param atMillis when, on the session's clock
- * @param mission whose message it is, or {@code Ids.NONE}
+ * @param atMillis its time on the session's clock
+ * @param mission its mission, or {@code Ids.NONE}
  * @param text one or a few sentences
- * @param boats whom it is about, for zooming and highlighting; may be empty
+ * @param boats the boats concerned, for zooming and highlighting; may be empty
  * @param keyword groups it with others; a later message with the same {@link #subject} replaces it; empty text = none does
- * @param map what of the map it is about, for who clicks on it
- * @param manipulation how often, and when not, its event may change the list
+ * @param map what it concerns on the map, for a click on it
+ * @param manipulation how often its event may change the list, and when not
  */
 public record OperatorMessage(
         long atMillis,
@@ -46,8 +46,8 @@ public record OperatorMessage(
     }
 
     /**
-     * What a message replaces another by: its keyword, with the boats and the readings that its markups name (thesis 6.3.4), so that news of
-     * one boat does not replace that of another.
+     * The key by which a message replaces another: its keyword, with the boats and readings named by its markups (thesis 6.3.4), so that a message
+     * about one boat does not replace that about another.
      *
      * @param boats of the markup Relevant Proxy
      * @param information the sensor of the markup Relevant Information; empty text without it

@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What is under way beside the engine for missions, at a moment.
+ * Work outside the engine that missions wait for, at a moment.
  *
- * @param commands ids of the boats that have a command of a mission, running or waiting, by mission
+ * @param commands ids of the boats with a running or waiting command, by mission
  * @param computing missions for which a service computes
  * @param asking missions whose commands wait for the operator's answer about a boat's way
  */

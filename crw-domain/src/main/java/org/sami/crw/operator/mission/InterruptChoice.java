@@ -7,14 +7,14 @@ import org.sami.spn.protocol.Priority;
 /**
  * A button for an interrupt of a running mission.
  *
- * @param plan what people call the mission's plan
- * @param name what stands on it
- * @param asksForBoats whether pressing it needs boats: named by the press or chosen afterwards
- * @param priority how urgent it is (markup Priority); medium without one
- * @param description what the author says of it (markup Description); empty text for nothing
- * @param noWayBack why what it does cannot be undone in the mission ({@link InterruptReturn}); empty text where the plan leads back
- * @param asking the decision that asks whom it is for, as it was pressed without boats; empty = none is open
- * @param whyNot why pressing it now would be refused, in words; empty where it would be taken
+ * @param plan title of the mission's plan
+ * @param name the button's text
+ * @param asksForBoats whether a press needs boats: named by it or chosen afterwards
+ * @param priority its priority (markup Priority); medium without one
+ * @param description the author's description (markup Description); empty text for none
+ * @param noWayBack why the mission cannot undo it ({@link InterruptReturn}); empty text where the plan leads back
+ * @param asking the open decision that asks for its boats after a press without boats; empty = none
+ * @param whyNot why a press would be refused now, in words; empty where it would be taken
  */
 public record InterruptChoice(
         long mission,

@@ -26,11 +26,11 @@ import org.sami.spn.vocabulary.Vocabulary;
  */
 public record MissionEnd(List<BoatChange> boats, List<PendingDecision> decisions, List<MissionSnapshot> subMissions) {
     /**
-     * What one boat loses.
+     * The losses of one boat.
      *
-     * @param inForce the command that it carries out and loses; empty where only commands that wait are withdrawn
-     * @param waiting how many commands that wait are withdrawn
-     * @param next what it does then; empty where nobody wants anything of it, so that it stops
+     * @param inForce the running command that it loses; empty where only waiting commands are withdrawn
+     * @param waiting number of waiting commands that are withdrawn
+     * @param next its next command; empty where there is none, so that it stops
      */
     public record BoatChange(String boat, Optional<Entry> inForce, int waiting, Optional<Entry> next) {
         public BoatChange {

@@ -16,21 +16,21 @@ import org.sami.spn.protocol.TokenMove;
 import org.sami.spn.value.Value;
 
 /**
- * A mission or sub-mission as it stood at a moment.
+ * A mission or sub-mission at a moment.
  *
  * @param parent the mission whose place runs it, or {@code Ids.NONE}
  * @param parentPlace id of that place; empty text for a root mission
  * @param plan id of its plan
- * @param title what people call the plan
+ * @param title title of the plan
  * @param startedAtMillis on the session's clock
- * @param outcome how it ended, or that it was halted; empty while it goes on
- * @param endedAtMillis when it ended; empty while it goes on
+ * @param outcome how it ended, or that it was halted; empty while it runs
+ * @param endedAtMillis time of its end; empty while it runs
  * @param marking tokens of each marked place in order of entry, by place id
- * @param visitedByNobody ids of places that nobody's visit keeps awake
- * @param firings how many there were
- * @param lastFirings the latest of them, oldest first
- * @param variables the latest values of those that it owns, as far as they were written
- * @param details what only the engine can say, as it was told last
+ * @param visitedByNobody ids of places with a visit by nobody
+ * @param firings number of firings
+ * @param lastFirings the latest firings, oldest first
+ * @param variables latest values of its own variables, as far as written
+ * @param details the engine's latest details
  * @param stuck why it, or a sub-mission of it, cannot go on by itself; empty where it can
  */
 public record MissionSnapshot(

@@ -12,9 +12,9 @@ import org.sami.spn.value.Value;
 /**
  * The missions of a session at a moment.
  *
- * @param missions those that go on and the latest that have ended, sub-missions included, in order of creation
- * @param globals the latest values of global variables, as far as they were written or a running plan reads them
- * @param firings how many firings there were in the session up to the last that is known here
+ * @param missions running missions and the latest that have ended, sub-missions included, in order of creation
+ * @param globals latest values of global variables, as far as written, or read by a running plan
+ * @param firings number of firings in the session up to the last known one
  */
 public record MissionsSnapshot(List<MissionSnapshot> missions, Map<String, Value> globals, long firings) {
     public static final MissionsSnapshot EMPTY = new MissionsSnapshot(List.of(), Map.of(), 0);

@@ -26,9 +26,9 @@ import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * How the transitions of missions may come to fire: whether what they wait for is under way, comes by itself, is for the operator to press, or will not come.
- * The one place that knows it, for runs that end when nothing can happen and for what the operator is told of missions (decision 0395). For the thread that
- * owns the state.
+ * How transitions of missions may come to fire: what they wait for is under way, comes by itself, needs a press of the operator, or will not come.
+ * The one place with this judgement, for runs that end when nothing can happen and for the missions shown to the operator (decision 0395). For the
+ * thread that owns the state.
  */
 public final class Outlooks {
     private final Vocabulary vocabulary;
@@ -43,7 +43,7 @@ public final class Outlooks {
      * @param places ids of its in places
      * @param news the events that come by themselves for which it waits
      * @param presses names of the interrupts for which it waits
-     * @param dead the activations that were to bring what it waits for and have failed
+     * @param dead the failed activations whose answers it waits for
      */
     record Of(
             Transition transition,
@@ -53,7 +53,7 @@ public final class Outlooks {
             List<String> presses,
             List<Activation> dead) {}
 
-    /** At the present state, with what is under way beside the engine. */
+    /** At the present state, with the work under way outside the engine. */
     public Outlooks(Vocabulary vocabulary, EngineView view, FleetWants wants, FailedAnswers failed) {
         this.vocabulary = vocabulary;
         this.view = view;

@@ -25,8 +25,8 @@ public final class PlanTree {
     /**
      * A line of the tree.
      *
-     * @param number of all lines of the whole tree, from 0: the same line has the same one in every search
-     * @param depth below how many others it stands
+     * @param number among all lines of the whole tree, from 0: a line keeps it in every search
+     * @param depth number of lines above it in its branch
      * @param title of the plan or folder
      * @param plan empty for a folder
      */

@@ -6,14 +6,14 @@ import java.util.Objects;
 /**
  * A mission that cannot go on by itself.
  *
- * @param mission it, or a sub-mission that cannot go on
+ * @param mission the mission or sub-mission that cannot go on
  * @param root the root mission
- * @param title what people call the root mission
- * @param sinceMillis when it was first so, on the session's clock
+ * @param title title of the root mission
+ * @param sinceMillis when it was first stuck, on the session's clock
  * @param what why it cannot go on, one sentence without a full stop
  * @param help what the operator can do, one sentence without a full stop
- * @param boats ids of those that cannot go on
- * @param again activations that can be delivered again, so that their handlers try once more
+ * @param boats ids of the boats that cannot go on
+ * @param again activations that can be delivered again, so that their handlers retry
  */
 public record StuckMission(
         long mission,

@@ -7,14 +7,14 @@ import java.util.Optional;
 import org.sami.spn.value.TaskId;
 
 /**
- * What giving a task to another boat, or to nobody, would change in the queues as they are now: said before it is done. The session may still
- * refuse it, where the boat takes no part in the mission.
+ * A preview of moving a task to another boat, or to none: the changes in the present queues. The session may still refuse the move, where the boat
+ * takes no part in the mission.
  *
- * @param from who has the task; empty where nobody does
- * @param to who is to have it; empty for nobody
- * @param place which of the tasks of the new boat it becomes, from 1; 0 for nobody
- * @param interrupts whether the boat that has it is at it now
- * @param next what that boat goes on with; empty where nothing is left
+ * @param from the boat that has the task; empty for none
+ * @param to the boat that gets it; empty for none
+ * @param place its place among the new boat's tasks, from 1; 0 for none
+ * @param interrupts whether the boat that has it is working on it
+ * @param next that boat's next task; empty for none
  */
 public record TaskMovePreview(
         TaskId task, Optional<String> from, Optional<String> to, int place, boolean interrupts, Optional<TaskId> next) {

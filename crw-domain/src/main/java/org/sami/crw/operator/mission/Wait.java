@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Where a mission stands and what it waits for there.
+ * A place where missions wait, and what they wait for.
  *
- * @param missions how many stand there alike; sub-missions of one plan may be many
+ * @param missions number of missions in the same position; there may be many sub-missions of one plan
  * @param plan id of the mission's plan
- * @param place name of the place, or its id where it has none; empty where no place is marked
- * @param tokens who is there, in words, copies counted; empty where the place was entered by nobody
- * @param occurrence what lets it go on, in words: input events with {@code or} between them, or why no transition fires
+ * @param place name of the place, or its id without one; empty where no place is marked
+ * @param tokens the tokens there, in words, copies counted; empty for a visit by nobody
+ * @param occurrence what lets it go on, in words: input events joined by {@code or}, or why no transition fires
  * @param transitions the transitions out of the place, in the plan's order
  */
 public record Wait(
