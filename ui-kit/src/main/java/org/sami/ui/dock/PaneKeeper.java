@@ -6,6 +6,7 @@ import java.awt.event.ComponentEvent;
 import java.util.Set;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
+import org.sami.ui.EventThread;
 
 /**
  * Keeps the proportion of one split pane when its size changes: a divider stands where it stood, measured in parts of the pane. Swing's
@@ -14,7 +15,8 @@ import javax.swing.SwingUtilities;
 final class PaneKeeper extends ComponentAdapter {
     private final JSplitPane pane;
     private final SplitProportions all;
-    private int size;
+    private int size; // that it has heard of
+    private int laidOut; // size at which the divider was seen last
     private double proportion = Double.NaN; // not known until the divider has a place in a pane with a size
     private boolean moving;
     private boolean pinned; // somebody has moved the divider since panels of its column became empty
@@ -32,6 +34,7 @@ final class PaneKeeper extends ComponentAdapter {
 
     void install() {
         size = free();
+        laidOut = size;
         remember();
         pane.addComponentListener(this);
         pane.addPropertyChangeListener(JSplitPane.DIVIDER_LOCATION_PROPERTY, change -> dividerMoved());
@@ -70,11 +73,19 @@ final class PaneKeeper extends ComponentAdapter {
     }
 
     /**
-     * A divider that moves in a pane of the same size was moved by someone; else the pane's layout did it. Modern Docking puts it to its proportion,
-     * a while after it has restored an arrangement.
+     * A divider that moves in a pane of the same size was moved by someone; else the pane's layout did it, maybe for a size that nobody has heard of and that
+     * it has no longer. Modern Docking puts it to its proportion, a while after it has restored an arrangement.
      */
     private void dividerMoved() {
-        if (!moving && free() == size && !(all.leavesRoom(this) && isAtProportion())) {
+        int now = free();
+        boolean byLayout = now != laidOut;
+        laidOut = now;
+        if (moving || now != size) {
+            return;
+        }
+        if (byLayout) {
+            EventThread.later(() -> all.show(this));
+        } else if (!(all.leavesRoom(this) && isAtProportion())) {
             pinned = all.leavesRoom(this);
             remember();
             all.moved();
@@ -91,6 +102,7 @@ final class PaneKeeper extends ComponentAdapter {
             return;
         }
         size = free();
+        laidOut = size;
         if (Double.isNaN(proportion)) {
             remember();
         } else {
