@@ -269,6 +269,7 @@ final class MapCanvas extends JXMapViewer {
         MapPaint paint = paint(g);
         List<MapLayer> shown = layers.visible();
         reserve();
+        message.setFree(attribution().isEmpty());
         message.reserve(paint);
         shown.forEach(layer -> layer.paint(paint));
         for (int i = shown.size() - 1; i >= 0; i--) {

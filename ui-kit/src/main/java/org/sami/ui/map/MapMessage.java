@@ -8,13 +8,23 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sami.ui.look.SemanticColor;
 
-/** One line to whoever works on the map, on a plate at its lower edge; broken into several where the map is narrow. */
+/**
+ * One line to whoever works on the map, on a plate at its lower edge: beside the scale, where nothing that lies in the middle is hidden below it; above
+ * the scale where there is no room, and broken into several lines where the map is narrow.
+ */
 final class MapMessage {
     private static final double PAD = 8;
     private static final double ABOVE_THE_SCALE = 48;
+    private static final double MARGIN = 8; // to the edge and to the scale
 
     private String text = "";
     private boolean problem;
+    private boolean free = true;
+
+    /** Whether nothing else stands in the lower right corner, such as whom to name for a base map. */
+    void setFree(boolean lowerRight) {
+        free = lowerRight;
+    }
 
     /** Says something instead of what was said before; empty text says nothing. */
     void say(String text, boolean problem) {
@@ -35,7 +45,7 @@ final class MapMessage {
         FontMetrics metrics = g.getFontMetrics();
         double pad = Painting.px(PAD);
         List<String> lines = lines(metrics, widest(paint));
-        Rectangle2D plate = plate(paint, metrics, lines);
+        Rectangle2D plate = plate(paint);
         g.setColor(SemanticColor.SURFACE.withAlpha(240));
         g.fillRoundRect((int) plate.getX(), (int) plate.getY(), (int) plate.getWidth(), (int) plate.getHeight(), 8, 8);
         g.setColor((problem ? SemanticColor.CRITICAL : SemanticColor.TEXT).get());
@@ -49,9 +59,7 @@ final class MapMessage {
     void reserve(MapPaint paint) {
         if (!text.isEmpty()) {
             Font font = paint.g().getFont();
-            paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
-            FontMetrics metrics = paint.g().getFontMetrics();
-            Rectangle2D plate = plate(paint, metrics, lines(metrics, widest(paint)));
+            Rectangle2D plate = plate(paint);
             paint.labels().addText(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
             paint.g().setFont(font);
         }
@@ -61,11 +69,24 @@ final class MapMessage {
         return paint.frame().width() - 4 * Painting.px(PAD);
     }
 
-    private static Rectangle2D plate(MapPaint paint, FontMetrics metrics, List<String> lines) {
+    /** Where its plate is, in pixels. */
+    Rectangle2D plate(MapPaint paint) {
+        paint.font(MapPaint.PLAIN);
+        double scale = MapScale.right(paint);
+        paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
+        FontMetrics metrics = paint.g().getFontMetrics();
+        List<String> lines = lines(metrics, widest(paint));
         double pad = Painting.px(PAD);
         int wide = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
         double height = lines.size() * metrics.getHeight() + pad;
         double left = (paint.frame().width() - wide) / 2.0 - pad;
+        double margin = Painting.px(MARGIN);
+        if (free
+                && lines.size() == 1
+                && scale + wide + 2 * pad + 2 * margin <= paint.frame().width()) {
+            return new Rectangle2D.Double(
+                    Math.max(left, scale + margin), paint.frame().height() - margin - height, wide + 2 * pad, height);
+        }
         double top = paint.frame().height() - Painting.px(ABOVE_THE_SCALE) - height;
         return new Rectangle2D.Double(left, top, wide + 2 * pad, height);
     }

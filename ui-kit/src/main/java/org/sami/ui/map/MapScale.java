@@ -29,6 +29,19 @@ final class MapScale {
         return power * 10;
     }
 
+    /** Where the scale ends at its right, in pixels; its plate included. */
+    static double right(MapPaint paint) {
+        double side = sideM(paint.frame());
+        double wide = Math.max(
+                side / paint.frame().metresPerPixel(),
+                paint.g().getFontMetrics().stringWidth(words(side)));
+        return Painting.px(MARGIN) + Painting.px(30) + wide + 10;
+    }
+
+    private static String words(double sideM) {
+        return sideM < 1 ? Math.round(sideM * 100) + " cm" : plain(sideM);
+    }
+
     /** Lines of metres from the corner of a degree, so that they stay where they are while the map moves. */
     void paintGrid(MapPaint paint) {
         MapFrame frame = paint.frame();
@@ -65,7 +78,7 @@ final class MapScale {
         FontMetrics metrics = g.getFontMetrics();
         double sideM = sideM(frame);
         double length = sideM / frame.metresPerPixel();
-        String text = sideM < 1 ? Math.round(sideM * 100) + " cm" : plain(sideM);
+        String text = words(sideM);
         double margin = Painting.px(MARGIN);
         double left = margin + Painting.px(30);
         double base = frame.height() - margin;
