@@ -1,7 +1,6 @@
 package org.sami.crw.sim.run;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -10,20 +9,16 @@ import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunMission;
 import org.sami.crw.sim.run.record.RunRecords;
-import org.sami.crw.sim.run.settings.RunPlan;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.value.Value;
 
 /**
  * Starts the mission of a run when its boats are there, and says whether and how the run is over: by its mission, by a fault, or since
  * nothing can happen any longer. For the engine's thread.
  */
 public final class RunLifecycle {
-    private final RunPlan plan;
-    private final RunSettings settings;
-    private final Map<String, Value> parameters;
+    private final RunInput input;
     private final Session session;
     private final RunMission mission;
     private final StallDetector stall;
@@ -32,14 +27,9 @@ public final class RunLifecycle {
 
     /**
      * For one run, which has not begun.
-     *
-     * @param parameters values for what the plan asks at its start
      */
-    public RunLifecycle(
-            RunPlan plan, RunSettings settings, Map<String, Value> parameters, Session session, RunRecords records) {
-        this.plan = plan;
-        this.settings = settings;
-        this.parameters = parameters;
+    RunLifecycle(RunInput input, Session session, RunRecords records) {
+        this.input = input;
         this.session = session;
         mission = records.mission();
         stall = new StallDetector(session, records);
@@ -57,9 +47,11 @@ public final class RunLifecycle {
 
     /** Starts the mission, once, if all its boats have joined. */
     public void startWhenAllHaveJoined() {
-        if (!started && mission.boatsJoined() >= settings.fleet().boats()) {
+        if (!started && mission.boatsJoined() >= input.settings().fleet().boats()) {
             started = true;
-            session.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+            session.host()
+                    .post(new Input.StartMission(
+                            input.plan().plan().id(), input.settings().mission(), input.parameters()));
         }
     }
 
@@ -110,7 +102,7 @@ public final class RunLifecycle {
             return; // what boats are to do is still to come
         }
         long now = session.scheduler().nowMs();
-        if (!settings.isConnected()) {
+        if (!input.settings().isConnected()) {
             stall.look(now, boats, wanted::contains).ifPresent(this::fail);
         } else if (wanted.stream()
                 .noneMatch(boat -> canMove(boat, boats))) { // else a link or its operator may come back

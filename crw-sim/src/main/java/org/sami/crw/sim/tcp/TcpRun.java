@@ -3,11 +3,8 @@ package org.sami.crw.sim.tcp;
 import java.io.IOException;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.Set;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.handler.planning.CrwServices;
@@ -18,36 +15,30 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.fault.FaultPolicy;
-import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ConnectedJournal;
-import org.sami.crw.sim.run.RunNews;
+import org.sami.crw.sim.run.RunHarness;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.record.RunNotes;
-import org.sami.crw.sim.run.settings.Parameters;
+import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.value.GeoPoint;
-import org.sami.spn.value.Value;
 
 /**
  * One mission on boats that are other processes, in real time: a client of a session. Three threads: the engine's and the fleet's,
  * which are the session's, and the caller's, which shows progress and what the operator must know at once. Used once.
  */
 public final class TcpRun {
-    private static final long SHOW_MS = 50;
-
-    private final RunPlan plan;
+    private final RunInput input;
     private final RunSettings settings;
-    private final Map<String, Value> parameters;
-    private final AnswersFile answers;
     private final ConnectedJournal journal;
     private final RunProcess process;
     private final Consumer<String> lines;
-    private final Queue<String> toShow = new ConcurrentLinkedQueue<>();
-    private final RunNotes notes = new RunNotes(toShow::add);
-    private boolean interrupted;
+    private final CallerThread caller;
+    private final RunNotes notes;
 
     /**
      * Puts a run together; nothing happens yet.
@@ -63,13 +54,13 @@ public final class TcpRun {
             ConnectedJournal journal,
             RunProcess process,
             Consumer<String> lines) {
-        this.plan = plan;
+        input = RunInput.of(plan, settings, answers);
         this.settings = settings;
-        this.answers = answers;
         this.journal = journal;
         this.process = process;
         this.lines = lines;
-        parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
+        caller = new CallerThread(lines);
+        notes = new RunNotes(caller::later);
     }
 
     /**
@@ -80,7 +71,7 @@ public final class TcpRun {
      * @throws IOException if the journal cannot be read
      */
     public RunReport run(RunObserver observer) throws IOException {
-        long wallStart = System.nanoTime();
+        long beganNanos = System.nanoTime();
         try (Session session = Session.open(setup())) {
             session.addListener(notes);
             EarlierRun earlier =
@@ -88,16 +79,13 @@ public final class TcpRun {
             earlier.leftOut().ifPresent(lines);
             Optional<List<String>> startedWith = journal.startedWith();
             findArea(session, earlier, startedWith);
-            Optional<RunMonitor> known = Optional.empty();
+            Optional<Prepared> known = Optional.empty();
             if (earlier.area().isPresent()) {
-                known = Optional.of(watch(session, earlier.area().get()));
-                known.get().catchUp(earlier);
-                if (known.get().wasOver()) {
-                    return known.get()
-                            .report(
-                                    known.get().outcome().orElseThrow(),
-                                    known.get().endMillis(),
-                                    0);
+                known = Optional.of(prepare(session, earlier.area().get()));
+                known.get().catchUp(session, earlier, journal.cameToMillis());
+                Optional<RunReport> told = known.get().harness.reportIfOver(journal.resumedFrom());
+                if (told.isPresent()) {
+                    return told.get();
                 }
             }
             earlier.area()
@@ -107,37 +95,43 @@ public final class TcpRun {
             reachBoatsOfPlans(session);
             FleetReadiness readiness = new FleetReadiness(session.fleet(), settings.connect());
             boolean ready = awaitBoats(readiness, startedWith.isPresent());
-            RunMonitor watch;
-            if (known.isPresent()) {
-                watch = known.get();
-            } else {
-                watch = watch(session, found(session, startedWith.orElseGet(readiness::boats), ready));
-                if (startedWith.isPresent()) {
-                    watch.catchUp(earlier);
-                }
+            Prepared run = known.isPresent()
+                    ? known.get()
+                    : prepare(session, found(session, startedWith.orElseGet(readiness::boats), ready));
+            if (known.isEmpty() && startedWith.isPresent()) {
+                run.catchUp(session, earlier, journal.cameToMillis());
             }
-            RunObserver.News news =
-                    new RunObserver.News(toShow::add, observer.news().isDetailed());
-            RunOutcome outcome;
-            long endMillis;
-            RunNews told = new RunNews(session.models(), session.scheduler()::nowMs, news);
-            notes.leaveMessagesToNews(true);
-            try {
-                outcome = ready ? watched(watch, observer) : RunOutcome.RUNNING;
-                endMillis = watch.endMillis();
-                toShow.addAll(session.leave());
-                watch.noteEnd(endMillis);
-            } finally {
-                notes.leaveMessagesToNews(false);
-                told.close();
+            if (ready) {
+                run.fleet.areThere();
             }
-            show();
-            double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
-            return watch.report(outcome, endMillis, wallSeconds);
+            return run.harness.run(observer, beganNanos, journal::resumedFrom);
         } finally {
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
+            caller.restoreInterrupt();
+        }
+    }
+
+    /** A harness and the fleet that it runs on. */
+    private record Prepared(RunHarness harness, ConnectedFleet fleet) {
+        /** Takes in what happened in earlier processes; before anything happens in this one. */
+        void catchUp(Session session, EarlierRun earlier, long cameToMillis) throws IOException {
+            session.replay((index, atMillis, input, effects, view) -> {
+                harness.clock().advanceTo(atMillis);
+                for (HostListener listener : harness.records().listeners()) {
+                    listener.onStep(index, atMillis, input, effects, view);
+                }
+            });
+            harness.clock().advanceTo(cameToMillis);
+            earlier.feed(harness.records().folds(), fleet.boatsOfReport());
+            harness.lifecycle().caughtUp();
+        }
+    }
+
+    private Prepared prepare(Session session, RunArea area) throws UnknownBoatException {
+        ConnectedFleet fleet = new ConnectedFleet(settings, session, area, notes, caller);
+        try {
+            return new Prepared(new RunHarness(input, session, fleet, notes), fleet);
+        } catch (IllegalArgumentException e) {
+            throw new UnknownBoatException(e.getMessage());
         }
     }
 
@@ -159,11 +153,12 @@ public final class TcpRun {
         CrwServices services =
                 CrwServices.STANDARD.drivenWith(settings.fleet().conditions().crossTrackError());
         return new SessionSetup(
-                plan.vocabulary(), plan.project(), journal.session(), services, runtime, FaultPolicy.ALONE);
-    }
-
-    private RunMonitor watch(Session session, RunArea area) throws UnknownBoatException {
-        return new RunMonitor(plan, settings, parameters, answers, journal, session, notes, area);
+                input.plan().vocabulary(),
+                input.plan().project(),
+                journal.session(),
+                services,
+                runtime,
+                FaultPolicy.ALONE);
     }
 
     /**
@@ -221,37 +216,10 @@ public final class TcpRun {
             missing.forEach(boat -> lines.accept(boat + "; the mission goes on without it until it is there"));
             return true;
         } catch (InterruptedException e) {
-            interrupted = true;
+            caller.interrupted();
             return false;
         } finally {
-            show();
-        }
-    }
-
-    private RunOutcome watched(RunMonitor watch, RunObserver observer) {
-        watch.begin();
-        while (!isOver(watch)) {
-            show();
-            observer.progress().accept(watch.latest());
-            if (observer.stop().getAsBoolean()) {
-                watch.stop();
-            }
-        }
-        return watch.ended();
-    }
-
-    private boolean isOver(RunMonitor watch) {
-        try {
-            return watch.awaitEnd(SHOW_MS);
-        } catch (InterruptedException e) {
-            interrupted = true;
-            return false;
-        }
-    }
-
-    private void show() {
-        for (String line = toShow.poll(); line != null; line = toShow.poll()) {
-            lines.accept(line);
+            caller.show();
         }
     }
 }

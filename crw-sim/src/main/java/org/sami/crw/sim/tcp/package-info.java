@@ -1,8 +1,8 @@
 /**
  * Runs whose boats are other processes, behind TCP, in real time (docs/decisions, 0053 and following).
  *
- * <p>Here belong the run's threads and its clock, the roll call of the boats, what the base knows of them and keeps in the
+ * <p>Here belong the fleet of such a run with its threads and its clock, the wait for its boats, what the base knows of them and keeps in the
  * journal, and taking up such a run after its process died. The links themselves belong to {@code crw.proxy.tcp}, what both
- * kinds of runs need (recorders, the operator, reports) to {@code crw.sim.run}.
+ * kinds of runs need (harness, recorders, the operator, reports) to {@code crw.sim.run}.
  */
 package org.sami.crw.sim.tcp;

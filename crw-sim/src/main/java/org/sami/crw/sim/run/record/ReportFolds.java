@@ -76,7 +76,7 @@ public final class ReportFolds {
     }
 
     /** Whether boats were to explore areas. */
-    boolean hasExplorations() {
+    public boolean hasExplorations() {
         return map.hasExplorations();
     }
 

@@ -16,6 +16,9 @@ public record RunProgress(
         int openDecisions,
         long firings,
         double leastBatteryPercent) {
+    /** The phase of a run that does not go through its journal again. */
+    public static final String RUNNING = "running";
+
     public RunProgress {
         Objects.requireNonNull(phase, "phase");
     }

@@ -2,8 +2,6 @@ package org.sami.crw.sim.run.record;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.Supplier;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
@@ -12,32 +10,25 @@ import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
-import org.sami.crw.sim.run.settings.RunPlan;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.spn.host.HostListener;
-import org.sami.spn.value.GeoPoint;
 
 /**
  * What a run writes down while it goes, and its report: feeds the report's folds from its session, and adds those parts that no journal
- * holds, such as where simulated boats truly were. What is so now, such as open decisions, is read from the operator's models. For the
+ * holds, such as alarms at the fence. What is so now, such as open decisions, is read from the operator's models. For the
  * engine's thread.
  */
 public final class RunRecords {
-    private final RunPlan plan;
-    private final RunSettings settings;
+    private final RunInput input;
     private final Session session;
     private final LocalFrame plane;
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
     private final ReportFolds folds;
-    private final TrueVisits trueVisits;
-    private final TrackRecorder reported = new TrackRecorder();
-    private Optional<Supplier<List<BoatState>>> reporting = Optional.empty();
 
     /**
      * Records of a run in which nothing has happened yet.
@@ -45,21 +36,18 @@ public final class RunRecords {
      * @param plane around the area's centre
      */
     public RunRecords(
-            RunPlan plan,
-            RunSettings settings,
+            RunInput input,
             Session session,
             LocalFrame plane,
             RunNotes notes,
             SimulatedOperatorDriver operator,
             InterruptScheduler interrupts) {
-        this.plan = plan;
-        this.settings = settings;
+        this.input = input;
         this.session = session;
         this.plane = plane;
         this.operator = operator;
         this.interrupts = interrupts;
-        folds = new ReportFolds(plan.project(), plan.vocabulary(), plane, notes.fold());
-        trueVisits = new TrueVisits(folds.visits());
+        folds = new ReportFolds(input.plan().project(), input.plan().vocabulary(), plane, notes.fold());
         addWhatOnlyTheRunKnows();
         session.addListener(new SessionListener() {
             @Override
@@ -67,16 +55,6 @@ public final class RunRecords {
                 folds.reading(reading);
             }
         });
-        if (!settings.isConnected()) { // else the run's monitor hears it, on the engine's thread
-            folds.add(trueVisits);
-            folds.add(this::addTrueTracks);
-            session.addListener(new SessionListener() {
-                @Override
-                public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
-                    points.forEach(point -> folds.visit(boat, point, atMillis));
-                }
-            });
-        }
     }
 
     private void addWhatOnlyTheRunKnows() {
@@ -96,17 +74,8 @@ public final class RunRecords {
         folds.add(draft -> draft.waits(
                 draft.end().outcome().isOver()
                         ? List.of()
-                        : session.host().ask(view -> BlockedPlaces.of(plan.vocabulary(), view))));
-    }
-
-    /** What is known of the tracks is how they truly are; what boats reported is something else where positions are not exact. */
-    private void addTrueTracks(ReportDraft draft) {
-        List<BoatResult> truly = draft.tracks().best();
-        List<BoatResult> said = reporting
-                .map(boats -> reported.results(
-                        draft.end().atMillis(), boats.get(), draft.end().links()))
-                .orElse(truly);
-        draft.tracks(new KnownTracks(said, Optional.of(truly)));
+                        : session.host()
+                                .ask(view -> BlockedPlaces.of(input.plan().vocabulary(), view))));
     }
 
     /** Who must hear of every step of the engine, in this order. */
@@ -131,26 +100,9 @@ public final class RunRecords {
         return folds.visits();
     }
 
-    /** Looks where boats of this process truly are, however they err. */
-    public void lookAtTruth(long nowMillis, List<BoatState> boats) {
-        trueVisits.look(nowMillis, boats);
-    }
-
     /** Where boats were. */
     public TrackRecorder tracks() {
         return folds.tracks();
-    }
-
-    /** What is told of the boats is how they truly are: where they say that they are is something else, and noted down where they explore. */
-    public void alsoNote(Supplier<List<BoatState>> asReported) {
-        reporting = Optional.of(asReported);
-    }
-
-    /** Looks where boats say that they are; to be called once a second. */
-    public void lookAtReported(long nowMillis) {
-        if (reporting.isPresent() && folds.hasExplorations()) {
-            reported.look(nowMillis, reporting.get().get());
-        }
     }
 
     /** Who answers the run's decisions. */
@@ -184,6 +136,6 @@ public final class RunRecords {
 
     /** The report. The models show all that happened before. */
     public RunReport report(ReportEnd end) {
-        return folds.report(RunHeaders.of(plan, settings, plane), end);
+        return folds.report(RunHeaders.of(input.plan(), input.settings(), plane), end);
     }
 }
