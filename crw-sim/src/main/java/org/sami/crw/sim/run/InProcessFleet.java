@@ -258,7 +258,7 @@ final class InProcessFleet implements RunFleet {
         RunLifecycle lifecycle = run.lifecycle();
         boolean failedBefore = lifecycle.fault().isPresent();
         Optional<RunOutcome> outcome = lifecycle.outcome();
-        if (!failedBefore && run.records().mission().outcome().isPresent()) {
+        if (!failedBefore && run.records().mission().isOver()) {
             try {
                 journal.over();
             } catch (IOException e) {

@@ -140,7 +140,7 @@ public final class RunHarness {
 
     /** The report of a run that was over in an earlier process; empty where it was not. */
     public Optional<RunReport> reportIfOver(OptionalLong resumedFrom) {
-        return records.mission().outcome().isEmpty()
+        return !records.mission().isOver()
                 ? Optional.empty()
                 : lifecycle.outcome().map(outcome -> report(outcome, endMillis(), 0, resumedFrom));
     }

@@ -9,12 +9,13 @@ import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunMission;
 import org.sami.crw.sim.run.record.RunRecords;
+import org.sami.crw.sim.run.settings.MissionStart;
 import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
 
 /**
- * Starts the mission of a run when its boats are there, and says whether and how the run is over: by its mission, by a fault, or since
+ * Starts the missions of a run, the first when its boats are there, and says whether and how the run is over: by its mission, by a fault, or since
  * nothing can happen any longer. For the engine's thread.
  */
 public final class RunLifecycle {
@@ -23,7 +24,7 @@ public final class RunLifecycle {
     private final RunMission mission;
     private final StallDetector stall;
     private Optional<String> fault = Optional.empty();
-    private boolean started;
+    private int started; // how many missions were
 
     /**
      * For one run, which has not begun.
@@ -32,27 +33,40 @@ public final class RunLifecycle {
         this.input = input;
         this.session = session;
         mission = records.mission();
-        stall = new StallDetector(session, records);
+        stall = new StallDetector(input.missions().size(), session, records);
     }
 
     /** What the recorder has heard happened in earlier processes: the mission may run already. */
     public void caughtUp() {
-        started = mission.root().isPresent();
+        started = mission.started();
     }
 
-    /** Whether the mission was started. */
+    /** Whether the first mission was started. */
     boolean hasStarted() {
-        return started;
+        return started > 0;
     }
 
-    /** Starts the mission, once, if all its boats have joined. */
+    /** Starts the first mission, once, if all its boats have joined. */
     public void startWhenAllHaveJoined() {
-        if (!started && mission.boatsJoined() >= input.settings().fleet().boats()) {
-            started = true;
-            session.host()
-                    .post(new Input.StartMission(
-                            input.plan().plan().id(), input.settings().mission(), input.parameters()));
+        if (started == 0 && mission.boatsJoined() >= input.settings().fleet().boats()) {
+            start(input.missions().get(0));
         }
+    }
+
+    /** Starts those whose time has come since the first has started. */
+    private void startLaterOnes() {
+        while (started < input.missions().size()
+                && mission.startedAtMillis().isPresent()
+                && session.scheduler().nowMs()
+                        >= mission.startedAtMillis().getAsLong()
+                                + input.missions().get(started).afterMillis()) {
+            start(input.missions().get(started));
+        }
+    }
+
+    private void start(MissionStart next) {
+        started++;
+        session.host().post(new Input.StartMission(next.plan().id(), next.name(), next.parameters()));
     }
 
     /** Whether and how it is over; asked again and again. */
@@ -65,6 +79,7 @@ public final class RunLifecycle {
         if (failure.isPresent()) {
             fail(failure.get());
         }
+        startLaterOnes();
         Optional<RunOutcome> outcome = fault.isEmpty() ? mission.result() : Optional.empty();
         if (outcome.isPresent()) {
             if (outcome.get() == RunOutcome.FAILED) {

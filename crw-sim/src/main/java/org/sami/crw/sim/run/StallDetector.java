@@ -46,11 +46,17 @@ final class StallDetector {
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
     private final RunMission mission;
+    private final int missions;
     private final Map<String, BoatState> places = new HashMap<>(); // of boats, where they last were somewhere else
     private long lastSomewhereMillis;
 
-    /** A watch over one run. */
-    StallDetector(Session session, RunRecords records) {
+    /**
+     * A watch over one run.
+     *
+     * @param missions how many it starts
+     */
+    StallDetector(int missions, Session session, RunRecords records) {
+        this.missions = missions;
         host = session.host();
         decisions = session.models().decisions();
         stuck = session.models().stuck();
@@ -67,7 +73,7 @@ final class StallDetector {
     Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
         follow(nowMillis, boats, isWanted);
         long quietMillis = nowMillis - mission.lastInputMillis();
-        if (mission.root().isEmpty()
+        if (mission.started() < missions
                 || quietMillis <= SETTLED_MILLIS
                 || operator.isThinking()
                 || interrupts.hasPlans()

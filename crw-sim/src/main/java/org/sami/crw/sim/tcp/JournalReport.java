@@ -68,7 +68,12 @@ public final class JournalReport {
         RunArea area = telemetry.area().orElseGet(() -> RunArea.around(telemetry.firstPositions(), List.of()));
         GeoPoint centre = area.centre();
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
-        folds = new ReportFolds(project, vocabulary, plane, notes);
+        folds = new ReportFolds(
+                project,
+                vocabulary,
+                1 + run.map(settings -> settings.also().size()).orElse(0),
+                plane,
+                notes);
         lastMillis = rows.stream().mapToLong(TelemetryRow::atMillis).max().orElse(0);
     }
 

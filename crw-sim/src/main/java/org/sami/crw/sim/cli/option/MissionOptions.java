@@ -12,11 +12,14 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.MissionStart;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
 import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.FileTooLargeException;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Option;
 
@@ -103,6 +106,14 @@ public final class MissionOptions {
     private List<String> interrupts = new ArrayList<>();
 
     @Option(
+            names = "--also",
+            paramLabel = "PLAN[@SECONDS]",
+            description = "Start a mission of another plan of the project as well, or of the same once more, so many "
+                    + "simulated seconds after the first (default 0). It asks the simulated operator for what it "
+                    + "needs. The run is over when all missions are. May be given several times.")
+    private List<String> also = new ArrayList<>();
+
+    @Option(
             names = "--battery",
             paramLabel = "PERCENT[,PERCENT...]",
             description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
@@ -136,10 +147,27 @@ public final class MissionOptions {
                     answerAfterMillis,
                     answersText(folder),
                     rest.addresses(),
-                    interrupts);
+                    interrupts,
+                    also);
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
         }
+    }
+
+    /**
+     * The plans of all missions of a run.
+     *
+     * @param first the plan that it is named after
+     * @throws UsageFault if the project has no such plan, or a time makes no sense
+     */
+    public List<Plan> plans(Plan first, Project project) {
+        List<Plan> plans = new ArrayList<>(List.of(first));
+        try {
+            also.forEach(more -> plans.add(MissionStart.parse(more, project).plan()));
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--also: " + e.getMessage());
+        }
+        return plans;
     }
 
     private Site site() {

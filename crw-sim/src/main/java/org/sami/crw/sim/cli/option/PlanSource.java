@@ -122,12 +122,12 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
                 + (plans.isEmpty() ? " has no plan" : " has several plans; choose with --plan one of " + ids(plans)));
     }
 
-    /** What was found about the project itself, the plan and those that it runs; another plan's faults do not keep it. */
-    public List<Finding> concerning(Plan chosen) {
+    /** What was found about the project itself, the chosen plans and those that they run; another plan's faults do not keep them. */
+    public List<Finding> concerning(List<Plan> chosen) {
         List<Plan> plans = project.map(Project::plans).orElse(List.of());
         Set<String> others = new LinkedHashSet<>();
         Set<String> family = new LinkedHashSet<>();
-        collect(plans, chosen.id(), family);
+        chosen.forEach(plan -> collect(plans, plan.id(), family));
         for (int i = 0; i < plans.size(); i++) {
             if (!family.contains(plans.get(i).id())) {
                 others.add("/plans/" + i);

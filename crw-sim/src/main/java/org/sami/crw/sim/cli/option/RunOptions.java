@@ -8,6 +8,8 @@ import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -73,6 +75,16 @@ public final class RunOptions {
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
         }
+    }
+
+    /**
+     * The plans of all missions of the run.
+     *
+     * @param first the plan that it is named after
+     * @throws UsageFault if the project has no such plan, or a time makes no sense
+     */
+    public List<Plan> plans(Plan first, Project project) {
+        return options.plans(first, project);
     }
 
     /** How long boats behind TCP may take to answer at the start. */

@@ -40,6 +40,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.settings.MissionStart;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlanLocations;
@@ -210,6 +211,10 @@ final class Execution {
             Map<String, Value> parameters =
                     new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
             checkPlace(plan, settings, parameters.values());
+            for (String more : settings.also()) {
+                Plan other = MissionStart.parse(more, plan.project()).plan();
+                checkPlace(new RunPlan(plan.vocabulary(), plan.project(), other), settings, List.of());
+            }
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--set: " + e.getMessage());
         }

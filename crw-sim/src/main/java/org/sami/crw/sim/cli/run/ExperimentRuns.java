@@ -145,7 +145,8 @@ public final class ExperimentRuns {
             throw new FaultyFile(name, source.findings());
         }
         Plan plan = source.choose(planName);
-        List<Finding> concerning = source.concerning(plan);
+        List<Finding> concerning =
+                source.concerning(options.plans(plan, source.project().get()));
         if (concerning.stream().anyMatch(Finding::isError)) {
             throw new FaultyFile(name, concerning);
         }

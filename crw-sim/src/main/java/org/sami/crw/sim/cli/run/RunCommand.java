@@ -46,6 +46,7 @@ import picocli.CommandLine.Spec;
             "  crw run clv",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
             "  crw run clv --connect 127.0.0.1:5001,127.0.0.1:5002 --area 60 --locations 6",
+            "  crw run my-project.json --plan search --also watch@60",
             "  crw run station-keep --set watch-time.duration=60s --speed max",
             "  crw run my-project.json --plan search --journal search.journal --json"
         })
@@ -87,7 +88,8 @@ public final class RunCommand implements Callable<Integer> {
             return ExitCode.FINDINGS;
         }
         Plan plan = source.choose(planOption.name());
-        List<Finding> concerning = source.concerning(plan);
+        List<Finding> concerning =
+                source.concerning(options.plans(plan, source.project().get()));
         if (concerning.stream().anyMatch(Finding::isError)) {
             FindingsText.print(err, name, concerning);
             err.flush();

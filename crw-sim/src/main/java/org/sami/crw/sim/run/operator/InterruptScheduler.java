@@ -1,9 +1,9 @@
 package org.sami.crw.sim.run.operator;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.crw.handler.activation.EventNames;
@@ -25,7 +25,7 @@ import org.sami.spn.vocabulary.Reserved;
 
 /**
  * Presses a run's interrupts (thesis 7.0.2, 7.1.1): at their times, counted from the start of the first mission, or when a
- * boat turns critical. A press that nobody can take is repeated until somebody does or the mission ends: not before
+ * boat turns critical. A press that nobody can take is repeated until somebody does or all missions have ended: not before
  * something has happened in a mission, since until then the answer would be the same, and at most once a second.
  *
  * <p>It knows the host and a clock, nothing else of the world. The host's listeners and the clock's actions run on one
@@ -41,7 +41,8 @@ public final class InterruptScheduler implements HostListener {
     private final List<InterruptPress> presses = new ArrayList<>();
     private final Set<String> critical = new LinkedHashSet<>();
     private Consumer<Input> door = input -> {}; // while the past of a run is gone through, it was pressed already
-    private Optional<Long> mission = Optional.empty();
+    private final Set<Long> missions = new HashSet<>(); // root missions that go on
+    private boolean begun;
     private boolean over;
 
     /** A station that will press these. */
@@ -80,15 +81,23 @@ public final class InterruptScheduler implements HostListener {
         boolean changed = false;
         for (Effect effect : effects) {
             changed |= effect instanceof Effect.Fired || effect instanceof Effect.Activated;
-            if (effect instanceof Effect.MissionStarted started && started.parent() == Ids.NONE && mission.isEmpty()) {
-                mission = Optional.of(started.mission());
-                begin();
-            } else if (effect instanceof Effect.MissionEnded ended && mission.equals(Optional.of(ended.mission()))) {
-                over = true;
+            if (effect instanceof Effect.MissionStarted started && started.parent() == Ids.NONE) {
+                started(started.mission());
+            } else if (effect instanceof Effect.MissionEnded ended && missions.remove(ended.mission())) {
+                over = missions.isEmpty();
             }
         }
         if (changed) {
             refused.forEach(this::again);
+        }
+    }
+
+    private void started(long mission) {
+        missions.add(mission);
+        over = false;
+        if (!begun) {
+            begun = true;
+            begin();
         }
     }
 
@@ -172,7 +181,7 @@ public final class InterruptScheduler implements HostListener {
                 presses.stream()
                         .filter(p -> p.plan.isForBattery() && p.isWaitingFor(boat))
                         .forEach(p -> p.state = State.GIVEN_UP);
-            } else if (critical.add(boat) && mission.isPresent()) {
+            } else if (critical.add(boat) && begun) {
                 turnedCritical(boat);
             }
         }

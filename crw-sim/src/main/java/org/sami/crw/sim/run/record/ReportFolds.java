@@ -18,7 +18,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * thread, but where a fold says otherwise.
  */
 public final class ReportFolds {
-    private final RunMission mission = new RunMission();
+    private final RunMission mission;
     private final VisitFold visits;
     private final TrackRecorder tracks = new TrackRecorder();
     private final PlanMap map;
@@ -27,10 +27,12 @@ public final class ReportFolds {
     /**
      * Folds that have been fed nothing.
      *
+     * @param missions how many root missions the run starts; 1 where nobody knows
      * @param plane around the area's centre
      * @param notes what the operator is told, perhaps already before the area is known
      */
-    public ReportFolds(Project project, Vocabulary vocabulary, LocalFrame plane, NoteFold notes) {
+    public ReportFolds(Project project, Vocabulary vocabulary, int missions, LocalFrame plane, NoteFold notes) {
+        mission = new RunMission(missions);
         visits = new VisitFold(plane);
         map = new PlanMap(plane);
         folds.addAll(List.of(
@@ -60,7 +62,7 @@ public final class ReportFolds {
         return listeners;
     }
 
-    /** The run's mission. */
+    /** How far the missions of the run are. */
     public RunMission mission() {
         return mission;
     }

@@ -1,6 +1,8 @@
 package org.sami.crw.sim.run.record;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.sim.report.RunOutcome;
@@ -13,48 +15,59 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 
-/** How far the mission of a run is: one root mission is the run's. A function of the journal's entries. */
+/**
+ * How far the missions of a run are: of the root missions the first ones are the run's, as many as it starts. A function of the journal's
+ * entries.
+ */
 public final class RunMission implements HostListener {
-    private OptionalLong root = OptionalLong.empty();
-    private Optional<Outcome> outcome = Optional.empty();
-    private OptionalLong endedAtMillis = OptionalLong.empty();
+    private final int count;
+    private final Map<Long, Optional<Outcome>> roots = new LinkedHashMap<>();
+    private OptionalLong startedAtMillis = OptionalLong.empty();
+    private OptionalLong lastEndedAtMillis = OptionalLong.empty();
     private Optional<String> failure = Optional.empty();
     private String lastNote = "the mission did not start";
     private int boatsJoined;
     private long lastInputMillis;
 
+    /**
+     * Missions that have not started.
+     *
+     * @param count how many the run starts
+     */
+    RunMission(int count) {
+        this.count = count;
+    }
+
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         lastInputMillis = atMillis;
         boatsJoined += input instanceof Input.ProxyJoined ? 1 : 0;
+        int before = roots.size();
         for (Effect effect : effects) {
             take(atMillis, effect);
         }
-        if (input instanceof Input.StartMission && root.isEmpty()) {
+        if (input instanceof Input.StartMission && roots.size() == before && before < count) {
             failure = Optional.of(lastNote);
         }
     }
 
     private void take(long atMillis, Effect effect) {
-        if (effect instanceof Effect.MissionStarted started && started.parent() == Ids.NONE && root.isEmpty()) {
-            root = OptionalLong.of(started.mission());
-        } else if (effect instanceof Effect.MissionEnded ended && isRoot(ended.mission())) {
-            over(ended.outcome(), atMillis);
+        if (effect instanceof Effect.MissionStarted started && started.parent() == Ids.NONE && roots.size() < count) {
+            roots.put(started.mission(), Optional.empty());
+            startedAtMillis = startedAtMillis.isPresent() ? startedAtMillis : OptionalLong.of(atMillis);
+        } else if (effect instanceof Effect.MissionEnded ended && roots.containsKey(ended.mission())) {
+            over(ended.mission(), ended.outcome(), atMillis);
         } else if (effect instanceof Effect.Noted noted) {
             lastNote = noted.message();
-            if (noted.kind() == NoteKind.LIVELOCK && isRoot(noted.mission())) {
-                over(Outcome.HALTED, atMillis);
+            if (noted.kind() == NoteKind.LIVELOCK && roots.containsKey(noted.mission())) {
+                over(noted.mission(), Outcome.HALTED, atMillis);
             }
         }
     }
 
-    private void over(Outcome how, long atMillis) {
-        outcome = Optional.of(how);
-        endedAtMillis = OptionalLong.of(atMillis);
-    }
-
-    private boolean isRoot(long mission) {
-        return root.isPresent() && root.getAsLong() == mission;
+    private void over(long mission, Outcome how, long atMillis) {
+        roots.put(mission, Optional.of(how));
+        lastEndedAtMillis = OptionalLong.of(atMillis);
     }
 
     @Override
@@ -62,23 +75,26 @@ public final class RunMission implements HostListener {
         failure = Optional.of(status.whole());
     }
 
-    /** How the run's mission ended; empty while it goes on. */
-    public Optional<Outcome> outcome() {
-        return outcome;
+    /** Whether all missions of the run are over. */
+    public boolean isOver() {
+        return roots.size() == count && roots.values().stream().allMatch(Optional::isPresent);
     }
 
-    /** The same as the run's own outcome; empty while it goes on. */
+    /** How the run's missions ended, of several the worst; empty while one goes on or is still to start. */
     public Optional<RunOutcome> result() {
-        return outcome.map(how -> switch (how) {
-            case ENDED, COMPLETED -> RunOutcome.ENDED;
-            case ABORTED -> RunOutcome.ABORTED;
-            case HALTED -> RunOutcome.FAILED;
-        });
+        if (!isOver()) {
+            return Optional.empty();
+        }
+        List<Outcome> ends = roots.values().stream().flatMap(Optional::stream).toList();
+        return Optional.of(
+                ends.contains(Outcome.HALTED)
+                        ? RunOutcome.FAILED
+                        : ends.contains(Outcome.ABORTED) ? RunOutcome.ABORTED : RunOutcome.ENDED);
     }
 
-    /** When the run's mission ended; empty while it goes on. */
+    /** When the last of the run's missions ended; empty while one goes on or is still to start. */
     public OptionalLong endedAtMillis() {
-        return endedAtMillis;
+        return isOver() ? lastEndedAtMillis : OptionalLong.empty();
     }
 
     /** Why the run cannot go on, in one sentence; empty while it can. */
@@ -86,9 +102,14 @@ public final class RunMission implements HostListener {
         return failure;
     }
 
-    /** The run's mission, empty before it started. */
-    public OptionalLong root() {
-        return root;
+    /** How many of the run's missions have started. */
+    public int started() {
+        return roots.size();
+    }
+
+    /** When the first mission started; empty before. */
+    public OptionalLong startedAtMillis() {
+        return startedAtMillis;
     }
 
     /** When the engine last took something in. */

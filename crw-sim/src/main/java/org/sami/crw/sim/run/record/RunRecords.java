@@ -47,7 +47,12 @@ public final class RunRecords {
         this.plane = plane;
         this.operator = operator;
         this.interrupts = interrupts;
-        folds = new ReportFolds(input.plan().project(), input.plan().vocabulary(), plane, notes.fold());
+        folds = new ReportFolds(
+                input.plan().project(),
+                input.plan().vocabulary(),
+                input.missions().size(),
+                plane,
+                notes.fold());
         addWhatOnlyTheRunKnows();
         session.addListener(new SessionListener() {
             @Override
@@ -90,7 +95,7 @@ public final class RunRecords {
         return folds;
     }
 
-    /** The run's mission. */
+    /** How far the missions of the run are. */
     public RunMission mission() {
         return folds.mission();
     }

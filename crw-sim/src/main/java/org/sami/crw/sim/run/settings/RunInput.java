@@ -1,36 +1,45 @@
 package org.sami.crw.sim.run.settings;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Objects;
 import org.sami.crw.decision.AnswersFile;
-import org.sami.spn.value.Value;
 
 /**
  * All that a run is put together of, on whatever fleet.
  *
+ * @param plan of the first mission, with its project
  * @param answers what the simulated operator is told to answer
- * @param parameters values for what the plan asks at its start
+ * @param missions what the run starts, by time; the first when all boats are there. The run is over when all of them are
  */
-public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, Map<String, Value> parameters) {
+public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, List<MissionStart> missions) {
     public RunInput {
         Objects.requireNonNull(plan, "plan");
         Objects.requireNonNull(settings, "settings");
         Objects.requireNonNull(answers, "answers");
-        parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+        missions = List.copyOf(missions);
+        if (missions.isEmpty()) {
+            throw new IllegalArgumentException("a run has a mission");
+        }
     }
 
     /**
-     * A run with the parameters of its settings.
+     * A run of what its settings say.
      *
-     * @throws IllegalArgumentException naming the parameter, if a given one does not fit the plan
+     * @throws IllegalArgumentException naming the parameter or the mission, if one does not fit the plan or the project
      */
     public static RunInput of(RunPlan plan, RunSettings settings, AnswersFile answers) {
-        return new RunInput(
-                plan,
-                settings,
-                answers,
-                new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters()));
+        List<MissionStart> missions = new ArrayList<>();
+        missions.add(new MissionStart(
+                plan.plan(),
+                settings.mission(),
+                new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters()),
+                0));
+        settings.also().stream()
+                .map(more -> MissionStart.parse(more, plan.project()))
+                .sorted(Comparator.comparingLong(MissionStart::afterMillis))
+                .forEach(missions::add);
+        return new RunInput(plan, settings, answers, missions);
     }
 }

@@ -28,6 +28,7 @@ import org.sami.crw.sim.hull.Conditions;
  * @param answers text of the answers file; empty text where there is none
  * @param connect where the boats' servers listen, as many as the fleet has boats; empty = the boats are in this process
  * @param interrupts which interrupts are pressed, as they were given ({@link PlanInterrupts}), in order
+ * @param also which missions are started beside the first, as they were given ({@link MissionStart#parse}), in order
  */
 public record RunSettings(
         String plan,
@@ -39,7 +40,8 @@ public record RunSettings(
         long answerAfterMillis,
         String answers,
         List<BoatAddress> connect,
-        List<String> interrupts) {
+        List<String> interrupts,
+        List<String> also) {
     /** A run that is not told when to stop gives up after one simulated day. */
     public static final long LONGEST_MILLIS = 86_400_000;
 
@@ -47,6 +49,7 @@ public record RunSettings(
     private static final String BATTERY = "battery";
     private static final String CONNECT = "connect";
     private static final String INTERRUPT = "interrupt.";
+    private static final String ALSO = "also.";
 
     /**
      * The boats and what they are sent to.
@@ -138,6 +141,7 @@ public record RunSettings(
         parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
         Objects.requireNonNull(answers, "answers");
         interrupts = List.copyOf(interrupts);
+        also = List.copyOf(also);
         if (answerAfterMillis < 0) {
             throw new IllegalArgumentException("the operator answers after 0 s or more, not " + answerAfterMillis);
         }
@@ -168,7 +172,44 @@ public record RunSettings(
             Map<String, String> parameters,
             long answerAfterMillis,
             String answers) {
-        this(plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, List.of(), List.of());
+        this(
+                plan,
+                mission,
+                fleet,
+                speed,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                List.of(),
+                List.of(),
+                List.of());
+    }
+
+    /** A run of one mission. */
+    public RunSettings(
+            String plan,
+            String mission,
+            Fleet fleet,
+            Speed speed,
+            OptionalLong limitMillis,
+            Map<String, String> parameters,
+            long answerAfterMillis,
+            String answers,
+            List<BoatAddress> connect,
+            List<String> interrupts) {
+        this(
+                plan,
+                mission,
+                fleet,
+                speed,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                connect,
+                interrupts,
+                List.of());
     }
 
     /** The same run on boats behind TCP, in real time. */
@@ -190,7 +231,8 @@ public record RunSettings(
                 answerAfterMillis,
                 answers,
                 addresses,
-                interrupts);
+                interrupts,
+                also);
     }
 
     /** Whether the boats are other processes, behind TCP. */
@@ -201,25 +243,71 @@ public record RunSettings(
     /** The same run with other interrupts. */
     public RunSettings withInterrupts(List<String> others) {
         return new RunSettings(
-                plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, connect, others);
+                plan,
+                mission,
+                fleet,
+                speed,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                connect,
+                others,
+                also);
+    }
+
+    /** The same run with these missions beside the first. */
+    public RunSettings withAlso(List<String> others) {
+        return new RunSettings(
+                plan,
+                mission,
+                fleet,
+                speed,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                connect,
+                interrupts,
+                others);
     }
 
     /** The same run with other boats. */
     public RunSettings withFleet(Fleet other) {
         return new RunSettings(
-                plan, mission, other, speed, limitMillis, parameters, answerAfterMillis, answers, connect, interrupts);
+                plan,
+                mission,
+                other,
+                speed,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                connect,
+                interrupts,
+                also);
     }
 
     /** The same run at another speed. */
     public RunSettings withSpeed(Speed other) {
         return new RunSettings(
-                plan, mission, fleet, other, limitMillis, parameters, answerAfterMillis, answers, connect, interrupts);
+                plan,
+                mission,
+                fleet,
+                other,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                connect,
+                interrupts,
+                also);
     }
 
     /** The same run with another end. */
     public RunSettings withLimit(OptionalLong other) {
         return new RunSettings(
-                plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers, connect, interrupts);
+                plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers, connect, interrupts, also);
     }
 
     /** When it stops at the latest, in simulated milliseconds. */
@@ -251,6 +339,9 @@ public record RunSettings(
         parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
         for (int i = 0; i < interrupts.size(); i++) {
             map.put(INTERRUPT + i, interrupts.get(i));
+        }
+        for (int i = 0; i < also.size(); i++) {
+            map.put(ALSO + i, also.get(i));
         }
         return map;
     }
@@ -286,15 +377,16 @@ public record RunSettings(
                 Long.parseLong(needed(map, "answerAfterMillis")),
                 needed(map, "answers"),
                 map.containsKey(CONNECT) ? BoatAddress.parseAll(map.get(CONNECT)) : List.of(),
-                interrupts(map));
+                numbered(map, INTERRUPT),
+                numbered(map, ALSO));
     }
 
-    private static List<String> interrupts(Map<String, String> map) {
-        List<String> interrupts = new ArrayList<>();
-        for (String next = map.get(INTERRUPT + 0); next != null; next = map.get(INTERRUPT + interrupts.size())) {
-            interrupts.add(next);
+    private static List<String> numbered(Map<String, String> map, String name) {
+        List<String> values = new ArrayList<>();
+        for (String next = map.get(name + 0); next != null; next = map.get(name + values.size())) {
+            values.add(next);
         }
-        return interrupts;
+        return values;
     }
 
     private static String needed(Map<String, String> map, String name) {
