@@ -40,9 +40,9 @@ public final class ConnectAttempt {
     }
 
     /**
-     * Connects to an address, and keeps at it.
+     * Connects to an address and keeps trying.
      *
-     * @param changed is told when a boat answered or it was refused; that nobody answers is to be asked for ({@link #state})
+     * @param changed called when a boat has answered or was refused; {@link #state} says whether none has answered yet
      */
     public static ConnectAttempt begin(Session session, BoatAddress address, Consumer<ConnectAttempt> changed) {
         Set<String> known = new HashSet<>();

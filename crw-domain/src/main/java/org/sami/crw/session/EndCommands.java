@@ -53,7 +53,7 @@ final class EndCommands {
         return boats.all().stream().allMatch(boat -> does(boat) || boat.status().link() != LinkState.LINKED);
     }
 
-    /** Who has not said that it does what it is to do, in words. */
+    /** The boats that have not confirmed their last command, in words. */
     List<String> others(ProxyRegistry boats) {
         String what = end == BoatsAtEnd.HOLD ? "it holds its place" : "it stops";
         return boats.all().stream()

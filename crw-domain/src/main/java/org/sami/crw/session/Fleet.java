@@ -150,13 +150,12 @@ public final class Fleet {
     }
 
     /**
-     * Connects again to the boats that the journal knows, as far as they were not disconnected; simulated ones are launched again. Gives
-     * their ids.
+     * Connects again to the boats that the journal knows, except disconnected ones; simulated ones are launched again. Returns their ids.
      *
-     * @param except addresses to which nobody connects
+     * @param except addresses to leave out
      * @param exceptBoats ids of boats to which the caller connects itself
-     * @param positions where boats were last, by their names
-     * @param notice is told of simulated boats that cannot be launched
+     * @param positions last positions of boats, by their names
+     * @param notice receives simulated boats that cannot be launched
      */
     List<String> reconnect(
             Set<BoatAddress> except,
@@ -216,7 +215,7 @@ public final class Fleet {
 
     // ---- by hand
 
-    /** Commands a boat from now on, whoever did before. The boat's answer is told to listeners. */
+    /** Takes the command of a boat, whoever had it before. Listeners receive the boat's answer. */
     public CompletionStage<Void> takeCommand(String boat) {
         return tell(boat, "took the command of " + boat, proxy -> {
             checkLinked(proxy);
@@ -225,7 +224,7 @@ public final class Fleet {
         });
     }
 
-    /** Asks whoever commands a boat for its command. The answer is told to listeners. */
+    /** Asks the commander of a boat for its command. Listeners receive the answer. */
     public CompletionStage<Void> askForCommand(String boat) {
         return tell(boat, "asked for the command of " + boat, proxy -> {
             checkLinked(proxy);
@@ -251,8 +250,8 @@ public final class Fleet {
     }
 
     /**
-     * Drives a boat by hand: missions are told, and what they want of it waits until {@link #handBack}. To be called again within two
-     * seconds, or the boat stops its motors.
+     * Drives a boat by hand: missions are notified, and their commands wait until {@link #handBack}. Without another call within two seconds the boat
+     * stops its motors.
      *
      * @param thrust part of full thrust, -1 to 1
      * @param rudder part of full steering effort, -1 (port) to 1 (starboard)
@@ -368,7 +367,10 @@ public final class Fleet {
         return tell(boat, "released " + boat, BoatProxy::fleetRelease);
     }
 
-    /** Stops the motors of every boat, latched on each, and of every boat that is found until {@link #releaseAll}. Gives whom it told. */
+    /**
+     * Stops the motors of every boat, latched on each, and of every boat that joins before {@link #releaseAll}. Returns the boats that received the
+     * stop.
+     */
     public CompletionStage<List<String>> stopAll() {
         return onFleet(boats -> {
             stopped = true;
@@ -379,7 +381,7 @@ public final class Fleet {
         });
     }
 
-    /** Ends the fleet stop; boats go on with what missions want of them. Gives whom it told. */
+    /** Ends the fleet stop; boats go on with their missions' commands. Returns the boats that received the release. */
     public CompletionStage<List<String>> releaseAll() {
         return onFleet(boats -> {
             stopped = false;

@@ -15,7 +15,7 @@ import org.sami.spn.value.GeoPoint;
  * differ from those over TCP. For the fleet's thread, but for {@link #executor} and {@link #close}.
  */
 public interface FleetConnector extends BoatConnector, AutoCloseable {
-    /** Begins; whatever becomes of boats and links is told to the listener, on the fleet's thread. Called once, on any thread. */
+    /** Begins; the listener receives all events of boats and links, on the fleet's thread. Called once, on any thread. */
     void open(BaseListener listener);
 
     /** The fleet's thread. */

@@ -10,8 +10,8 @@ import org.sami.crw.proxy.command.UploadCount;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What a session knows of its boats over all its processes: how far they came, how often they were recharged, how their links went, and
- * what each told last. How they are now is said by {@link org.sami.crw.operator.FleetModel}. Safe for use by several threads.
+ * A session's history of its boats over all its processes: distances, recharges, links, and last reports. {@link org.sami.crw.operator.FleetModel}
+ * has their present state. Safe for use by several threads.
  */
 public final class FleetHistory {
     /** A charge that rises by more than this, in percent of full, did not do so by itself. */
@@ -30,10 +30,10 @@ public final class FleetHistory {
     public record Told(GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
 
     /**
-     * A boat as it was last.
+     * The last state of a boat.
      *
-     * @param distanceM metres driven since the session began, as far as the base was told
-     * @param recharges how often its battery was filled
+     * @param distanceM metres driven since the session began, as reported to the base
+     * @param recharges number of recharges
      */
     public record Boat(String id, Told told, double distanceM, int recharges) {}
 

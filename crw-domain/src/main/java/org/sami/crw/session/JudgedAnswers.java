@@ -21,7 +21,10 @@ import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.Value;
 
-/** Judges drafts of answers, and values that are to be set, by what engine and boats are now; computed beside both. From any thread. */
+/**
+ * Judges drafts of answers, and values before they are set, by the present state of engine and boats; computes on a thread of its own. From any
+ * thread.
+ */
 final class JudgedAnswers {
     private final Fleet fleet;
     private final SessionParts parts;

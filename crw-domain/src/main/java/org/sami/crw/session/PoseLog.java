@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Writes down where boats are, for tracks and for a later process: one pose each time a boat has come a spacing further, and one a minute
- * as long as it tells something new. The spacing doubles with each {@value #POSES_A_SPACING} poses of a boat, so that a session of weeks
- * stays readable. For the fleet's thread.
+ * Records boats' positions for tracks and for a later process: one pose each time a boat has moved by the spacing, and one a minute while it reports
+ * changes. The spacing doubles with each {@value #POSES_A_SPACING} poses of a boat, so that a session of weeks stays readable. For the fleet's
+ * thread.
  */
 final class PoseLog {
     /** Half of what a boat covers between two looks at its full speed. */
@@ -37,7 +37,7 @@ final class PoseLog {
         this.telemetry = telemetry;
     }
 
-    /** Writes nothing from now on: somebody else does. From any thread. */
+    /** Stops recording: another log records from now on. From any thread. */
     void stop() {
         stopped = true;
     }

@@ -159,8 +159,7 @@ public final class Session implements AutoCloseable {
      *
      * @param plan its id
      * @param name of the mission, for people
-     * @param parameters values for what the plan asks at its start, by {@code eventId.field} or {@code field}, and for variables by
-     *     {@code @name}; what is not given is asked
+     * @param parameters start values by {@code eventId.field} or {@code field}, and variables by {@code @name}; the plan asks for missing ones
      * @return the mission's id
      */
     public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
@@ -476,10 +475,10 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Tells boats what they are to do at the end, and waits, for 3 s at most, until they do. After this nobody commands them from
-     * here, and nothing more is noted of them. Blocks: not for a thread of the session's own, nor a window's event thread.
+     * Sends the boats their last commands and waits until they execute them, 3 s at most. Afterwards this session commands no boat and records
+     * nothing about boats. Blocks: not for a thread of the session's own, nor a window's event thread.
      *
-     * @return who has not said that it does so, in words
+     * @return the boats that have not confirmed it, in words
      */
     public List<String> leave(BoatsAtEnd end) {
         parts.domain.close();

@@ -43,7 +43,7 @@ public final class SessionFaults {
         watch.ifPresent(one -> one.setStill(still));
     }
 
-    /** What is to be told of whatever is thrown on other threads of a program that shows the session, such as a window's event thread. */
+    /** The handler for uncaught exceptions on other threads of a program that shows the session, such as a window's event thread. */
     public ThreadGuard guard() {
         return guard;
     }

@@ -61,7 +61,7 @@ public final class SessionJournal implements AutoCloseable {
         return over(new NoJournal());
     }
 
-    /** A journal of inputs that somebody else keeps, for a session that begins; telemetry is not kept. */
+    /** A journal of inputs that another owner keeps, for a session that begins; telemetry is not kept. */
     public static SessionJournal over(InputJournal inputs) {
         return new SessionJournal(inputs);
     }
@@ -116,7 +116,7 @@ public final class SessionJournal implements AutoCloseable {
         return resumed ? cameToMillis : inputs.lastMillis();
     }
 
-    /** What earlier processes wrote beside the inputs, in order, as far as it is not damaged. */
+    /** The telemetry of earlier processes, in order, as far as it is undamaged. */
     public List<TelemetryRow> earlier() throws IOException {
         if (!resumed) {
             return List.of();
@@ -157,7 +157,7 @@ public final class SessionJournal implements AutoCloseable {
         }
     }
 
-    /** Whether telemetry that is added is kept; else nobody need make it. */
+    /** Whether added telemetry is kept; otherwise none need be made. */
     boolean keepsTelemetry() {
         return file.isPresent();
     }

@@ -4,8 +4,8 @@ import java.util.List;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Is told what a session notes beside the engine's steps. Called on the thread on which it happens, most of it the fleet's: must be
- * quick, and must not wait for the session.
+ * Receives the notes of a session besides the engine's steps. Called on the thread of the event, mostly the fleet's: it must be quick and must not
+ * wait for the session.
  */
 public interface SessionListener {
     /** The operator is told something; kept in the journal. On any thread. */

@@ -6,10 +6,10 @@ import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.protocol.Ids;
 
 /**
- * Something that the operator was told, as a session notes it.
+ * A message to the operator, as a session records it.
  *
- * @param kind what sort of message: {@code plan message}, {@code domain message}, {@link #LINK}, {@link #JOURNAL}
- * @param mission whom it concerns; {@link Ids#NONE} for nobody in particular
+ * @param kind kind of message: {@code plan message}, {@code domain message}, {@link #LINK}, {@link #JOURNAL}
+ * @param mission the mission concerned; {@link Ids#NONE} for none
  */
 public record SessionNote(long atMillis, String kind, long mission, String text) {
     /** Kind of a note about a link. */

@@ -26,12 +26,12 @@ public interface SessionOperator {
     void settled(long decision, Optional<Answer> answer, String by);
 
     /**
-     * A decision that waits.
+     * A waiting decision.
      *
-     * @param presentation how it is to be shown
-     * @param plan id of the plan whose mission asks; empty text where the domain asks
-     * @param workMillis how long the operator is busy with what is asked beside answering (thesis 8.1)
-     * @param atMillis since when, in the session's time
+     * @param presentation the decision for display
+     * @param plan id of the mission's plan; empty text where the domain asks
+     * @param workMillis how long the asked work keeps the operator busy, without answering (thesis 8.1)
+     * @param atMillis when it was asked, in the session's time
      */
     record Asked(DecisionPresentation presentation, String plan, long workMillis, long atMillis) {
         /** The decision, with its question as it is asked. */

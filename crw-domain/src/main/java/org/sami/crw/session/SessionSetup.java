@@ -13,12 +13,12 @@ import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * What a session is opened with.
+ * The setup of a session.
  *
- * @param project whose plans may run; they have passed the checks
+ * @param project the project of its plans, which has passed the checks
  * @param journal belongs to the session, which closes it
- * @param services who computes allocations, paths and coverage
- * @param onFault what is to happen when the engine or its journal fails; of sessions in real time
+ * @param services allocation, paths and coverage
+ * @param onFault the reaction to a failure of the engine or its journal, in sessions in real time
  */
 public record SessionSetup(
         Vocabulary vocabulary,

@@ -143,10 +143,10 @@ public final class SessionTelemetry {
     }
 
     /**
-     * Adds a row. The missions do not need it: a table that cannot be written stops nobody, and is told once.
+     * Adds a row. Missions do not need it: a table that cannot be written stops none, and is reported once.
      *
-     * @param boat whom it is about; empty text for nobody
-     * @param kind what it is, such as {@code pose}
+     * @param boat the boat concerned; empty text for none
+     * @param kind kind of the row, such as {@code pose}
      */
     public synchronized void add(long atMillis, String boat, String kind, ObjectNode json) {
         try {

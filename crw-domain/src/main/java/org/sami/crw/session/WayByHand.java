@@ -24,8 +24,8 @@ import org.sami.spn.value.GeoPoint;
 /**
  * The way on which an operator sends a boat to a point. Immutable.
  *
- * @param points in driving order, from where the boat is to the point, with the turns around what is to be avoided
- * @param doubts what is to be known of it, as clauses; none for a way on which nothing is to be feared
+ * @param points in driving order, from the boat's position to the point, with turns around no-go areas
+ * @param doubts warnings about it, as clauses; none for a safe way
  */
 public record WayByHand(List<GeoPoint> points, List<String> doubts) {
     public WayByHand {
@@ -59,9 +59,9 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
     }
 
     /**
-     * The command that has the boat go there. Computes ways around what is to be avoided.
+     * The command that sends the boat there. Computes ways around no-go areas.
      *
-     * @throws RefusedException where the point lies in what is to be avoided, or where there is no way
+     * @throws RefusedException where the point lies in a no-go area, or where there is no way
      */
     static FollowPath command(String id, Start start, GeoPoint to, WayLimits limits) {
         FollowPath command = FollowPath.goTo(id, Ids.NONE, Ids.NONE, to, Priority.CRITICAL);

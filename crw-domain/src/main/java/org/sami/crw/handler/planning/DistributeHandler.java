@@ -148,8 +148,7 @@ public final class DistributeHandler implements ActivationHandler {
         List<GeoPoint> spread =
                 HexagonalPlacement.over(area.get(), ActivationFields.metres(activation, "spacing"), water);
         if (spread.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "There is no room for a location in the area, clear of what is to be avoided");
+            throw new IllegalArgumentException("There is no room for a location in the area, clear of no-go areas");
         }
         return spread;
     }

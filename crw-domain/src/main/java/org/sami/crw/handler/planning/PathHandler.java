@@ -132,7 +132,7 @@ public final class PathHandler implements ActivationHandler {
                 Map.of("options", new ListValue(values), "noWay", ProxyMaps.toValue(noWay)))));
     }
 
-    /** How far each set of paths keeps off what is to be avoided, and what that costs; nothing in open water. */
+    /** The distance that each set of paths keeps from no-go areas, and its cost; nothing in open water. */
     private void tellWhatIsKept(Activation activation, HandlerContext context, List<PathOption> options) {
         for (int i = 0; i < options.size(); i++) {
             String kept = options.get(i).kept();
@@ -207,7 +207,7 @@ public final class PathHandler implements ActivationHandler {
     /**
      * A way of a boat.
      *
-     * @param kept how far it keeps off what is to be avoided, in words; empty in open water
+     * @param kept the distance that it keeps from no-go areas, in words; empty in open water
      */
     private record KeptWay(PathAnswer.Way way, Optional<String> kept) {}
 

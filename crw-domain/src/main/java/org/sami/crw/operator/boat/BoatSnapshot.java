@@ -17,21 +17,21 @@ import org.sami.crw.proxy.status.StopLatch;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * One boat as it was known at a moment. Times are milliseconds on the session's clock.
+ * One boat at a moment. Times are milliseconds on the session's clock.
  *
- * @param pose where it said it was; empty before it has
- * @param poseAtMillis when that came; 0 before it has
- * @param battery what it said of its battery last; empty before it has
- * @param mode what its server does; empty before it has said so
- * @param heardAtMillis when the last frame came; empty before one has
+ * @param pose its last reported pose; empty before the first
+ * @param poseAtMillis time of that report; 0 before the first
+ * @param battery its last reported battery state; empty before the first
+ * @param mode the mode of its server; empty before the first report
+ * @param heardAtMillis time of the last frame; empty before the first
  * @param commander who commands it
- * @param command the command that it is to carry out now
- * @param visited points of that command's path that are behind it
- * @param points points of that path; 0 for a command that has none
+ * @param command the command whose turn it is
+ * @param visited number of visited points of that command's path
+ * @param points number of points of that path; 0 for a command without one
  * @param why why it moves or does not
- * @param drift how it is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard
- * @param stop whether it is stopped until somebody releases it
- * @param wayHome from where it was seen last to its home, with the turns between, where it is expected to come home by itself; else empty
+ * @param drift its drift while it does not drive; empty for one that drives, or without reports
+ * @param stop whether it is stopped until a release
+ * @param wayHome its expected way home, from its last position with the turns between, while it returns by itself; otherwise empty
  */
 public record BoatSnapshot(
         String boat,

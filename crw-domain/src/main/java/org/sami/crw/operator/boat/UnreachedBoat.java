@@ -4,14 +4,14 @@ import java.util.Objects;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 
 /**
- * An address at which there is no boat for this base yet, though it tries: nobody has answered, or who answered was refused.
+ * An address without a boat for this base, though it keeps trying: no answer, or a refusal.
  *
  * @param address as {@code HOST:PORT}
- * @param boat id of the boat that was there in an earlier process; empty text where none is known
- * @param reason what came of the last try, in words
- * @param refused whether somebody answered, and was refused or turned this base away
- * @param tries how often it was tried in vain
- * @param sinceMillis when it was tried first, on the session's clock
+ * @param boat id of the boat that was there in an earlier process; empty text where unknown
+ * @param reason result of the last attempt, in words
+ * @param refused whether a peer answered and was refused, or turned this base away
+ * @param tries number of failed attempts
+ * @param sinceMillis time of the first attempt on the session's clock
  */
 public record UnreachedBoat(String address, String boat, String reason, boolean refused, long tries, long sinceMillis) {
     private static final String REFUSED = "refused";

@@ -20,7 +20,7 @@ public record Unallocated(WorkItem work, Set<String> missing) {
         if (missing.isEmpty()) {
             return String.format(
                     Locale.ROOT,
-                    "%s, at %.5f,%.5f, is unallocated: no boat that can do it has a way there, around what is to be avoided",
+                    "%s, at %.5f,%.5f, is unallocated: no boat that can do it has a way there around no-go areas",
                     work.name(),
                     work.location().latDeg(),
                     work.location().lonDeg());

@@ -49,7 +49,7 @@ public final class HexagonalAssembly implements AssemblyAlgorithm {
             if (ring > MOST_RINGS) {
                 throw new IllegalArgumentException(
                         "There is no room for " + problem.boats().size() + " boats within "
-                                + Math.round(ring * problem.spacingM()) + " m, clear of what is to be avoided");
+                                + Math.round(ring * problem.spacingM()) + " m, clear of no-go areas");
             }
             for (GeoPoint candidate : ring(problem, ring)) {
                 if (places.size() < problem.boats().size() && isFree(candidate, problem)) {

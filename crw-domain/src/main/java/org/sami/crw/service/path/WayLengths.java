@@ -65,7 +65,7 @@ public final class WayLengths {
             return straight(Optional.empty());
         }
         if (all.size() > MOST_POINTS) {
-            return straight(Optional.of("distances are straight, through what is to be avoided: " + all.size()
+            return straight(Optional.of("distances are straight, through no-go areas: " + all.size()
                     + " boats and locations are more than the " + MOST_POINTS + " for which ways around are measured"));
         }
         double leastM = water.error().steeringM();
@@ -74,7 +74,7 @@ public final class WayLengths {
         VisibilityGraph wide = marginM > leastM ? new VisibilityGraph(water.forbidden(), marginM) : tight;
         int corners = Math.max(tight.corners().size(), wide.corners().size());
         if (corners > MOST_CORNERS) {
-            return straight(Optional.of("distances are straight, through what is to be avoided: it has " + corners
+            return straight(Optional.of("distances are straight, through no-go areas: these have " + corners
                     + " corners, and ways around are measured for " + MOST_CORNERS));
         }
         double[][] shortest = lengths(all, water, tight);

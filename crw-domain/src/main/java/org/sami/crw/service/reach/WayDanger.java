@@ -20,15 +20,14 @@ public record WayDanger(String words, double insideM) {
      * The dangers of a way: where it begins or leads inside, and where it passes too near. None for a way on which no boat comes inside.
      *
      * @param from where the boat is
-     * @param points in driving order; legs turn around what is to be avoided where there is a way around
+     * @param points in driving order; legs turn around no-go areas where there is a way around
      */
     public static List<WayDanger> of(GeoPoint from, List<GeoPoint> points, Water water) {
         List<WayDanger> dangers = new ArrayList<>();
         CrossTrackError error = water.error();
         double startM = water.depthM(from);
         if (startM > 0) {
-            dangers.add(danger(
-                    startM, "lies %.1f m inside what is to be avoided, and leaves it on the shortest way", startM));
+            dangers.add(danger(startM, "lies %.1f m inside a no-go area, and leaves it on the shortest way", startM));
         }
         Optional<GeoPoint> deepest = points.stream()
                 .filter(point -> water.depthM(point) > 0)
@@ -46,7 +45,7 @@ public record WayDanger(String words, double insideM) {
         if (error.insideM(leastM) > 0) {
             dangers.add(danger(
                     error.insideM(leastM),
-                    "passes what is to be avoided at %.1f m near %s; boats may be %.1f m beside their way, so up to %.1f m inside",
+                    "passes a no-go area at %.1f m near %s; boats may be %.1f m off their path, so up to %.1f m inside",
                     leastM,
                     text(water.nearest(nearest)),
                     error.mostM(),
@@ -58,7 +57,7 @@ public record WayDanger(String words, double insideM) {
     private static WayDanger inside(GeoPoint point, Water water) {
         return danger(
                 water.depthM(point) + water.error().mostM(),
-                "is sent to %s, which lies %.1f m inside what is to be avoided; boats may be %.1f m beside their way, so up to %.1f m inside",
+                "is sent to %s, which lies %.1f m inside a no-go area; boats may be %.1f m off their path, so up to %.1f m inside",
                 text(point),
                 water.depthM(point),
                 water.error().mostM(),

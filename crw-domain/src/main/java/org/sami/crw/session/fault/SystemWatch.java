@@ -25,10 +25,10 @@ public final class SystemWatch implements AutoCloseable {
     private long looks; // for the thread
 
     /**
-     * Watches from now on, whenever it is told to look.
+     * Watches from now on, at each call of {@link #look}.
      *
-     * @param journal whose file and disk are looked at; empty for none
-     * @param guard is told what is thrown here
+     * @param journal the journal whose file and disk it watches; empty for none
+     * @param guard receives exceptions of this watch
      */
     public SystemWatch(Optional<SqliteJournal> journal, HealthModel health, ThreadGuard guard) {
         this.health = health;

@@ -13,9 +13,9 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.spn.protocol.Priority;
 
 /**
- * What is done with whatever is thrown on a thread of a session and caught by nobody: it is logged, it is an entry of the session's health, and where the
- * Java machine itself fails (memory that ran out, above all) on a thread without which missions cannot go on, the session stops in words. An overflow of
- * the stack, which is of one call, stays with that call. It never throws. Safe for use by several threads.
+ * Handles uncaught exceptions on a session's threads: it logs them and makes each an entry of the session's health. Where the Java machine itself
+ * fails (above all for lack of memory) on a thread that missions need, it stops the session with a message. A stack overflow only ends its own call.
+ * The guard never throws. Safe for use by several threads.
  */
 public final class ThreadGuard implements Thread.UncaughtExceptionHandler {
     private static final System.Logger LOG = System.getLogger(ThreadGuard.class.getName());

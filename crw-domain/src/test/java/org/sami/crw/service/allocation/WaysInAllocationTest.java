@@ -84,11 +84,9 @@ class WaysInAllocationTest {
         assertThat(division.boatOf()).isEmpty();
         assertThat(division.unallocated())
                 .singleElement()
-                .satisfies(
-                        one -> assertThat(one.words())
-                                .startsWith("in it, at 45.6")
-                                .endsWith(
-                                        "is unallocated: no boat that can do it has a way there, around what is to be avoided"));
+                .satisfies(one -> assertThat(one.words())
+                        .startsWith("in it, at 45.6")
+                        .endsWith("is unallocated: no boat that can do it has a way there around no-go areas"));
     }
 
     @Test

@@ -40,15 +40,15 @@ class WayDangerTest {
                 .extracting(WayDanger::words)
                 .singleElement()
                 .asString()
-                .matches("is sent to 45\\.\\d{5},10\\.\\d{5}, which lies 12\\.0 m inside what is to be avoided; "
-                        + "boats may be 0\\.6 m beside their way, so up to 12\\.6 m inside");
+                .matches("is sent to 45\\.\\d{5},10\\.\\d{5}, which lies 12\\.0 m inside a no-go area; "
+                        + "boats may be 0\\.6 m off their path, so up to 12\\.6 m inside");
     }
 
     @Test
     void boatThatLiesInsideIsSaidToLeave() {
         assertThat(WayDanger.of(at(45, 0), List.of(at(0, 0)), CALM))
                 .extracting(WayDanger::words)
-                .containsExactly("lies 5.0 m inside what is to be avoided, and leaves it on the shortest way");
+                .containsExactly("lies 5.0 m inside a no-go area, and leaves it on the shortest way");
     }
 
     @Test
@@ -57,8 +57,8 @@ class WayDangerTest {
                 .extracting(WayDanger::words)
                 .singleElement()
                 .asString()
-                .matches("passes what is to be avoided at 6\\.\\d m near 45\\.\\d{5},10\\.\\d{5}; "
-                        + "boats may be 10\\.3 m beside their way, so up to 3\\.\\d m inside");
+                .matches("passes a no-go area at 6\\.\\d m near 45\\.\\d{5},10\\.\\d{5}; "
+                        + "boats may be 10\\.3 m off their path, so up to 3\\.\\d m inside");
     }
 
     @Test
