@@ -94,12 +94,12 @@ final class PlanRun {
     }
 
     /**
-     * What is done next where the run goes on by itself.
+     * Who acts next where the run goes on by itself.
      *
      * @param locations how many the operator gives where some are asked for
      */
-    Turns.Turn next(int locations, boolean operator, boolean robots) {
-        return Turns.next(stepper, List.of(locations), operator, robots);
+    Turns turns(int locations, boolean operator, boolean robots) {
+        return Turns.of(stepper, List.of(locations), operator, robots);
     }
 
     /** The first of some breakpoints that the last step entered or fired. */

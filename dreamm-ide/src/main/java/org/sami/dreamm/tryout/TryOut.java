@@ -226,19 +226,33 @@ public final class TryOut {
      * @return whether one was taken; where none was, the message says what is waited for
      */
     public boolean stepOn() {
-        PlanRun now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
         if (isOver()) {
-            message = "The mission is over";
-            tell();
+            say("The mission is over");
             return false;
         }
-        Turns.Turn turn = now.next(locations, mockOperator, mockRobots);
+        Turns turns = turns();
+        return take(turns.expected().orElseGet(() -> turns.leadOut(() -> false)));
+    }
+
+    /** The turns at the present moment of the run. */
+    Turns turns() {
+        return run.orElseThrow(() -> new IllegalStateException("nothing is tried"))
+                .turns(locations, mockOperator, mockRobots);
+    }
+
+    /** Takes a turn; where it has no step, the message says why. */
+    boolean take(Turns.Turn turn) {
         if (turn.step().isPresent()) {
             return stepOn(turn.step().get().step(), turn.remark());
         }
-        message = turn.remark();
-        tell();
+        say(turn.remark());
         return false;
+    }
+
+    /** Shows a message. */
+    void say(String what) {
+        message = what;
+        tell();
     }
 
     private boolean stepOn(TestStep step, String remark) {

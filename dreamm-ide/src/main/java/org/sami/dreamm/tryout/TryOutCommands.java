@@ -18,15 +18,22 @@ public final class TryOutCommands {
 
     private final DreammContext context;
     private final TryOut tryOut;
+    private final NextStepSearch steps;
     private final StartMarkingSetup setup;
     private Runnable started = () -> {};
     private final Timer timer = new Timer(STEP_MS, e -> tick());
 
     /** Adds the commands to a window's. */
     public TryOutCommands(
-            DreammContext context, TryOut tryOut, StartMarkingSetup setup, SavedCases cases, TryOutOverlay overlay) {
+            DreammContext context,
+            TryOut tryOut,
+            NextStepSearch steps,
+            StartMarkingSetup setup,
+            SavedCases cases,
+            TryOutOverlay overlay) {
         this.context = context;
         this.tryOut = tryOut;
+        this.steps = steps;
         this.setup = setup;
         add("try-start", "Start", "F5", "play", this::start, this::whyNoPlan);
         add(
@@ -87,9 +94,9 @@ public final class TryOutCommands {
         context.commands().refresh();
     }
 
-    /** Whether the run goes on by itself. */
+    /** Whether the run goes on by itself, or what leads on is looked for. */
     boolean isRunning() {
-        return timer.isRunning();
+        return timer.isRunning() || steps.isLooking();
     }
 
     private Optional<String> whyNoPlan() {
@@ -174,7 +181,7 @@ public final class TryOutCommands {
 
     private void step() {
         timer.stop();
-        tryOut.stepOn();
+        steps.stepOn(taken -> context.commands().refresh());
     }
 
     private void back() {
@@ -183,8 +190,9 @@ public final class TryOutCommands {
     }
 
     private void toggle() {
-        if (timer.isRunning()) {
+        if (isRunning()) {
             timer.stop();
+            steps.cancel();
             context.commands().refresh();
         } else {
             timer.start();
@@ -193,7 +201,11 @@ public final class TryOutCommands {
     }
 
     private void tick() {
-        if (!tryOut.stepOn()) {
+        steps.stepOn(this::stepped);
+    }
+
+    private void stepped(boolean taken) {
+        if (!taken) {
             timer.stop();
         }
         tryOut.met().ifPresent(at -> {

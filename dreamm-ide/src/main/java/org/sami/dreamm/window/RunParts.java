@@ -15,6 +15,7 @@ import org.sami.dreamm.issues.IssuesPanel;
 import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.dreamm.replay.ReplayPanel;
+import org.sami.dreamm.tryout.NextStepSearch;
 import org.sami.dreamm.tryout.SavedCases;
 import org.sami.dreamm.tryout.StartMarkingSetup;
 import org.sami.dreamm.tryout.TryOut;
@@ -27,6 +28,7 @@ import org.sami.ui.EventThread;
 final class RunParts implements AutoCloseable {
     private final ExecutorService checking = worker("dreamm-checks");
     private final ExecutorService searching = worker("dreamm-search");
+    private final ExecutorService trying = worker("dreamm-try");
     private final ExecutorService replaying = worker("dreamm-replay");
     private final DreammContext context;
     private final LiveFindings live;
@@ -56,7 +58,13 @@ final class RunParts implements AutoCloseable {
         tryOut = new TryOut(context.document());
         cases = new SavedCases(context.document(), context.editor(), searching, EventThread.executor());
         overlay = new TryOutOverlay(context, tryOut, setup, cases);
-        tryOutCommands = new TryOutCommands(context, tryOut, setup, cases, overlay);
+        tryOutCommands = new TryOutCommands(
+                context,
+                tryOut,
+                new NextStepSearch(tryOut, trying, EventThread.executor()),
+                setup,
+                cases,
+                overlay);
         issueCommands = new IssueCommands(context, issues, deep, tryOut::robotNames, run -> {
             context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));
             show("panel-try-out");
@@ -114,6 +122,7 @@ final class RunParts implements AutoCloseable {
     public void close() {
         checking.shutdownNow();
         searching.shutdownNow();
+        trying.shutdownNow();
         replaying.shutdownNow();
     }
 }

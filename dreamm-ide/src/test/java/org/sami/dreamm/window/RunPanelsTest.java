@@ -174,19 +174,28 @@ class RunPanelsTest {
 
     @Test
     void inASmallPanelALongMessageLeavesTheTabsTheirRoom() throws Exception {
+        JComponent[] opened = new JComponent[1];
+        CountDownLatch told = new CountDownLatch(1);
         onEventThread(() -> {
             JComponent panel = openInASmallWindow();
+            opened[0] = panel;
+            Layout.find(panel, "try-message", JLabel.class)
+                    .orElseThrow()
+                    .addPropertyChangeListener("text", change -> {
+                        if (String.valueOf(change.getNewValue()).startsWith("Nothing goes on by itself")) {
+                            told.countDown();
+                        }
+                    });
             context.commands().get("try-start").run();
             Layout.find(panel, "try-operator-answers", AbstractButton.class)
                     .orElseThrow()
                     .doClick();
             context.commands().get("try-step").run();
+        });
+        assertThat(told.await(60, TimeUnit.SECONDS)).isTrue();
+        onEventThread(() -> {
+            JComponent panel = opened[0];
             Layout.layOut(panel, 786, 197);
-            assertThat(Layout.find(panel, "try-message", JLabel.class)
-                            .orElseThrow()
-                            .getText())
-                    .startsWith("Nothing goes on by itself");
-
             JTabbedPane tabs = Layout.find(panel, "try-tabs", JTabbedPane.class).orElseThrow();
             JComponent happen =
                     Layout.find(panel, "try-happen", JComponent.class).orElseThrow();

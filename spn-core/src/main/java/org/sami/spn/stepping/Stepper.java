@@ -132,6 +132,11 @@ public final class Stepper {
         return new Stepper(engine, plan, proxies, from, now);
     }
 
+    /** As {@link #branch}, sharing nothing that changes: what it does may be done on another thread. */
+    Stepper apart() {
+        return new Stepper(engine, plan, proxies, from, now.copy());
+    }
+
     // ---- Steps
 
     /**

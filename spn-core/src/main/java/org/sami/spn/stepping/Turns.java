@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Effect;
@@ -21,7 +22,7 @@ import org.sami.spn.stepping.NextStep.Kind;
  * Who acts next where a plan is run on by itself. Operator, robots and services take turns: of what leads to a moment that was not there
  * yet, whoever acted least goes first, and an answer that was given many times comes after the others. Time passes where nobody else leads
  * on. Where all that is expected leads back only, the run goes round; then the nearest end is looked for among everything that could happen,
- * and the step towards it that leads out is taken and told.
+ * and the step towards it that leads out is taken and told. Used by one thread at a time, which need not be the stepper's.
  */
 public final class Turns {
     /** An answer that was given so often comes after the others. */
@@ -40,6 +41,8 @@ public final class Turns {
     private final Predicate<Kind> isPlayed;
     private final Set<MomentKey> before;
     private int tried;
+    private boolean round;
+    private BooleanSupplier cancelled = () -> false;
     private final Map<String, Integer> summaries = new HashMap<>();
     private final int stepsWithoutNews;
     private final Map<String, Integer> turns = new HashMap<>();
@@ -63,7 +66,7 @@ public final class Turns {
     private record Way(Stepper at, List<NextStep> steps) {}
 
     private Turns(Stepper stepper, List<Integer> locations, Predicate<Kind> isPlayed) {
-        this.stepper = stepper;
+        this.stepper = stepper.apart();
         this.locations = locations;
         this.isPlayed = isPlayed;
         before = new HashSet<>(stepper.keysBefore());
@@ -104,13 +107,24 @@ public final class Turns {
      * @param isRobots whether robots and services do
      */
     public static Turn next(Stepper stepper, List<Integer> locations, boolean isOperator, boolean isRobots) {
+        Turns turns = of(stepper, locations, isOperator, isRobots);
+        return turns.expected().orElseGet(() -> turns.leadOut(() -> false));
+    }
+
+    /**
+     * The turns at the present moment of a run; what the stepper does later they do not see.
+     *
+     * @param locations as for {@link NextSteps#of}
+     * @param isOperator whether the operator acts by himself
+     * @param isRobots whether robots and services do
+     */
+    public static Turns of(Stepper stepper, List<Integer> locations, boolean isOperator, boolean isRobots) {
         return new Turns(stepper, locations, kind -> switch (kind) {
                     case DECISION, INTERRUPT -> isOperator;
                     case ANSWER, FAILURE, NEWS -> isRobots;
                     case TIME -> true;
                     case EMPTY, DROP -> false;
-                })
-                .next();
+                });
     }
 
     /**
@@ -123,10 +137,12 @@ public final class Turns {
         return turns.fresh(turns.candidates(stepper, EXPECTED::contains));
     }
 
-    private Turn next() {
+    /** The expected step that leads on, found in a few milliseconds; empty where none does. */
+    public Optional<Turn> expected() {
         List<Candidate> candidates = candidates(stepper, kind -> EXPECTED.contains(kind) && isPlayed.test(kind));
+        round = !candidates.isEmpty();
         Optional<NextStep> fresh = fresh(candidates);
-        return fresh.isPresent() ? new Turn(fresh, "") : leadOut(!candidates.isEmpty());
+        return fresh.isPresent() ? Optional.of(new Turn(fresh, "")) : Optional.empty();
     }
 
     private Optional<NextStep> fresh(List<Candidate> candidates) {
@@ -172,8 +188,14 @@ public final class Turns {
 
     // ---- Where nothing expected leads on
 
-    /** The nearest way to an end, else to a moment that was not there yet: expected steps first, then whatever else could happen. */
-    private Turn leadOut(boolean round) {
+    /**
+     * The nearest way to an end, else to a moment that was not there yet: expected steps first, then whatever else could happen. To be asked
+     * after {@link #expected}, where that found nothing; takes some tenths of a second. May be asked on another thread, by one at a time.
+     *
+     * @param isCancelled asked before each step that is tried; where it says so, no step is found
+     */
+    public Turn leadOut(BooleanSupplier isCancelled) {
+        cancelled = isCancelled;
         Predicate<Kind> expected = kind -> EXPECTED.contains(kind) && isPlayed.test(kind);
         Optional<Way> way = way(expected, true)
                 .or(() -> way(isPlayed, true))
@@ -184,6 +206,9 @@ public final class Turns {
             return new Turn(Optional.of(first), remark(round, way.get()));
         }
         Optional<Way> byHand = way(kind -> kind != Kind.EMPTY, false);
+        if (cancelled.getAsBoolean()) {
+            return new Turn(Optional.empty(), "The look for what leads on was stopped");
+        }
         return new Turn(
                 Optional.empty(),
                 byHand.map(found -> stopped(round, words(found)))
@@ -223,7 +248,7 @@ public final class Turns {
         Deque<Way> open = new ArrayDeque<>(List.of(new Way(stepper.branch(), List.of())));
         Optional<Way> fresh = Optional.empty();
         int until = tried + MOST_TRIED / 4;
-        while (!open.isEmpty() && tried < until) {
+        while (!open.isEmpty() && tried < until && !cancelled.getAsBoolean()) {
             Way way = open.poll();
             for (NextStep step : NextSteps.of(way.at(), locations).steps()) {
                 if (!wanted.test(step.kind())) {
