@@ -97,7 +97,7 @@ class PanoramaWindowTest {
         author.add("create locations", "Operator Create Locations");
         author.addBehind("OperatorCreatesLocations", "generate tasks", "Generate Tasks");
         author.robot.choose("field-task-class-source", "value");
-        author.write("value-task-class-text", "Camera");
+        author.robot.choose("field-task-class-value", "Camera");
         author.addBehind("TasksGenerated", "allocation request", "Allocation Request");
         author.addBehind("AllocationResponse", "allocation options", "Operator Allocation Options");
         String options = author.place("OperatorAllocationOptions");

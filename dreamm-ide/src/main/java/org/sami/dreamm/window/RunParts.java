@@ -59,12 +59,7 @@ final class RunParts implements AutoCloseable {
         cases = new SavedCases(context.document(), context.editor(), searching, EventThread.executor());
         overlay = new TryOutOverlay(context, tryOut, setup, cases);
         tryOutCommands = new TryOutCommands(
-                context,
-                tryOut,
-                new NextStepSearch(tryOut, trying, EventThread.executor()),
-                setup,
-                cases,
-                overlay);
+                context, tryOut, new NextStepSearch(tryOut, trying, EventThread.executor()), setup, cases, overlay);
         issueCommands = new IssueCommands(context, issues, deep, tryOut::robotNames, run -> {
             context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));
             show("panel-try-out");

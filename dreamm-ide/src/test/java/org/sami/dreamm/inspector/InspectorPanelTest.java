@@ -33,6 +33,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.value.RealValue;
+import org.sami.spn.value.TextValue;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
@@ -125,9 +126,9 @@ class InspectorPanelTest {
     void fieldComesFromAVariableANewOneOrTheOperator() {
         open("crw", "clv", "execute");
 
-        choose("field-paths-source", FieldRow.Source.ASKED);
+        choose("field-paths-source", FieldOrigin.ASKED);
         assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.Asked(Optional.empty(), true));
-        choose("field-paths-source", FieldRow.Source.VARIABLE);
+        choose("field-paths-source", FieldOrigin.VARIABLE);
         assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromVariable("@paths"));
         JComboBox<?> read = find("field-paths-variable", JComboBox.class);
         read.setSelectedIndex(read.getItemCount() - 1);
@@ -140,11 +141,11 @@ class InspectorPanelTest {
     @Test
     void taskIsOfferedWhereATaskComesAndNowhereElse() {
         open("crw", "panorama", "go");
-        assertThat(offered("field-location-source")).contains(FieldRow.Source.TASK);
+        assertThat(offered("field-location-source")).contains(FieldOrigin.TASK);
 
         context.editor().open("clv");
         context.editor().select(List.of("execute"));
-        assertThat(offered("field-paths-source")).doesNotContain(FieldRow.Source.TASK);
+        assertThat(offered("field-paths-source")).doesNotContain(FieldOrigin.TASK);
     }
 
     private List<Object> offered(String box) {
@@ -172,7 +173,7 @@ class InspectorPanelTest {
     @Test
     void valueIsGivenWithTheEditorOfItsTypeAndCannotBeWhatItIsNot() {
         open("crw", "station-keep", "assemble");
-        choose("field-spacing-source", FieldRow.Source.VALUE);
+        choose("field-spacing-source", FieldOrigin.VALUE);
 
         ValueRow row = valueRow("spacing");
         JTextField text = text(row);
@@ -186,12 +187,46 @@ class InspectorPanelTest {
     }
 
     @Test
+    void classOfTasksIsChosenAmongThoseOfTheDomain() {
+        open("crw", "measure", "make");
+        JComboBox<?> classes = find("field-task-class-value", JComboBox.class);
+
+        assertThat(classes.getSelectedItem()).isEqualTo("Temperature");
+        choose("field-task-class-value", "Camera");
+
+        assertThat(event("make").fields().get("taskClass"))
+                .isEqualTo(new FieldSource.Asked(Optional.of(new TextValue("Camera")), true));
+        context.undo();
+        choose("field-task-class-source", FieldOrigin.NOTHING);
+        choose("field-task-class-source", FieldOrigin.VALUE);
+        assertThat(find("field-task-class-value", JComboBox.class).getSelectedItem())
+                .as("nothing is chosen for the author")
+                .isEqualTo("");
+        choose("field-task-class-value", "Temperature");
+        assertThat(event("make").fields().get("taskClass"))
+                .isEqualTo(new FieldSource.Fixed(new TextValue("Temperature")));
+    }
+
+    @Test
+    void classOfTasksThatTheDomainDoesNotHaveStays() {
+        open("crw", "measure", "make");
+
+        context.apply(new FieldEdit.SetField(
+                "measure", "make-tasks", "taskClass", new FieldSource.Fixed(new TextValue("Depth"))));
+
+        JComboBox<?> classes = find("field-task-class-value", JComboBox.class);
+        assertThat(classes.getSelectedItem()).isEqualTo("Depth");
+        assertThat(classes.getItemCount())
+                .isEqualTo(context.vocabulary().taskClasses().size() + 1);
+    }
+
+    @Test
     void keysThatPassSeveralSourcesLeaveOneEditor() {
         open("crw", "station-keep", "hold");
-        choose("field-duration-source", FieldRow.Source.NOTHING);
+        choose("field-duration-source", FieldOrigin.NOTHING);
 
-        choose("field-duration-source", FieldRow.Source.VALUE);
-        choose("field-duration-source", FieldRow.Source.LOCKED);
+        choose("field-duration-source", FieldOrigin.VALUE);
+        choose("field-duration-source", FieldOrigin.LOCKED);
 
         List<ValueRow> rows = new ArrayList<>();
         collect(panel, ValueRow.class, rows);
@@ -202,9 +237,9 @@ class InspectorPanelTest {
     @Test
     void valueThatASourceNeedsIsAskedBelowTheChoiceOfTheSource() {
         open("crw", "station-keep", "hold");
-        choose("field-duration-source", FieldRow.Source.NOTHING);
+        choose("field-duration-source", FieldOrigin.NOTHING);
 
-        choose("field-duration-source", FieldRow.Source.VALUE);
+        choose("field-duration-source", FieldOrigin.VALUE);
 
         Layout.layOut(panel, Look.px(WIDTH), Look.px(HEIGHT));
         assertThat(top(valueRow("duration")))

@@ -85,14 +85,14 @@ class InspectorScrollTest {
     void fieldStaysWhereItIsWhileItIsEdited() {
         int before = seenAt();
 
-        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldRow.Source.NOTHING));
+        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldOrigin.NOTHING));
 
         assertThat(seenAt()).isEqualTo(before).isBetween(0, HEIGHT);
     }
 
     @Test
     void findingThatComesAboveAFieldDoesNotMoveTheField() {
-        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldRow.Source.NOTHING));
+        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldOrigin.NOTHING));
         int before = seenAt();
 
         act(() -> {
@@ -110,7 +110,7 @@ class InspectorScrollTest {
 
     @Test
     void findingsThatComeMoveNothingAtTheTopEither() {
-        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldRow.Source.NOTHING));
+        act(() -> ((JComboBox<?>) field()).setSelectedItem(FieldOrigin.NOTHING));
         act(() -> {
             Layout.find(panel, "inspector-name", JTextField.class).orElseThrow().requestFocusInWindow();
             ((JScrollPane) panel.getComponent(1)).getViewport().setViewPosition(new Point());

@@ -18,8 +18,8 @@ class NextStepSearchTest {
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
     private static final String PLAN = "clv";
 
-    private final TryOut tryOut = new TryOut(new ProjectDocument(
-            LIBRARY.vocabulary(), LIBRARY.projectOf(PLAN).orElseThrow(), Optional.empty()));
+    private final TryOut tryOut = new TryOut(
+            new ProjectDocument(LIBRARY.vocabulary(), LIBRARY.projectOf(PLAN).orElseThrow(), Optional.empty()));
     private final Queue<Runnable> work = new ArrayDeque<>();
     private final List<Boolean> taken = new ArrayList<>();
     private final NextStepSearch steps = new NextStepSearch(tryOut, work::add, Runnable::run);

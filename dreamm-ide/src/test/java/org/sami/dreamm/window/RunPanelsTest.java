@@ -179,13 +179,11 @@ class RunPanelsTest {
         onEventThread(() -> {
             JComponent panel = openInASmallWindow();
             opened[0] = panel;
-            Layout.find(panel, "try-message", JLabel.class)
-                    .orElseThrow()
-                    .addPropertyChangeListener("text", change -> {
-                        if (String.valueOf(change.getNewValue()).startsWith("Nothing goes on by itself")) {
-                            told.countDown();
-                        }
-                    });
+            Layout.find(panel, "try-message", JLabel.class).orElseThrow().addPropertyChangeListener("text", change -> {
+                if (String.valueOf(change.getNewValue()).startsWith("Nothing goes on by itself")) {
+                    told.countDown();
+                }
+            });
             context.commands().get("try-start").run();
             Layout.find(panel, "try-operator-answers", AbstractButton.class)
                     .orElseThrow()

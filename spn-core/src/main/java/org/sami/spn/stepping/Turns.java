@@ -120,11 +120,11 @@ public final class Turns {
      */
     public static Turns of(Stepper stepper, List<Integer> locations, boolean isOperator, boolean isRobots) {
         return new Turns(stepper, locations, kind -> switch (kind) {
-                    case DECISION, INTERRUPT -> isOperator;
-                    case ANSWER, FAILURE, NEWS -> isRobots;
-                    case TIME -> true;
-                    case EMPTY, DROP -> false;
-                });
+            case DECISION, INTERRUPT -> isOperator;
+            case ANSWER, FAILURE, NEWS -> isRobots;
+            case TIME -> true;
+            case EMPTY, DROP -> false;
+        });
     }
 
     /**
