@@ -55,12 +55,15 @@ public final class GeoTextReader {
                     .newDecoder()
                     .decode(ByteBuffer.wrap(content))
                     .toString();
-            if (text.indexOf('\0') < 0) {
-                return Optional.of(text.startsWith("\uFEFF") ? text.substring(1) : text);
-            }
+            return text.indexOf('\0') < 0
+                    ? Optional.of(text.startsWith("\uFEFF") ? text.substring(1) : text)
+                    : noText();
         } catch (CharacterCodingException e) {
-            // said below
+            return noText();
         }
+    }
+
+    private Optional<String> noText() {
         findings.add(LineFinding.error(1, "This is no text file"));
         return Optional.empty();
     }

@@ -2,6 +2,7 @@ package org.sami.crw.sim.console;
 
 import java.util.List;
 import java.util.Objects;
+import org.sami.spn.value.TextNumbers;
 
 /** The words behind a command's name, taken one after another; what is missing or is no number is a {@link ConsoleFault}. */
 final class Arguments {
@@ -38,21 +39,15 @@ final class Arguments {
     /** Takes the next word, which is a whole number. */
     long number(String what) {
         String word = next(what);
-        try {
-            return Long.parseLong(word);
-        } catch (NumberFormatException e) {
-            throw new ConsoleFault("a " + what + " is a whole number, not '" + word + "'");
-        }
+        return TextNumbers.whole(word, Long.MIN_VALUE, Long.MAX_VALUE)
+                .orElseThrow(() -> new ConsoleFault("a " + what + " is a whole number, not '" + word + "'"));
     }
 
     /** Takes the next word, which is a number. */
     double real(String what) {
         String word = next(what);
-        try {
-            return Double.parseDouble(word);
-        } catch (NumberFormatException e) {
-            throw new ConsoleFault("a " + what + " is a number, not '" + word + "'");
-        }
+        return TextNumbers.real(word)
+                .orElseThrow(() -> new ConsoleFault("a " + what + " is a number, not '" + word + "'"));
     }
 
     /** Takes all words that are left. */

@@ -23,6 +23,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.TextNumbers;
 import org.sami.spn.value.Value;
 
 /** Commands about the session itself: variables, waiting, help and the end. */
@@ -183,16 +184,10 @@ final class SessionCommands {
     }
 
     private static double seconds(String word) {
-        try {
-            double seconds = Double.parseDouble(word);
-            if (seconds >= 0 && seconds <= 86_400) {
-                return seconds;
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new ConsoleFault(
-                "waits for decision, alarm, ended, tasks, boats N, or 0 to 86400 seconds, not for '" + word + "'");
+        return TextNumbers.real(word, 0, 86_400)
+                .orElseThrow(() -> new ConsoleFault(
+                        "waits for decision, alarm, ended, tasks, boats N, or 0 to 86400 seconds, not for '" + word
+                                + "'"));
     }
 
     private boolean noMissionRuns() {

@@ -1,5 +1,8 @@
 package org.sami.crw.sim.hull;
 
+import java.util.OptionalDouble;
+import org.sami.spn.value.TextNumbers;
+
 /**
  * Something that flows evenly over the whole area. Whether the direction is the one it goes to (a current) or the one it comes
  * from (a wind) is said where it is used.
@@ -48,10 +51,10 @@ public record Flow(double speedMps, double directionDeg) {
     public static Flow parse(String text) {
         String[] parts = text.split(AT, -1);
         if (parts.length == 2) {
-            try {
-                return new Flow(Double.parseDouble(parts[0].trim()), Double.parseDouble(parts[1].trim()));
-            } catch (NumberFormatException e) {
-                // said below
+            OptionalDouble speedMps = TextNumbers.real(parts[0]);
+            OptionalDouble directionDeg = TextNumbers.real(parts[1]);
+            if (speedMps.isPresent() && directionDeg.isPresent()) {
+                return new Flow(speedMps.getAsDouble(), directionDeg.getAsDouble());
             }
         }
         throw new IllegalArgumentException(

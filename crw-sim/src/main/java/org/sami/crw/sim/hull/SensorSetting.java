@@ -1,6 +1,8 @@
 package org.sami.crw.sim.hull;
 
 import java.util.Objects;
+import java.util.OptionalDouble;
+import org.sami.spn.value.TextNumbers;
 
 /**
  * One sensor on a simulated hull.
@@ -36,12 +38,9 @@ public record SensorSetting(SensorKind kind, double hz) {
      */
     public static SensorSetting parse(String text) {
         String[] parts = text.split(AT, -1);
-        try {
-            if (parts.length <= 2) {
-                return new SensorSetting(SensorKind.of(parts[0]), parts.length == 2 ? Double.parseDouble(parts[1]) : 1);
-            }
-        } catch (NumberFormatException e) {
-            // said below
+        OptionalDouble hz = parts.length == 2 ? TextNumbers.real(parts[1]) : OptionalDouble.of(1);
+        if (parts.length <= 2 && hz.isPresent()) {
+            return new SensorSetting(SensorKind.of(parts[0]), hz.getAsDouble());
         }
         throw new IllegalArgumentException(
                 "expected is a sensor, or a sensor, @ and readings a second, such as oxygen@0.2, not '" + text + "'");

@@ -227,7 +227,8 @@ class ConditionsTest {
     void refusesNonsenseAndSaysWhatIsExpected() {
         assertThatThrownBy(() -> Flow.parse("0.3")).hasMessageContaining("0.3@90");
         assertThatThrownBy(() -> Flow.parse("fast@north")).hasMessageContaining("fast@north");
-        assertThatThrownBy(() -> Flow.parse("NaN@0")).hasMessageContaining("0 to 50");
+        assertThatThrownBy(() -> Flow.parse("NaN@0")).hasMessageContaining("NaN@0");
+        assertThatThrownBy(() -> Flow.parse("51@0")).hasMessageContaining("0 to 50");
         assertThatThrownBy(() -> Flow.parse("1@361")).hasMessageContaining("360");
         assertThatThrownBy(() -> SensorSetting.parse("salt")).hasMessageContaining("temperature, conductivity");
         assertThatThrownBy(() -> SensorSetting.parse("ph@often")).hasMessageContaining("ph@often");

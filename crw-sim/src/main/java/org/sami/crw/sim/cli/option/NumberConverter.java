@@ -1,5 +1,6 @@
 package org.sami.crw.sim.cli.option;
 
+import org.sami.spn.value.TextNumbers;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -7,15 +8,6 @@ import picocli.CommandLine.TypeConversionException;
 final class NumberConverter {
     private NumberConverter() {}
 
-    static final ITypeConverter<Double> DOUBLE = text -> {
-        try {
-            double number = Double.parseDouble(text);
-            if (Double.isFinite(number)) {
-                return number;
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new TypeConversionException("expected is a number, not '" + text + "'");
-    };
+    static final ITypeConverter<Double> DOUBLE = text -> TextNumbers.real(text)
+            .orElseThrow(() -> new TypeConversionException("expected is a number, not '" + text + "'"));
 }

@@ -1,6 +1,8 @@
 package org.sami.crw.sim.cli.option;
 
+import java.util.OptionalDouble;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TextNumbers;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -12,14 +14,10 @@ public final class PositionConverter implements ITypeConverter<GeoPoint> {
     public GeoPoint convert(String text) {
         String[] parts = text.split(",", -1);
         if (parts.length == 2) {
-            try {
-                double latDeg = Double.parseDouble(parts[0].trim());
-                double lonDeg = Double.parseDouble(parts[1].trim());
-                if (Math.abs(latDeg) <= MOST_LAT_DEG && Math.abs(lonDeg) <= 180) {
-                    return GeoPoint.of(latDeg, lonDeg);
-                }
-            } catch (NumberFormatException e) {
-                // said below
+            OptionalDouble latDeg = TextNumbers.real(parts[0], -MOST_LAT_DEG, MOST_LAT_DEG);
+            OptionalDouble lonDeg = TextNumbers.real(parts[1], -180, 180);
+            if (latDeg.isPresent() && lonDeg.isPresent()) {
+                return GeoPoint.of(latDeg.getAsDouble(), lonDeg.getAsDouble());
             }
         }
         throw new TypeConversionException(

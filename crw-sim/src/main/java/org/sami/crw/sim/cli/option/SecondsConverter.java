@@ -1,5 +1,6 @@
 package org.sami.crw.sim.cli.option;
 
+import org.sami.spn.value.TextNumbers;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -9,14 +10,9 @@ public final class SecondsConverter implements ITypeConverter<Long> {
 
     @Override
     public Long convert(String text) {
-        try {
-            double seconds = Double.parseDouble(text);
-            if (seconds >= 0 && seconds <= MOST_SECONDS) {
-                return Math.round(seconds * 1000);
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new TypeConversionException("expected is a number of seconds, 0 or more, not '" + text + "'");
+        double seconds = TextNumbers.real(text, 0, MOST_SECONDS)
+                .orElseThrow(() ->
+                        new TypeConversionException("expected is a number of seconds, 0 or more, not '" + text + "'"));
+        return Math.round(seconds * 1000);
     }
 }

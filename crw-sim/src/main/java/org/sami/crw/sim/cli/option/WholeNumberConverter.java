@@ -1,5 +1,6 @@
 package org.sami.crw.sim.cli.option;
 
+import org.sami.spn.value.TextNumbers;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -12,14 +13,7 @@ final class WholeNumberConverter {
     static final ITypeConverter<Long> LONG = text -> read(text, Long.MIN_VALUE, Long.MAX_VALUE);
 
     private static long read(String text, long least, long most) {
-        try {
-            long number = Long.parseLong(text);
-            if (number >= least && number <= most) {
-                return number;
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new TypeConversionException("expected is a whole number, not '" + text + "'");
+        return TextNumbers.whole(text, least, most)
+                .orElseThrow(() -> new TypeConversionException("expected is a whole number, not '" + text + "'"));
     }
 }

@@ -20,6 +20,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
+import org.sami.spn.value.TextNumbers;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
@@ -169,15 +170,10 @@ public final class PlanInterrupts {
         if (time.equals(BATTERY)) {
             return OptionalLong.empty();
         }
-        try {
-            double seconds = Double.parseDouble(time);
-            if (seconds >= 0 && seconds <= MOST_SECONDS) {
-                return OptionalLong.of(Math.round(seconds * 1000));
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new IllegalArgumentException("'" + text + "': '" + time + "' is no number of seconds; " + FORM);
+        double seconds = TextNumbers.real(time, 0, MOST_SECONDS)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "'" + text + "': '" + time + "' is no number of seconds; " + FORM));
+        return OptionalLong.of(Math.round(seconds * 1000));
     }
 
     private static String boat(String text, String named, List<String> boats) {

@@ -2,6 +2,8 @@ package org.sami.crw.sim.run.settings;
 
 import java.math.BigDecimal;
 import java.util.Locale;
+import java.util.OptionalDouble;
+import org.sami.spn.value.TextNumbers;
 
 /**
  * How many simulated seconds pass in one second of the wall clock.
@@ -31,13 +33,10 @@ public record Speed(double factor) {
         if (word.equals("max")) {
             return MAX;
         }
-        try {
-            double factor = Double.parseDouble(word.endsWith("x") ? word.substring(0, word.length() - 1) : word);
-            if (factor > 0 && Double.isFinite(factor)) {
-                return new Speed(factor);
-            }
-        } catch (NumberFormatException e) {
-            // said below
+        OptionalDouble factor = TextNumbers.real(
+                word.endsWith("x") ? word.substring(0, word.length() - 1) : word, Double.MIN_VALUE, Double.MAX_VALUE);
+        if (factor.isPresent()) {
+            return new Speed(factor.getAsDouble());
         }
         throw new IllegalArgumentException("a speed is 'max' or a number above 0 (1 = real time), not '" + text + "'");
     }
