@@ -10,11 +10,14 @@ import org.sami.ui.look.SemanticColor;
 
 /**
  * One line to whoever works on the map, on a plate at its lower edge: beside the scale, where nothing that lies in the middle is hidden below it; above
- * the scale where there is no room, and broken into several lines where the map is narrow.
+ * the scale where there is no room, and broken into several lines where the map is narrow. It hides no more than a part of a low map: what has no room ends
+ * in dots.
  */
 final class MapMessage {
+    private static final String MORE = "…";
     private static final double PAD = 8;
     private static final double ABOVE_THE_SCALE = 48;
+    private static final double MOST_OF_HEIGHT = 0.15;
     private static final double MARGIN = 8; // to the edge and to the scale
 
     private String text = "";
@@ -44,7 +47,7 @@ final class MapMessage {
         paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
         FontMetrics metrics = g.getFontMetrics();
         double pad = Painting.px(PAD);
-        List<String> lines = lines(metrics, widest(paint));
+        List<String> lines = lines(paint, metrics);
         Rectangle2D plate = plate(paint);
         g.setColor(SemanticColor.SURFACE.withAlpha(240));
         g.fillRoundRect((int) plate.getX(), (int) plate.getY(), (int) plate.getWidth(), (int) plate.getHeight(), 8, 8);
@@ -75,7 +78,7 @@ final class MapMessage {
         double scale = MapScale.right(paint);
         paint.font(problem ? Font.BOLD : MapPaint.PLAIN);
         FontMetrics metrics = paint.g().getFontMetrics();
-        List<String> lines = lines(metrics, widest(paint));
+        List<String> lines = lines(paint, metrics);
         double pad = Painting.px(PAD);
         int wide = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
         double height = lines.size() * metrics.getHeight() + pad;
@@ -89,6 +92,24 @@ final class MapMessage {
         }
         double top = paint.frame().height() - Painting.px(ABOVE_THE_SCALE) - height;
         return new Rectangle2D.Double(left, top, wide + 2 * pad, height);
+    }
+
+    /** The lines that it has room for; one at least. */
+    List<String> lines(MapPaint paint, FontMetrics metrics) {
+        double widest = widest(paint);
+        List<String> all = lines(metrics, widest);
+        int most =
+                Math.max(1, (int) ((MOST_OF_HEIGHT * paint.frame().height() - Painting.px(PAD)) / metrics.getHeight()));
+        if (all.size() <= most) {
+            return all;
+        }
+        String last = all.get(most - 1) + MORE;
+        while (last.length() > 1 && metrics.stringWidth(last) > widest) {
+            last = last.substring(0, last.length() - 2) + MORE;
+        }
+        List<String> shown = new ArrayList<>(all.subList(0, most - 1));
+        shown.add(last);
+        return shown;
     }
 
     private List<String> lines(FontMetrics metrics, double widest) {

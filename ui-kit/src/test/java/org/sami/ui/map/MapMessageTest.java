@@ -15,9 +15,13 @@ class MapMessageTest {
     private final MapMessage message = new MapMessage();
 
     private static MapPaint paint(int width) {
-        BufferedImage image = new BufferedImage(width, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        return paint(width, HEIGHT);
+    }
+
+    private static MapPaint paint(int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         return new MapPaint(
-                image.createGraphics(), new MapFrame(0.5, 0.5, 1e8, width, HEIGHT), Set.of(), new MapLabels(), false);
+                image.createGraphics(), new MapFrame(0.5, 0.5, 1e8, width, height), Set.of(), new MapLabels(), false);
     }
 
     @Test
@@ -31,6 +35,24 @@ class MapMessageTest {
         assertThat(plate.getMaxY()).isLessThan(HEIGHT);
         assertThat(plate.getMinX()).isGreaterThan(MapScale.right(paint));
         assertThat(plate.getMaxX()).isLessThan(900);
+    }
+
+    @Test
+    void aLowMapIsNotHiddenBelowWhatIsSaidOnIt() {
+        message.say(
+                "22 % of the area is outside the fence and will be left out · 3 boats: 1.7 km together; the longest way is anna's, 633 m,"
+                        + " about 7 min, 18 % of a full charge",
+                false);
+        MapPaint low = paint(500, 200);
+
+        assertThat(message.plate(low).getHeight()).isLessThanOrEqualTo(0.15 * 200);
+        assertThat(message.lines(low, low.g().getFontMetrics()))
+                .singleElement()
+                .asString()
+                .startsWith("22 % of the area is outside the fence")
+                .endsWith("…");
+        MapPaint high = paint(500, 800);
+        assertThat(message.lines(high, high.g().getFontMetrics())).hasSizeGreaterThan(1);
     }
 
     @Test
