@@ -34,7 +34,7 @@ public final class InterruptsPanel extends JPanel {
     private final InterruptCommands commands;
     private final InterruptConfirm confirm;
     private final ScrolledPanel column = new ScrolledPanel(
-            new MigLayout("novisualpadding, insets 2 8 4 8, gap 0 4, wrap 1, fillx, hidemode 3", "[grow,fill]", ""));
+            new MigLayout("novisualpadding, insets 0 8 0 8, gap 0 4, wrap 1, fillx, hidemode 3", "[grow,fill]", ""));
     private final Map<Key, InterruptRow> rows = new HashMap<>();
     private List<Object> arranged = List.of();
 
@@ -108,10 +108,10 @@ public final class InterruptsPanel extends JPanel {
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         column.removeAll();
         for (InterruptPlaces.Group group : groups) {
-            column.add(heading(group), "wmin 0, gaptop 2");
+            column.add(heading(group), "wmin 0");
             boolean apart = false;
             for (InterruptChoice choice : group.choices()) {
-                String gap = choice.isFinal() && !apart ? ", gaptop 12" : "";
+                String gap = choice.isFinal() && !apart ? ", gaptop 10" : "";
                 apart |= choice.isFinal();
                 column.add(rows.get(key(choice)), "wmin 0" + gap);
             }

@@ -45,6 +45,7 @@ public final class ResumeQuestion {
             }
         });
         frame.pack();
+        frame.pack(); // by now the text knows into how many lines it is broken
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);
         goOn.requestFocusInWindow();
