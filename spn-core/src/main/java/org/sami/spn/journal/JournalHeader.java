@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.sami.spn.engine.RuleVersion;
 
 /**
  * What a journal says before its first entry: all that a resume needs besides the entries. Written once.
@@ -26,9 +27,11 @@ public record JournalHeader(
         settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));
     }
 
-    /** A header of the current version. */
+    /** A header of the current version of the file, and of this program's rules unless the settings name others ({@link RuleVersion}). */
     public static JournalHeader of(String project, Map<String, String> vocabulary, Map<String, String> settings) {
-        return new JournalHeader(CURRENT_VERSION, project, vocabulary, settings);
+        Map<String, String> all = new LinkedHashMap<>(settings);
+        all.putIfAbsent(RuleVersion.SETTING, Integer.toString(RuleVersion.CURRENT));
+        return new JournalHeader(CURRENT_VERSION, project, vocabulary, all);
     }
 
     /**

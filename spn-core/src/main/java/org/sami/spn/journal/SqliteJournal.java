@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
+import org.sami.spn.engine.RuleVersion;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
@@ -100,7 +101,8 @@ public final class SqliteJournal implements InputJournal {
      * Opens an existing journal to go on after its last valid entry. Where the file is damaged behind that entry, the
      * valid part is written anew and the damaged file is kept beside it; {@link #recovery()} says so.
      *
-     * @throws JournalException if it is written by somebody else, or its header does not hold
+     * @throws JournalException if it is written by somebody else, its header does not hold, or its missions ran by other rules of firing
+     *     ({@link RuleVersion})
      */
     public static SqliteJournal open(Path name, JournalOptions options) throws IOException {
         Path file = JournalLock.file(name);
@@ -114,6 +116,7 @@ public final class SqliteJournal implements InputJournal {
             Optional<String> damage;
             try {
                 contents = Scan.of(file, database.connection());
+                refuseOtherRules(file, contents.header());
                 damage = contents.damage().or(() -> unsound(database));
             } catch (JournalException refused) {
                 database.close();
@@ -132,6 +135,13 @@ public final class SqliteJournal implements InputJournal {
         } catch (IOException fault) {
             lock.close();
             throw fault;
+        }
+    }
+
+    private static void refuseOtherRules(Path file, JournalHeader header) throws JournalException {
+        Optional<String> other = RuleVersion.difference(header.settings());
+        if (other.isPresent()) {
+            throw new JournalException(file, 0, other.get());
         }
     }
 
