@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -283,6 +285,24 @@ class CheckCommandTest {
                 .get(0);
         assertThat(found.get("code").asText()).isEqualTo("W-WAITS-FOR-NOBODY");
         assertThat(found.get("run").get(2).asText()).isEqualTo("Task Started of Camera 1");
+    }
+
+    @Test
+    void deepCheckLeavesOutPlansWithErrorsOnly() throws Exception {
+        ObjectMapper json = new ObjectMapper();
+        JsonNode project = json.readTree(Path.of(PANORAMAS + "T5a-sync-at-least-1.json").toFile());
+        ArrayNode plans = (ArrayNode) project.get("plans");
+        ObjectNode broken = plans.get(0).deepCopy();
+        broken.put("id", "broken");
+        broken.get("places").forEach(place -> ((ObjectNode) place).remove("start"));
+        plans.add(broken);
+
+        CommandResult ran =
+                CommandResult.crw("check", write(project.toString()).toString(), "--deep", "--states", "300");
+
+        assertThat(ran.out())
+                .contains("E-NO-START", "W-WAITS-FOR-NOBODY", "plan: Of the first 300 states")
+                .doesNotContain("broken: Of");
     }
 
     @Test

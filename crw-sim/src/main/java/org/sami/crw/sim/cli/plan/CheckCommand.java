@@ -129,7 +129,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     private PlanSearches searched(DomainLibrary library, PlanSource source) {
         PlanSearches searches = new PlanSearches();
-        if (deep && !source.hasErrors()) {
+        if (deep) { // plans with errors are left out
             ProgressDisplay progress =
                     new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
             try (StopOnInterrupt stop = new StopOnInterrupt()) {
