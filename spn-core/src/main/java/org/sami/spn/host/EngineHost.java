@@ -3,7 +3,6 @@ package org.sami.spn.host;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.util.List;
-import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -59,7 +58,7 @@ public final class EngineHost implements AutoCloseable {
     private boolean again;
     private boolean toBeResumed; // for who holds the lock
 
-    private EngineHost(Builder parts) {
+    EngineHost(EngineHostBuilder parts) {
         this.engine = new JournaledEngine(parts.engine, parts.journal, parts.clock);
         this.view = engine.view();
         this.clock = parts.clock;
@@ -75,8 +74,8 @@ public final class EngineHost implements AutoCloseable {
     }
 
     /** A host of anything that behaves as an engine, to be put together. */
-    public static Builder builder(EngineFunction engine) {
-        return new Builder(engine);
+    public static EngineHostBuilder builder(EngineFunction engine) {
+        return new EngineHostBuilder(engine);
     }
 
     /**
@@ -84,8 +83,8 @@ public final class EngineHost implements AutoCloseable {
      *
      * @param state the state to go on from; belongs to the host from now on
      */
-    public static Builder builder(Engine engine, EngineState state) {
-        return new Builder(new EngineWithState(engine, state));
+    public static EngineHostBuilder builder(Engine engine, EngineState state) {
+        return new EngineHostBuilder(new EngineWithState(engine, state));
     }
 
     /**
@@ -443,71 +442,5 @@ public final class EngineHost implements AutoCloseable {
         closing = true;
         counts.refused(queue.clear());
         lifecycle.failed(failed, fault);
-    }
-
-    /** Puts a host together: an engine with its state, an executor and a clock are required. */
-    public static final class Builder {
-        private final EngineFunction engine;
-        private InputJournal journal = new MemoryJournal();
-        private HostClock clock;
-        private Executor executor;
-        private int batchLimit = 1024;
-        private long slowListenerMillis = 50;
-        private long journalRetryMillis = Long.MAX_VALUE;
-
-        private Builder(EngineFunction engine) {
-            this.engine = Objects.requireNonNull(engine, "engine");
-        }
-
-        /** Where inputs are written; at its end stands the state that is hosted. Without it: memory. */
-        public Builder journal(InputJournal value) {
-            journal = Objects.requireNonNull(value, "journal");
-            return this;
-        }
-
-        /** The session's time; at or after the journal's last. */
-        public Builder clock(HostClock value) {
-            clock = Objects.requireNonNull(value, "clock");
-            return this;
-        }
-
-        /** The engine's thread: runs what it is given one after another. */
-        public Builder executor(Executor value) {
-            executor = Objects.requireNonNull(value, "executor");
-            return this;
-        }
-
-        /** How many inputs one batch takes at most, if its last posting is not counted; 1,024 unless told. */
-        public Builder batchLimit(int value) {
-            if (value < 1) {
-                throw new IllegalArgumentException("a batch takes at least 1 input, not " + value);
-            }
-            batchLimit = value;
-            return this;
-        }
-
-        /** From how many milliseconds on a listener's call is reported as slow; 50 unless told. */
-        public Builder slowListenerMillis(long value) {
-            slowListenerMillis = value;
-            return this;
-        }
-
-        /** How long it waits for a journal that cannot be written before it stops; for as long as it takes unless told. */
-        public Builder journalRetryMillis(long value) {
-            journalRetryMillis = value;
-            return this;
-        }
-
-        /**
-         * The host, working.
-         *
-         * @throws IllegalStateException if the executor or the clock is missing
-         */
-        public EngineHost build() {
-            if (executor == null || clock == null) {
-                throw new IllegalStateException("a host needs an executor and a clock");
-            }
-            return new EngineHost(this);
-        }
     }
 }

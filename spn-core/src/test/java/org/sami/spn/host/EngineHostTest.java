@@ -29,7 +29,7 @@ class EngineHostTest {
     private final EngineState state = engine.newState();
     private final EngineHost host = builder().build();
 
-    private EngineHost.Builder builder() {
+    private EngineHostBuilder builder() {
         return EngineHost.builder(engine, state).journal(journal).clock(clock).executor(executor);
     }
 

@@ -83,7 +83,7 @@ final class Interrupts {
                 if (boats.isEmpty()) {
                     world.note(NoteKind.INTERRUPT_REFUSED, m.id, press.name());
                 } else {
-                    roles.askWhom(m, press.name(), boats);
+                    roles.questions.askWhom(m, press.name(), boats);
                     asked = true;
                 }
             }

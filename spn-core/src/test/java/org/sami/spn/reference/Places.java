@@ -323,12 +323,12 @@ final class Places {
 
     /** Where a filter keeps nobody who is there any longer, all are offered (R-DEC-10). */
     void offerAllWhereFilteredLeft(Mission m) {
-        roles.offerAllWhereFilteredLeft(m);
+        roles.questions.offerAllWhereFilteredLeft(m);
     }
 
     /** Who was withdrawn from an instance is offered there no longer (R-DEC-8). */
     void askWithoutWithdrawn() {
-        roles.askWithout(boatsWithdrawn);
+        roles.questions.askWithout(boatsWithdrawn);
         boatsWithdrawn.clear();
     }
 
@@ -349,7 +349,7 @@ final class Places {
         visit.mission.visits.remove(visit);
         world.clocks.removeIf(clock -> clock.timer().isPresent()
                 && visit.activations.contains(clock.timer().get()));
-        roles.closeQuestions(visit);
+        roles.questions.closeQuestions(visit);
         visit.activations.forEach(a -> world.effects.add(new Effect.ActivationEnded(a.id())));
         for (Instance instance : visit.instances) {
             if (instance.state == Instance.State.RUNNING) {

@@ -352,7 +352,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         }
         Map<Mission, List<String>> without = new LinkedHashMap<>();
         concerned.forEach(m -> without.put(m, List.of(proxy)));
-        roles.askWithout(without);
+        roles.questions.askWithout(without);
         places.askWithoutWithdrawn();
         places.lookAtWithdrawn();
     }
@@ -373,8 +373,8 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     }
 
     private void answer(Input.AnswerDecision input) {
-        Optional<World.Question> question = roles.find(input.decision());
-        if (question.isPresent() && roles.namesNobody(question.get(), input.answer())) {
+        Optional<World.Question> question = roles.questions.find(input.decision());
+        if (question.isPresent() && roles.questions.namesNobody(question.get(), input.answer())) {
             world.note(NoteKind.NAMES_NOBODY, question.get().decision().mission(), "");
             return;
         }
@@ -382,32 +382,32 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                 && input.answer() instanceof Answer.Rejected
                 && question.get().decision().activation() == Ids.NONE
                 && question.get().decision().question() instanceof Question.ChooseProxies) {
-            roles.close(question.get(), Optional.of(input.answer()), Optional.of(input.by())); // R-INT-8
+            roles.questions.close(question.get(), Optional.of(input.answer()), Optional.of(input.by())); // R-INT-8
             return;
         }
-        if (question.isEmpty() || !Roles.fits(question.get().decision().question(), input.answer())) {
+        if (question.isEmpty() || !Questions.fits(question.get().decision().question(), input.answer())) {
             missions.reject("Not a decision that this answers: " + input.decision());
             return;
         }
         World.Question q = question.get();
         if (missions.isAboutAborted(input.decision())) {
-            roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
+            roles.questions.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             missions.decideAboutAborted(input.decision(), ((Answer.YesNo) input.answer()).yes());
         } else if (input.answer() instanceof Answer.Proxies boats
                 && q.decision().activation() == Ids.NONE) {
-            roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
+            roles.questions.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             interrupts.press(
                     world.mission(q.decision().mission()).orElseThrow(),
                     q.decision().prompt(),
                     boats.proxies());
         } else if (q.decision().activation() == Ids.NONE) {
-            roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
+            roles.questions.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             Mission m = world.mission(q.decision().mission()).orElseThrow();
             m.asked.putAll(
-                    Roles.withDefaults((Question.FillIn) q.decision().question(), (Answer.Fields) input.answer()));
+                    Questions.withDefaults((Question.FillIn) q.decision().question(), (Answer.Fields) input.answer()));
             missions.mark(m);
         } else {
-            roles.answer(q, input.answer(), input.by());
+            roles.questions.answer(q, input.answer(), input.by());
         }
     }
 

@@ -290,7 +290,8 @@ class CheckCommandTest {
     @Test
     void deepCheckLeavesOutPlansWithErrorsOnly() throws Exception {
         ObjectMapper json = new ObjectMapper();
-        JsonNode project = json.readTree(Path.of(PANORAMAS + "T5a-sync-at-least-1.json").toFile());
+        JsonNode project =
+                json.readTree(Path.of(PANORAMAS + "T5a-sync-at-least-1.json").toFile());
         ArrayNode plans = (ArrayNode) project.get("plans");
         ObjectNode broken = plans.get(0).deepCopy();
         broken.put("id", "broken");
