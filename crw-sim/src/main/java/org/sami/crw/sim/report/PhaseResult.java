@@ -1,5 +1,6 @@
 package org.sami.crw.sim.report;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Objects;
 
 /**
@@ -12,7 +13,13 @@ import java.util.Objects;
  * @param executions how often it was begun
  */
 public record PhaseResult(
-        long mission, String plan, String phase, String actor, String label, String status, int executions) {
+        long mission,
+        String plan,
+        String phase,
+        String actor,
+        @JsonProperty("action") String label,
+        String status,
+        int executions) {
     public PhaseResult {
         Objects.requireNonNull(plan, "plan");
         Objects.requireNonNull(phase, "phase");

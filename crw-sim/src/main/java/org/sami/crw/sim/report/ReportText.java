@@ -2,7 +2,6 @@ package org.sami.crw.sim.report;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -29,29 +28,9 @@ public final class ReportText {
         interrupts(text, report);
         tasks(text, report);
         readings(text, report);
-        phases(text, report);
+        report.parts().forEach(part -> part.lines().forEach(line -> line(text, line)));
         notes(text, report);
         return text.toString();
-    }
-
-    /** How far each mission came by its chart: a line for each phase, with what was executed in brackets. */
-    private static void phases(StringBuilder text, RunReport report) {
-        if (report.log().phases().isEmpty()) {
-            return;
-        }
-        line(text, "phases");
-        Map<String, List<String>> actions = new LinkedHashMap<>();
-        for (PhaseResult action : report.log().phases()) {
-            String words = action.label()
-                    + switch (action.status()) {
-                        case "ahead" -> "";
-                        case "active" -> " [under way]";
-                        default -> action.executions() > 1 ? " [" + action.executions() + " times]" : " [done]";
-                    };
-            actions.computeIfAbsent("mission " + action.mission() + ", " + action.phase(), phase -> new ArrayList<>())
-                    .add(words);
-        }
-        actions.forEach((phase, words) -> line(text, "  %s: %s", phase, String.join("; ", words)));
     }
 
     private static void summary(StringBuilder text, RunReport report) {

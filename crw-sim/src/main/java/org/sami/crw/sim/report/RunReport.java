@@ -11,7 +11,7 @@ import org.sami.crw.operator.mission.Wait;
  * @param waits where the mission stood and what it waited for; empty where it is over
  * @param origin when it began, and who tells of it; empty where nobody wrote that down
  * @param map the areas and points of its plan, and how near boats came to one another
- * @param log phases of missions, and what the operator did
+ * @param parts what stands by itself, in the order in which it is told, each kind once
  */
 public record RunReport(
         RunHeader header,
@@ -27,9 +27,11 @@ public record RunReport(
         List<Wait> waits,
         Optional<RunOrigin> origin,
         RunMap map,
-        RunLog log) {
+        List<ReportPart> parts) {
+    private static final List<ReportPart> EMPTY_PARTS = List.of(new PhasesPart(List.of()), new OperatorPart(List.of()));
+
     public RunReport {
-        Objects.requireNonNull(log, "log");
+        parts = List.copyOf(parts);
         Objects.requireNonNull(origin, "origin");
         Objects.requireNonNull(map, "map");
         Objects.requireNonNull(header, "header");
@@ -83,37 +85,32 @@ public record RunReport(
                 List.of(),
                 Optional.empty(),
                 map,
-                RunLog.EMPTY);
+                EMPTY_PARTS);
     }
 
     /** The same with what the boats measured. */
     public RunReport withReadings(List<ReadingResult> measured) {
-        return with(measured, tasks, waits, origin, map, log);
+        return with(measured, tasks, waits, origin, map);
     }
 
     /** The same with what became of the tasks. */
     public RunReport withTasks(List<TaskResult> told) {
-        return with(readings, told, waits, origin, map, log);
+        return with(readings, told, waits, origin, map);
     }
 
     /** The same with where the mission stands. */
     public RunReport withWaits(List<Wait> told) {
-        return with(readings, tasks, told, origin, map, log);
+        return with(readings, tasks, told, origin, map);
     }
 
     /** The same with when it began and which program tells of it. */
     public RunReport withOrigin(RunOrigin from) {
-        return with(readings, tasks, waits, Optional.of(from), map, log);
+        return with(readings, tasks, waits, Optional.of(from), map);
     }
 
     /** The same with the areas and points of its plan. */
     public RunReport withMap(RunMap of) {
-        return with(readings, tasks, waits, origin, of, log);
-    }
-
-    /** The same with phases and what the operator did. */
-    public RunReport withLog(RunLog told) {
-        return with(readings, tasks, waits, origin, map, told);
+        return with(readings, tasks, waits, origin, of);
     }
 
     private RunReport with(
@@ -121,8 +118,7 @@ public record RunReport(
             List<TaskResult> newTasks,
             List<Wait> newWaits,
             Optional<RunOrigin> newOrigin,
-            RunMap newMap,
-            RunLog newLog) {
+            RunMap newMap) {
         return new RunReport(
                 header,
                 result,
@@ -137,7 +133,12 @@ public record RunReport(
                 newWaits,
                 newOrigin,
                 newMap,
-                newLog);
+                parts);
+    }
+
+    /** One of the parts that stand by themselves; empty where nobody filled it. */
+    public <T extends ReportPart> Optional<T> part(Class<T> kind) {
+        return parts.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
     /** What went wrong that no plan heard of, oldest first. */

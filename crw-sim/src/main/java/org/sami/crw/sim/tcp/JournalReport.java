@@ -12,6 +12,7 @@ import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.OperatorLogRows;
 import org.sami.crw.sim.clock.CatchUpScheduler;
+import org.sami.crw.sim.report.OperatorPart;
 import org.sami.crw.sim.report.RunHeader;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
@@ -92,7 +93,7 @@ public final class JournalReport {
         CatchUpScheduler clock = new CatchUpScheduler();
         InterruptScheduler interrupts = new InterruptScheduler(planned(), clock);
         folds.add(draft -> draft.interrupts(interrupts.results()));
-        folds.add(draft -> draft.actions(OperatorActions.of(OperatorLogRows.read(rows))));
+        folds.add(draft -> draft.add(new OperatorPart(OperatorActions.of(OperatorLogRows.read(rows)))));
         folds.add(draft -> draft.waits(waits));
         List<HostListener> listeners = new ArrayList<>(folds.listeners());
         listeners.add(interrupts);

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.sami.crw.sim.report.OperatorAction;
+import org.sami.crw.sim.report.OperatorPart;
 import org.sami.crw.sim.report.PhaseResult;
+import org.sami.crw.sim.report.PhasesPart;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.settings.RunPlan;
@@ -16,11 +18,11 @@ class RunLogTest {
 
     @Test
     void reportSaysWhichActionsOfThePhaseChartWereExecuted() {
-        assertThat(report.log().phases())
+        assertThat(report.part(PhasesPart.class).orElseThrow().actions())
                 .isNotEmpty()
                 .extracting(PhaseResult::plan)
                 .contains("measure");
-        assertThat(report.log().phases())
+        assertThat(report.part(PhasesPart.class).orElseThrow().actions())
                 .anyMatch(action -> action.status().equals("done") && action.executions() > 0)
                 .noneMatch(action -> action.status().equals("active"));
         assertThat(ReportText.text(report)).contains("phases\n  mission 1, ");
@@ -28,12 +30,17 @@ class RunLogTest {
 
     @Test
     void reportHasWhatTheOperatorDid() {
-        assertThat(report.log().operator())
+        assertThat(report.part(OperatorPart.class).orElseThrow().actions())
                 .extracting(OperatorAction::kind)
                 .filteredOn(kind -> kind.equals("answer"))
                 .hasSize((int) report.decisions().stream()
                         .filter(decision -> decision.by().equals("operator"))
                         .count());
-        assertThat(report.log().operator().get(0).text()).startsWith("started measure as mission 1");
+        assertThat(report.part(OperatorPart.class)
+                        .orElseThrow()
+                        .actions()
+                        .get(0)
+                        .text())
+                .startsWith("started measure as mission 1");
     }
 }

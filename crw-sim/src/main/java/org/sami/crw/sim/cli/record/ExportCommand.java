@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.cli.output.ExitCode;
 import org.sami.crw.sim.cli.output.UsageFault;
+import org.sami.crw.sim.report.OperatorPart;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.file.ReportFolder;
 import org.sami.crw.sim.tcp.JournalReport;
@@ -78,7 +79,9 @@ public final class ExportCommand implements Callable<Integer> {
                 report.firings().size(),
                 report.decisions().size(),
                 report.notes().size(),
-                report.log().operator().size(),
+                report.part(OperatorPart.class)
+                        .map(part -> part.actions().size())
+                        .orElse(0),
                 folder);
         out.flush();
         return ExitCode.OK;

@@ -8,6 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.sim.report.ReportPart;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.picture.MapPicture;
 
@@ -80,8 +81,7 @@ public final class ReportFolder {
         text("interrupts.csv", ReportTables.interrupts(report).toString());
         text("tasks.csv", ReportTables.tasks(report).toString());
         text("messages.csv", ReportTables.messages(report).toString());
-        text("phases.csv", ReportTables.phases(report).toString());
-        text("operator.csv", ReportTables.operator(report).toString());
+        parts(report);
         text("run.gpx", GpxFile.text(report));
         text("run.kml", KmlFile.text(report));
         text("run.geojson", GeoJsonFile.text(report));
@@ -102,9 +102,14 @@ public final class ReportFolder {
         text("messages.csv", ReportTables.messages(report).toString());
         text("readings.csv", ReportTables.readings(report).toString());
         text("tasks.csv", ReportTables.tasks(report).toString());
-        text("phases.csv", ReportTables.phases(report).toString());
-        text("operator.csv", ReportTables.operator(report).toString());
+        parts(report);
         text("map.geojson", GeoJsonFile.text(report));
+    }
+
+    private void parts(RunReport report) throws IOException {
+        for (ReportPart part : report.parts()) {
+            text(part.name() + ".csv", ReportTables.of(part).toString());
+        }
     }
 
     /** Where the picture is, once it is written. */

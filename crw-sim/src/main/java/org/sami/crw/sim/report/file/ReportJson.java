@@ -21,8 +21,6 @@ import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.MapPoint;
 import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.OperatorAction;
-import org.sami.crw.sim.report.PhaseResult;
 import org.sami.crw.sim.report.ReadingSummary;
 import org.sami.crw.sim.report.RunHeader;
 import org.sami.crw.sim.report.RunOrigin;
@@ -86,8 +84,7 @@ public final class ReportJson {
         json.set("tasks", tasks(report));
         json.set("decisions", decisions(report));
         json.set("notes", notes(report));
-        json.set("phases", phases(report));
-        json.set("operator", operator(report));
+        report.parts().forEach(part -> json.set(part.name(), MAPPER.valueToTree(part.json())));
         json.set("readings", readings(report));
         if (result.resumedFrom().isPresent()) {
             json.put("resumedFrom", result.resumedFrom().getAsLong());
@@ -255,37 +252,6 @@ public final class ReportJson {
                     .put("kind", note.kind())
                     .put("mission", note.mission())
                     .put("message", note.message());
-        }
-        return array;
-    }
-
-    private static ArrayNode phases(RunReport report) {
-        ArrayNode array = NODES.arrayNode();
-        for (PhaseResult action : report.log().phases()) {
-            array.addObject()
-                    .put("mission", action.mission())
-                    .put("plan", action.plan())
-                    .put("phase", action.phase())
-                    .put("actor", action.actor())
-                    .put("action", action.label())
-                    .put("status", action.status())
-                    .put("executions", action.executions());
-        }
-        return array;
-    }
-
-    private static ArrayNode operator(RunReport report) {
-        ArrayNode array = NODES.arrayNode();
-        for (OperatorAction action : report.log().operator()) {
-            ObjectNode node = array.addObject()
-                    .put("number", action.number())
-                    .put("at", seconds(action.atMillis()))
-                    .put("kind", action.kind())
-                    .put("text", action.text())
-                    .put("mission", action.mission());
-            action.boats().forEach(node.putArray("boats")::add);
-            action.latDeg().ifPresent(lat -> node.put("latDeg", decimal(lat, 7)));
-            action.lonDeg().ifPresent(lon -> node.put("lonDeg", decimal(lon, 7)));
         }
         return array;
     }

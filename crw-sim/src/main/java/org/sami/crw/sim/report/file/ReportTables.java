@@ -11,9 +11,8 @@ import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.LocationResult.Visit;
 import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.OperatorAction;
-import org.sami.crw.sim.report.PhaseResult;
 import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.report.ReportPart;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.TaskResult;
 import org.sami.crw.sim.report.TrackPoint;
@@ -223,34 +222,10 @@ final class ReportTables {
         return table;
     }
 
-    static CsvTable phases(RunReport report) {
-        CsvTable table = new CsvTable("mission", "plan", "phase", "actor", "action", "status", "executions");
-        for (PhaseResult action : report.log().phases()) {
-            table.row(
-                    action.mission(),
-                    action.plan(),
-                    action.phase(),
-                    action.actor(),
-                    action.label(),
-                    action.status(),
-                    action.executions());
-        }
-        return table;
-    }
-
-    static CsvTable operator(RunReport report) {
-        CsvTable table = new CsvTable("number", "at_s", "kind", "text", "mission", "boats", "lat_deg", "lon_deg");
-        for (OperatorAction action : report.log().operator()) {
-            table.row(
-                    action.number(),
-                    seconds(action.atMillis()),
-                    action.kind(),
-                    action.text(),
-                    action.mission(),
-                    String.join(" ", action.boats()),
-                    action.latDeg().map(lat -> fixed(lat, 7)).orElse(""),
-                    action.lonDeg().map(lon -> fixed(lon, 7)).orElse(""));
-        }
+    /** The table that a part of the report has by itself. */
+    static CsvTable of(ReportPart part) {
+        CsvTable table = new CsvTable(part.columns().toArray(String[]::new));
+        part.rows().forEach(row -> table.row(row.toArray()));
         return table;
     }
 }

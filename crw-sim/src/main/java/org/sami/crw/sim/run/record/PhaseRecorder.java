@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.sami.crw.sim.report.PhaseResult;
+import org.sami.crw.sim.report.PhasesPart;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Plan;
 import org.sami.spn.phase.PhaseAction;
@@ -49,7 +50,7 @@ final class PhaseRecorder implements ReportFold {
 
     @Override
     public void addTo(ReportDraft report) {
-        report.phases(results());
+        report.add(new PhasesPart(results()));
     }
 
     /** How the actions of all charts stand now. */

@@ -12,11 +12,9 @@ import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.OperatorAction;
-import org.sami.crw.sim.report.PhaseResult;
 import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.report.ReportPart;
 import org.sami.crw.sim.report.RunHeader;
-import org.sami.crw.sim.report.RunLog;
 import org.sami.crw.sim.report.RunMap;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.RunResult;
@@ -37,8 +35,7 @@ public final class ReportDraft {
     private List<ReadingResult> readings = List.of();
     private List<TaskResult> tasks = List.of();
     private List<Wait> waits = List.of();
-    private List<PhaseResult> phases = List.of();
-    private List<OperatorAction> actions = List.of();
+    private final List<ReportPart> parts = new ArrayList<>();
     private KnownTracks tracks = KnownTracks.reported(List.of());
     private OptionalDouble announcedM = OptionalDouble.empty();
     private Optional<RunMap> map = Optional.empty();
@@ -108,13 +105,9 @@ public final class ReportDraft {
         waits = all;
     }
 
-    void phases(List<PhaseResult> all) {
-        phases = all;
-    }
-
-    /** What the operator did, oldest first. */
-    public void actions(List<OperatorAction> all) {
-        actions = all;
+    /** Adds a part that stands by itself; parts are told in the order in which they are added. */
+    public void add(ReportPart part) {
+        parts.add(part);
     }
 
     void tracks(KnownTracks known) {
@@ -155,6 +148,6 @@ public final class ReportDraft {
                 waits,
                 Optional.empty(),
                 map.orElseGet(() -> RunMap.of(boats)),
-                new RunLog(phases, actions));
+                parts);
     }
 }

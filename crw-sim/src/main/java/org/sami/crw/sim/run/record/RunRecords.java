@@ -11,6 +11,7 @@ import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.OperatorPart;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
@@ -74,8 +75,8 @@ public final class RunRecords {
                 .ifPresent(problem -> draft.note(List.of(problem))));
         folds.add(new FenceNotes(session.models()));
         folds.add(new StuckNotes(session.models(), session.scheduler()::nowMs));
-        folds.add(
-                draft -> draft.actions(OperatorActions.of(session.models().log().snapshot())));
+        folds.add(draft -> draft.add(
+                new OperatorPart(OperatorActions.of(session.models().log().snapshot()))));
         folds.add(draft -> draft.waits(
                 draft.end().outcome().isOver()
                         ? List.of()
