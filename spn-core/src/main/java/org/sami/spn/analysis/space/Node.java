@@ -25,6 +25,8 @@ final class Node {
     private final List<String> withRobots;
     private final List<String> marked;
     private final Map<String, Integer> counts;
+    private final long nowMillis;
+    private final List<Long> dueMillis;
     private final Optional<Outcome> outcome;
     private Optional<Edge> first;
     private int steps;
@@ -52,6 +54,8 @@ final class Node {
         outcome = stepper.outcome();
         Optional<MissionView> mission = stepper.view().mission(stepper.mission());
         marked = mission.map(view -> List.copyOf(view.marking().keySet())).orElse(List.of());
+        nowMillis = stepper.nowMillis();
+        dueMillis = stepper.view().dueMillis();
         counts = outcome.isPresent() ? Map.of() : counts(stepper.view(), shared);
         this.stepper = outcome.isPresent() ? Optional.empty() : Optional.of(stepper);
     }
@@ -130,6 +134,11 @@ final class Node {
 
     Map<String, Integer> counts() {
         return counts;
+    }
+
+    /** Whether time has passed since an earlier state on the way here, and a timer of then runs still: what goes on so ends with it. */
+    boolean isTimedSince(Node earlier) {
+        return nowMillis > earlier.nowMillis && earlier.dueMillis.stream().anyMatch(dueMillis::contains);
     }
 
     /** All steps that lead here. */

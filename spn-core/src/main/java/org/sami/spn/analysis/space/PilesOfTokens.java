@@ -16,7 +16,8 @@ import org.sami.spn.stepping.NextStep;
 
 /**
  * Ways on which tokens pile up: between a state and a later one, again between that and a third, and so on until there are more than any
- * requirement counts to, the same tokens are added to the same places and nothing is taken away. What was done there can be done for ever.
+ * requirement counts to, the same tokens are added to the same places and nothing is taken away. What was done there can be done for ever, unless a
+ * timer ends it that has run all the while.
  */
 final class PilesOfTokens {
     /**
@@ -59,7 +60,7 @@ final class PilesOfTokens {
             Node.Edge edge = at.first().get();
             byItself &= isExpected(edge.step().kind());
             at = edge.from();
-            if (total(at.counts()) < total) {
+            if (total(at.counts()) < total && !node.isTimedSince(at)) {
                 Optional<Map<String, Integer>> growth = growth(at.counts(), now);
                 if (growth.isPresent() && growths.add(growth.get()) && isOfEqualRounds(growth.get(), growths)) {
                     all.add(new Pile(node, new TreeSet<>(growth.get().keySet()), byItself));

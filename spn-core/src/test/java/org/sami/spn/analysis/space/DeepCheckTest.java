@@ -198,6 +198,37 @@ class DeepCheckTest {
     }
 
     @Test
+    void heapThatGrowsUntilATimerRunsDownIsNone() {
+        NetBuilder growing = new NetBuilder("timed")
+                .start("s")
+                .output("s", "StartTimer", duration(2_000), Map.of())
+                .transition("round", "TimerExpired")
+                .in("s", "round", "always")
+                .out("round", "s", "always")
+                .out("round", "heap", "add 1 generic");
+
+        assertThat(codes(growing.build())).contains("W-PILES-UP");
+        Plan timed = growing.output("heap", "StartTimer", duration(20_000), Map.of())
+                .end("end")
+                .transition("over", "TimerExpired")
+                .in("heap", "over", "always")
+                .out("over", "end", "take all any")
+                .build();
+        assertThat(codes(timed)).isEmpty();
+    }
+
+    private static Map<String, FieldSource> duration(long millis) {
+        return Map.of("duration", new FieldSource.Fixed(new DurationValue(millis)));
+    }
+
+    private static List<String> codes(Plan plan) {
+        return new TokensPileUp()
+                .run(request(plan, 1_000), SearchWatch.NONE).findings().stream()
+                        .map(found -> found.finding().code())
+                        .toList();
+    }
+
+    @Test
     void searchEndsWhenItsMemoryIsUsedUp() {
         DeepRequest small = new DeepRequest(
                 NetBuilder.project(withWayOut().build()), TestVocabulary.TEST, "asks", ROBOTS, List.of(1), 1_000, 1);
