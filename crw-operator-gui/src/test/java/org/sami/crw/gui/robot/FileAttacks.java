@@ -101,15 +101,23 @@ final class FileAttacks {
         return world.folder.resolve("data");
     }
 
+    /** A fault of a file has it among its details. */
+    private static void explained(RobotWorld world, String words) {
+        world.until(
+                "a fault explains '" + words + "'",
+                () -> world.faults(HealthKind.FILE).stream()
+                        .anyMatch(entry -> entry.fault().details().contains(words)));
+    }
+
     private static void openSession(RobotWorld world) {
-        world.warned("is not UTF-8 text and was set aside as open-session.damaged");
+        explained(world, "is not UTF-8 text and was set aside as open-session.damaged");
         assertThat(data(world).resolve("open-session.damaged")).exists();
         assertThat(world.faults(HealthKind.FILE))
-                .anyMatch(entry -> entry.fault().text().contains("newest journal"));
+                .anyMatch(entry -> entry.fault().details().contains("newest journal"));
     }
 
     private static void documentType(RobotWorld world) {
-        world.warned("it has a document type; it was set aside as arrangement.xml.damaged");
+        explained(world, "it has a document type; it was set aside as arrangement.xml.damaged");
         assertThat(data(world).resolve("arrangement.xml.damaged")).content().contains("DOCTYPE");
         for (String panel : List.of("map", "boats", "missions", "decisions", "interrupts", "messages")) {
             assertThat(world.isShown(panel)).as(panel).isTrue();
