@@ -139,11 +139,9 @@ final class AuthorRobot implements AutoCloseable {
     /** Where the middle of a vertex is in the net's canvas. */
     Point at(String vertex) {
         NetView net = net();
-        return WindowRobot.ask(() -> {
-            Vertex drawn = net.drawing().vertices().stream()
-                    .filter(v -> v.id().equals(vertex))
-                    .findFirst()
-                    .orElseThrow();
+        untilDrawn(net, vertex);
+        return WindowRobot.still(() -> {
+            Vertex drawn = drawn(net, vertex).orElseThrow();
             return point(net.pixel(drawn.centre().x(), drawn.centre().y()));
         });
     }
@@ -151,14 +149,23 @@ final class AuthorRobot implements AutoCloseable {
     /** From where an edge is drawn that begins at a vertex, once the pointer is over it. */
     Point handle(String vertex) {
         NetView net = net();
-        return WindowRobot.ask(() -> {
-            Vertex drawn = net.drawing().vertices().stream()
-                    .filter(v -> v.id().equals(vertex))
-                    .findFirst()
-                    .orElseThrow();
+        untilDrawn(net, vertex);
+        return WindowRobot.still(() -> {
+            Vertex drawn = drawn(net, vertex).orElseThrow();
             Point right = point(net.pixel(drawn.box().maxX(), drawn.centre().y()));
             return new Point(right.x + 15, right.y - 12);
         });
+    }
+
+    /** The net is drawn after its plan has changed, and lies elsewhere when it is shown anew. */
+    private void untilDrawn(NetView net, String vertex) {
+        robot.until(vertex + " is drawn", () -> drawn(net, vertex).isPresent());
+    }
+
+    private static Optional<Vertex> drawn(NetView net, String vertex) {
+        return net.drawing().vertices().stream()
+                .filter(v -> v.id().equals(vertex))
+                .findFirst();
     }
 
     private static Point point(Point2D at) {
@@ -204,7 +211,9 @@ final class AuthorRobot implements AutoCloseable {
     /** Where an edge is seen best: the middle of its longest line. */
     Point onEdge(String from, String to) {
         NetView net = net();
-        return WindowRobot.ask(() -> {
+        untilDrawn(net, from);
+        untilDrawn(net, to);
+        return WindowRobot.still(() -> {
             List<LayoutPoint> points = net.drawing().edges().stream()
                     .filter(e -> e.from().equals(from) && e.to().equals(to))
                     .findFirst()
@@ -326,9 +335,20 @@ final class AuthorRobot implements AutoCloseable {
     void mark(String words, String label) {
         robot.press(KeyEvent.VK_SPACE, KeyEvent.VK_CONTROL);
         robot.untilFocused("palette-search");
-        robot.press(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
-        robot.type(words);
+        type(robot.find(JTextField.class, "palette-search"), words);
         robot.untilSaid("wizard-title", label);
+    }
+
+    /** Types over what stands in a field, again where the display repeated a key because the machine stood still while it was down. */
+    private void type(JTextField field, String words) {
+        do {
+            robot.press(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
+            robot.type(words);
+        } while (repeats(WindowRobot.ask(field::getText), words));
+    }
+
+    private static boolean repeats(String typed, String words) {
+        return !typed.equals(words) && typed.replaceAll("(.)\\1+", "$1").equals(words.replaceAll("(.)\\1+", "$1"));
     }
 
     /** Where the marked item of the palette stands in its list. */
@@ -365,8 +385,7 @@ final class AuthorRobot implements AutoCloseable {
         robot.scrollTo(field);
         robot.click(name);
         robot.untilFocused(name);
-        robot.press(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
-        robot.type(words);
+        type(field, words);
         robot.press(KeyEvent.VK_ENTER);
     }
 

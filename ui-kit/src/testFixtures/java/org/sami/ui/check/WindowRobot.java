@@ -84,15 +84,20 @@ public final class WindowRobot {
 
     /** Where a component lies on the screen, once it lies still. */
     private static Point placeOf(Component component) {
-        Point at = ask(component::getLocationOnScreen);
+        return still(component::getLocationOnScreen);
+    }
+
+    /** What is seen on the event thread, once it is the same after all that was under way there. */
+    public static <T> T still(Supplier<T> look) {
+        T at = ask(look);
         settle();
-        Point now = ask(component::getLocationOnScreen);
+        T now = ask(look);
         while (!now.equals(at)) {
             at = now;
             settle();
-            now = ask(component::getLocationOnScreen);
+            now = ask(look);
         }
-        return at;
+        return now;
     }
 
     /** Returns once what is queued for the event thread is done, and what that has queued. */
