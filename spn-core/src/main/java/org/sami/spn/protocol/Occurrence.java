@@ -1,10 +1,10 @@
 package org.sami.spn.protocol;
 
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -18,6 +18,7 @@ import org.sami.spn.value.Value;
  * @param activation the activation that it answers, or {@link Ids#NONE}
  * @param proxies the robots that it names (the thesis's relevant proxies)
  * @param tasks the tasks that it names
+ * @param values by the names of the event's fields, in the order of the names: its text is the same in every process, and so are hashes of runs
  */
 public record Occurrence(
         String type,
@@ -30,7 +31,7 @@ public record Occurrence(
         Objects.requireNonNull(type, "type");
         proxies = List.copyOf(proxies);
         tasks = List.copyOf(tasks);
-        values = values.isEmpty() ? Map.of() : Collections.unmodifiableMap(new LinkedHashMap<>(values));
+        values = values.isEmpty() ? Map.of() : Collections.unmodifiableMap(new TreeMap<>(values));
     }
 
     /** News to all missions. */
