@@ -45,7 +45,7 @@ enum SamiModule {
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
-            290,
+            300,
             List.of("org.sami.crw.sim.."),
             List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, NET_PICTURE, SPN_CORE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */

@@ -9,7 +9,7 @@ import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunMission;
 import org.sami.crw.sim.run.record.RunRecords;
-import org.sami.crw.sim.run.settings.MissionStart;
+import org.sami.crw.sim.run.settings.PlannedMission;
 import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
@@ -64,7 +64,7 @@ public final class RunLifecycle {
         }
     }
 
-    private void start(MissionStart next) {
+    private void start(PlannedMission next) {
         started++;
         session.host().post(new Input.StartMission(next.plan().id(), next.name(), next.parameters()));
     }

@@ -12,7 +12,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
-import org.sami.crw.sim.run.settings.MissionStart;
+import org.sami.crw.sim.run.settings.PlannedMission;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
 import org.sami.crw.sim.run.settings.Speed;
@@ -163,7 +163,7 @@ public final class MissionOptions {
     public List<Plan> plans(Plan first, Project project) {
         List<Plan> plans = new ArrayList<>(List.of(first));
         try {
-            also.forEach(more -> plans.add(MissionStart.parse(more, project).plan()));
+            also.forEach(more -> plans.add(PlannedMission.parse(more, project).plan()));
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--also: " + e.getMessage());
         }

@@ -40,10 +40,10 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
-import org.sami.crw.sim.run.settings.MissionStart;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlanLocations;
+import org.sami.crw.sim.run.settings.PlannedMission;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
@@ -212,7 +212,7 @@ final class Execution {
                     new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
             checkPlace(plan, settings, parameters.values());
             for (String more : settings.also()) {
-                Plan other = MissionStart.parse(more, plan.project()).plan();
+                Plan other = PlannedMission.parse(more, plan.project()).plan();
                 checkPlace(new RunPlan(plan.vocabulary(), plan.project(), other), settings, List.of());
             }
         } catch (IllegalArgumentException e) {

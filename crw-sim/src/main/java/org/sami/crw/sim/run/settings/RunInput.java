@@ -13,7 +13,7 @@ import org.sami.crw.decision.AnswersFile;
  * @param answers what the simulated operator is told to answer
  * @param missions what the run starts, by time; the first when all boats are there. The run is over when all of them are
  */
-public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, List<MissionStart> missions) {
+public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, List<PlannedMission> missions) {
     public RunInput {
         Objects.requireNonNull(plan, "plan");
         Objects.requireNonNull(settings, "settings");
@@ -30,15 +30,15 @@ public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, 
      * @throws IllegalArgumentException naming the parameter or the mission, if one does not fit the plan or the project
      */
     public static RunInput of(RunPlan plan, RunSettings settings, AnswersFile answers) {
-        List<MissionStart> missions = new ArrayList<>();
-        missions.add(new MissionStart(
+        List<PlannedMission> missions = new ArrayList<>();
+        missions.add(new PlannedMission(
                 plan.plan(),
                 settings.mission(),
                 new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters()),
                 0));
         settings.also().stream()
-                .map(more -> MissionStart.parse(more, plan.project()))
-                .sorted(Comparator.comparingLong(MissionStart::afterMillis))
+                .map(more -> PlannedMission.parse(more, plan.project()))
+                .sorted(Comparator.comparingLong(PlannedMission::afterMillis))
                 .forEach(missions::add);
         return new RunInput(plan, settings, answers, missions);
     }

@@ -28,7 +28,7 @@ import org.sami.crw.sim.hull.Conditions;
  * @param answers text of the answers file; empty text where there is none
  * @param connect where the boats' servers listen, as many as the fleet has boats; empty = the boats are in this process
  * @param interrupts which interrupts are pressed, as they were given ({@link PlanInterrupts}), in order
- * @param also which missions are started beside the first, as they were given ({@link MissionStart#parse}), in order
+ * @param also which missions are started beside the first, as they were given ({@link PlannedMission#parse}), in order
  */
 public record RunSettings(
         String plan,

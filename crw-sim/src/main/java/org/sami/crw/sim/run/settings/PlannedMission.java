@@ -15,10 +15,10 @@ import org.sami.spn.value.Value;
  * @param parameters values for what the plan asks at its start
  * @param afterMillis how long after the first mission of the run, in simulated milliseconds; 0 for the first
  */
-public record MissionStart(Plan plan, String name, Map<String, Value> parameters, long afterMillis) {
+public record PlannedMission(Plan plan, String name, Map<String, Value> parameters, long afterMillis) {
     private static final char AT = '@';
 
-    public MissionStart {
+    public PlannedMission {
         Objects.requireNonNull(plan, "plan");
         Objects.requireNonNull(name, "name");
         parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
@@ -33,14 +33,14 @@ public record MissionStart(Plan plan, String name, Map<String, Value> parameters
      *
      * @throws IllegalArgumentException if the project has no such plan, or the time makes no sense
      */
-    public static MissionStart parse(String text, Project project) {
+    public static PlannedMission parse(String text, Project project) {
         int at = text.lastIndexOf(AT);
         String id = at < 0 ? text : text.substring(0, at);
         Plan plan = project.plan(id)
                 .orElseThrow(() -> new IllegalArgumentException("the project has no plan '" + id + "'; it has "
                         + String.join(
                                 ", ", project.plans().stream().map(Plan::id).toList())));
-        return new MissionStart(plan, plan.title(), Map.of(), at < 0 ? 0 : millis(text, text.substring(at + 1)));
+        return new PlannedMission(plan, plan.title(), Map.of(), at < 0 ? 0 : millis(text, text.substring(at + 1)));
     }
 
     private static long millis(String text, String seconds) {
