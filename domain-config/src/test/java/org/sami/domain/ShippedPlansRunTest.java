@@ -72,6 +72,7 @@ class ShippedPlansRunTest {
 
         assertThat(messages)
                 .allMatch(m -> m.startsWith("Test case \"changed\", step 5: "))
-                .anyMatch(m -> m.endsWith("expected in Execute paths are generic, generic, b1, found b1, b2, b3, generic"));
+                .anyMatch(m ->
+                        m.endsWith("expected in Execute paths are generic, generic, b1, found b1, b2, b3, generic"));
     }
 }
