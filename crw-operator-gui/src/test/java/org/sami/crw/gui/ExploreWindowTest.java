@@ -90,6 +90,11 @@ class ExploreWindowTest {
         robot.click("value-decision-none-chosen");
         robot.click("value-decision-option-1");
         untilCosts(robot, window, "anna: ");
+        robot.until( // the map rests a moment after it was used
+                "the pen is out for boats",
+                () -> Layout.find(window.frame(), "decision-draw", JComponent.class)
+                        .filter(Component::isShowing)
+                        .isEmpty());
         clickAt(robot, map, frame, List.of(position(window, "bert")));
         robot.untilSaid("value-decision-count", "2 of 5");
         untilCosts(robot, window, "2 boats");
