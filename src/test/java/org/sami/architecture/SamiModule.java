@@ -40,8 +40,8 @@ enum SamiModule {
                     "org.sami.crw.session..",
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
-    /** Pictures of nets, for the command and the editor. */
-    NET_PICTURE("net-picture", 8, List.of("org.sami.picture.."), List.of(SPN_CORE)),
+    /** Colours, and pictures of nets, for windows, command and reports. */
+    NET_PICTURE("net-picture", 8, List.of("org.sami.palette..", "org.sami.picture.."), List.of(SPN_CORE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
@@ -49,7 +49,7 @@ enum SamiModule {
             List.of("org.sami.crw.sim.."),
             List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, NET_PICTURE, SPN_CORE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */
-    UI_KIT("ui-kit", 265, List.of("org.sami.ui.."), List.of(SPN_CORE)),
+    UI_KIT("ui-kit", 265, List.of("org.sami.ui.."), List.of(NET_PICTURE, SPN_CORE)),
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
     DREAMM_IDE("dreamm-ide", 225, List.of("org.sami.dreamm.."), List.of(UI_KIT, NET_PICTURE, SPN_CORE)),
     /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
@@ -57,7 +57,7 @@ enum SamiModule {
             "crw-operator-gui",
             140,
             List.of("org.sami.crw.gui.."),
-            List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
+            List.of(UI_KIT, NET_PICTURE, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
 
     /** Reading a module's classes takes seconds, and most tests ask for all modules. */
     private static final Map<SamiModule, JavaClasses> IMPORTED = new ConcurrentHashMap<>();

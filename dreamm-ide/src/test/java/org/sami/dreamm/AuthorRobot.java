@@ -27,6 +27,7 @@ import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
+import org.sami.palette.Theme;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -36,7 +37,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 import org.sami.ui.net.NetView;
 
 /** An author at the real window: works by pointer and keys alone, and looks at what came of it. */

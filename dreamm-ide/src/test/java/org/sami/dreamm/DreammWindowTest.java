@@ -29,12 +29,12 @@ import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
+import org.sami.palette.Theme;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /** Drives the real window by keys and pointer: one window for all, as docking is for one a process. */
 @Tag("window")

@@ -26,7 +26,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.EventThread;
-import org.sami.ui.look.Theme;
+import org.sami.palette.Theme;
 
 /**
  * How soon the event thread of the real window serves what is posted to it, while a large fleet behind TCP sails for many missions and all panels

@@ -19,7 +19,7 @@ import org.sami.figures.FigureFile;
 import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
+import org.sami.palette.Theme;
 import org.sami.ui.window.WindowSettings;
 
 /**

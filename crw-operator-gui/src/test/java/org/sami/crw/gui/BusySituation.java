@@ -17,6 +17,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Session;
+import org.sami.palette.Theme;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
@@ -24,7 +25,6 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /**
  * The real window over a session in which much goes on: 20 simulated boats behind loopback sockets, missions that run and that have ended, 40 tasks, 14 decisions

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.imageio.ImageIO;
+import org.sami.palette.Theme;
 import org.sami.spn.testing.TemporaryFolder;
-import org.sami.ui.look.Theme;
 
 /**
  * Opens the {@link BusySituation} to be looked at, until the process is ended; with a folder as its first argument it makes pictures of the window in every

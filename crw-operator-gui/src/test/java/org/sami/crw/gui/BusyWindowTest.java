@@ -28,11 +28,11 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** What is in sight with 20 boats, 14 decisions and 50 messages. */
 @Tag("window")

@@ -21,12 +21,12 @@ import org.sami.crw.gui.mission.DividedTasks;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.palette.Theme;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /** A task is dragged to another boat in the real window. */
 @Tag("window")

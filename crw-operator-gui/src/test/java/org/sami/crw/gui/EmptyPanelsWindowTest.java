@@ -19,12 +19,12 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.palette.Theme;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** Panels in which nothing waits leave their room to others, and have it again when something comes. */
 @Tag("window")

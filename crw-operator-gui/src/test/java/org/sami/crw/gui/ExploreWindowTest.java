@@ -28,12 +28,12 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
+import org.sami.palette.Theme;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.geo.MapFrame;
-import org.sami.ui.look.Theme;
 import org.sami.ui.map.MapView;
 
 /** A whole mission in the real window, by pointer and keys: the area and the boats are given as they are asked for. */

@@ -43,9 +43,9 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.palette.Theme;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The pointer reaches the fleet stop whatever is asked or shown, and Escape closes what was opened. */
 @Tag("window")

@@ -29,9 +29,9 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.palette.Theme;
 import org.sami.spn.protocol.Outcome;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /** A mission with boats that are processes, by keys alone: drawn, interrupted, with a boat's server killed and started again, completed. */
 @Tag("window")

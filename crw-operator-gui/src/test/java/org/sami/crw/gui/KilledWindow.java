@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
+import org.sami.palette.Theme;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /** A window in a process of its own, in which a mission is started by the pointer; it says when the mission runs, and waits to be killed. */
 final class KilledWindow {

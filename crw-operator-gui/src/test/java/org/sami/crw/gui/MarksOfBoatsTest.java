@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.ShownSession;
-import org.sami.ui.look.IdentityMarks;
+import org.sami.palette.IdentityMarks;
 
 @Timeout(300)
 class MarksOfBoatsTest {

@@ -14,13 +14,13 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.palette.Theme;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /** The real window over a session of its own, as its program opens it; for tests only. */
 public final class OpenedWindow implements AutoCloseable {

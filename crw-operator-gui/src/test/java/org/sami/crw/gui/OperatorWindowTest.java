@@ -48,13 +48,13 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.palette.Theme;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
 import org.sami.ui.EventThread;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 import org.sami.ui.map.SlowFiles;
 
 /** Drives the real window with its built-in fleet by pointer and keys: one window for all, as docking is for one a process. */

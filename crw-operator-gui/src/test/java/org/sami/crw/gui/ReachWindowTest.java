@@ -27,6 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.palette.Theme;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
@@ -35,7 +36,6 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.check.Reach;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 import org.sami.ui.sheet.WindowSheet;
 
 /** Everything in the real window has a name, is large enough for a wet finger and lets the Tab key pass: in all its panels and states. */

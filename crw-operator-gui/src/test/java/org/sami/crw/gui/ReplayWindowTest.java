@@ -37,11 +37,11 @@ import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Session;
+import org.sami.palette.Theme;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.protocol.Answer;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 import org.sami.ui.net.NetView;
 import org.sami.ui.replay.SessionClock;
 

@@ -21,11 +21,11 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
+import org.sami.palette.Theme;
 import org.sami.spn.testing.TemporaryFolder;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /**
  * Opens the window over five simulated boats, runs missions in it with a simulated operator, and makes a picture of each scene in each

@@ -2,8 +2,8 @@ package org.sami.crw.gui;
 
 import static org.sami.crw.gui.EventThreadCall.onEventThread;
 
+import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** Text of another size in the light look, until it is closed: for tests that no other test of a window runs beside. */
 public final class TextScale implements AutoCloseable {

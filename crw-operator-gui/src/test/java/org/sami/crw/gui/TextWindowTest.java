@@ -24,9 +24,9 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.palette.Theme;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.look.Theme;
 
 /**
  * The texts of the whole window while much is going on: missions, decisions, messages, an alarm, interrupts; in every theme, at 100 and

@@ -18,10 +18,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
-import org.sami.ui.look.Theme;
 
 /** A decision comes while another panel lies before the decisions, in a small window with large letters. */
 @Tag("window")

@@ -13,12 +13,12 @@ import java.util.stream.IntStream;
 import javax.swing.JRootPane;
 import javax.swing.JTabbedPane;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** Lays out and paints a window that is open, with all its panels, in looks and at sizes that its screen need not have. */
 final class WindowInMemory {

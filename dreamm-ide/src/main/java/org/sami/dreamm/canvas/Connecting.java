@@ -9,10 +9,10 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetPointer;
 import org.sami.ui.net.NetView;
 

@@ -4,9 +4,9 @@ import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * The two handles at the right of a vertex under the pointer: from the upper one an edge is drawn, the lower one offers what can come next. They

@@ -10,13 +10,13 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.EventEdit;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.wizard.RemoveWithRequirements;
-import org.sami.ui.look.SemanticColor;
 
 /** One event of a vertex: what it is, its fields and its markup, with buttons that order, reset and delete it. */
 final class EventCard extends Form implements Explained {

@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.sami.dreamm.profile.ProfileGuard;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.wiring.DataSource;
 import org.sami.spn.wiring.SourceWords;
-import org.sami.ui.look.SemanticColor;
 
 /** Where a field of an output event comes from: a value, asked of the operator, an answer or variable, the entering task. */
 final class FieldSourceRow {

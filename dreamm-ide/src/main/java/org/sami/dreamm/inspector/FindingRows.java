@@ -6,9 +6,9 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Fix;
 import org.sami.spn.finding.Finding;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /** The findings about what is selected, with a button for each fix that they offer beside them. */

@@ -15,6 +15,7 @@ import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.palette.PaletteItem;
 import org.sami.dreamm.palette.PaletteList;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
@@ -25,7 +26,6 @@ import org.sami.spn.wizard.EventTarget;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** Editors of what is selected, one below the other; of the plan where nothing is selected. The focus stays where it is over an edit. */

@@ -10,6 +10,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.profile.ProfileGuard;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.RenameVariable;
 import org.sami.spn.edit.TaskEdit;
@@ -24,7 +25,6 @@ import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.TaskClass;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.ValueField;
 
 /** The plan itself, where nothing is selected: its name, its tasks, the variables of each scope with their uses. */

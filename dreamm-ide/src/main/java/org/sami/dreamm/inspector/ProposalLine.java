@@ -2,7 +2,7 @@ package org.sami.dreamm.inspector;
 
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /** One line that says what could be done, with a button that does it. */

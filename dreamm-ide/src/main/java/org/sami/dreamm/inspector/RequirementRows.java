@@ -19,12 +19,12 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.wizard.ComputeRequirements;
 import org.sami.spn.wizard.SoundRequirements;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /**

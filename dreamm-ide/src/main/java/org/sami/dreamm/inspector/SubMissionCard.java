@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.profile.ProfileGuard;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.EventEdit;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.model.Place;
@@ -16,7 +17,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
-import org.sami.ui.look.SemanticColor;
 
 /** One sub-mission of a place: its plan, static or dynamic, which tasks and variables it is given, and how it returns. */
 final class SubMissionCard extends Form {

@@ -4,9 +4,9 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /** Begins deep checks and stops the one that runs; a label beside it says how that is doing. On the event thread. */

@@ -7,10 +7,10 @@ import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.finding.Severity;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** How many errors and warnings there are, for the window's corner; a click opens the issues. */
 public final class IssueCounters extends JPanel {

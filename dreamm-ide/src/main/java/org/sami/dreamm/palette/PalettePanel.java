@@ -9,11 +9,11 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.wizard.SequenceStrip;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Edit;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The toolset palette: the list of what can be added, and below it what the marked item is and what would come with it. */

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.profile.Profile;
-import org.sami.ui.look.Theme;
+import org.sami.palette.Theme;
 
 /**
  * How a window is to be opened.

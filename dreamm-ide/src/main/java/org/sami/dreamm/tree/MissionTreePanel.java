@@ -19,10 +19,10 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The mission tree with a field that searches everything: while something is typed there, what was found stands in the tree's place. */

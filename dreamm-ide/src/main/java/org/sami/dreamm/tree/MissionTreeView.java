@@ -19,11 +19,11 @@ import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.tree.TreeItem.Kind;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** The tree of lines. What is open and selected stays so through edits. */
 final class MissionTreeView extends JTree {

@@ -11,11 +11,11 @@ import javax.swing.plaf.basic.BasicTreeUI;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.TreeCellRenderer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * Shows a line of the mission tree: icon, title, and its detail in less weight. The open plan stands out. Where the tree is narrow, the detail

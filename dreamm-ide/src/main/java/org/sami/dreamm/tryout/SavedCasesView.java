@@ -10,12 +10,12 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 

@@ -8,11 +8,11 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.palette.Theme;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.EventThread;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /**
  * Loads what the window needs, without a display, so that the Java that runs this can keep its classes in an archive from which the program starts

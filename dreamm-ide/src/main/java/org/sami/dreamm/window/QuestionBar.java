@@ -11,9 +11,9 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.context.Questions;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** The bar at the top of the window in which the author is asked something. Escape leaves it; it is gone while nothing is asked. */
 final class QuestionBar extends JPanel {

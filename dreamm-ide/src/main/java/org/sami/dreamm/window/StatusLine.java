@@ -6,9 +6,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.window.NoticeLabel;
 
 /**

@@ -13,6 +13,7 @@ import javax.swing.JRadioButton;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.profile.ProfileGuard;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FreshIds;
 import org.sami.spn.wiring.DataSource;
@@ -22,7 +23,6 @@ import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.PlanChange;
 import org.sami.spn.wizard.Sequence;
 import org.sami.ui.look.Fonts;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /**

@@ -21,13 +21,13 @@ import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.profile.Profile;
+import org.sami.palette.Theme;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.OutRequirement;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)

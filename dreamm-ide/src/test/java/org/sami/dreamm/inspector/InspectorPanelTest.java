@@ -22,6 +22,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.profile.Profile;
+import org.sami.palette.Theme;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.json.DomainLibrary;
@@ -37,7 +38,6 @@ import org.sami.spn.value.TextValue;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The inspector without a window: each field makes an edit, and no text is cut. */
 @Isolated("the look is one for all windows of a process")

@@ -25,12 +25,12 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.palette.Theme;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The panel of issues at sizes that it has in a window of 1280 by 800 pixels. */
 @Isolated("the look is one for all windows of a process")

@@ -35,6 +35,7 @@ import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.replay.RecordedSession;
 import org.sami.dreamm.replay.ReplayPanel;
+import org.sami.palette.Theme;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
@@ -42,7 +43,6 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.dock.PanelSizes;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The panels that check and run a plan, without a window: they are laid out, painted and used by their names. */
 @Isolated("the look is one for all windows of a process")

@@ -28,6 +28,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.palette.Theme;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.ShownColors;
@@ -35,7 +36,6 @@ import org.sami.ui.check.TextFit;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.dock.PanelSizes;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** All panels of the window as large as they are in it at first, laid out in memory: no text is cut. */
 @Isolated("the look is one for all windows of a process")

@@ -21,7 +21,7 @@ import org.sami.spn.legacy.LegacyTableReader;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.ui.look.IdentityMarks;
+import org.sami.palette.IdentityMarks;
 import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
 import org.sami.ui.net.WidePlan;

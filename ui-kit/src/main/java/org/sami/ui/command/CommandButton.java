@@ -4,9 +4,9 @@ import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
 import java.awt.event.MouseEvent;
 import javax.swing.JButton;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** A button for a command: named by its id, as large as a wet finger needs. */

@@ -12,11 +12,11 @@ import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The line above a panel: its title, which it is dragged by, and a menu of what can be done with the panel. */

@@ -20,11 +20,11 @@ import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * Panels folded to the right edge: a strip with a button for each. While one panel has all the room, the one that is open lies over the edge

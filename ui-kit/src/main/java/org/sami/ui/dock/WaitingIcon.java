@@ -6,8 +6,8 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import javax.swing.Icon;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 
 /** An icon with a dot on its upper right corner. */
 record WaitingIcon(Icon plain) implements Icon {

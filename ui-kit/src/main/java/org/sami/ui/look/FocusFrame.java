@@ -5,6 +5,7 @@ import java.awt.Rectangle;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import javax.swing.JComponent;
+import org.sami.palette.SemanticColor;
 
 /** A line around what is seen of a component while it has the keyboard's focus, for those whose look shows none. On the event thread. */
 public final class FocusFrame {

@@ -3,6 +3,7 @@ package org.sami.ui.look;
 import com.formdev.flatlaf.extras.FlatSVGIcon;
 import java.awt.Color;
 import javax.swing.Icon;
+import org.sami.palette.SemanticColor;
 
 /**
  * The icons: one family, drawn on 24 by 24 with lines two wide, in the colour of text. They stand as SVG in {@code icons} beside this class and

@@ -7,6 +7,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import net.miginfocom.layout.PlatformDefaults;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 
 /**
  * The theme and the scale of all windows, which can change while they are open. On the event thread.
@@ -25,7 +27,6 @@ public final class Look {
     public static final int MOST = 200;
 
     private static final List<Runnable> LISTENERS = new CopyOnWriteArrayList<>();
-    private static volatile Theme theme = Theme.LIGHT;
     private static volatile int scalePercent = 100;
     private static volatile boolean highRows;
     private static volatile int hitTarget = Spacing.HIT_TARGET;
@@ -38,13 +39,13 @@ public final class Look {
      * @param percent 80 to 200; what lies outside is brought to the nearer end
      */
     public static void apply(Theme next, int percent) {
-        theme = next;
+        next.putInForce();
         scalePercent = Math.min(MOST, Math.max(LEAST, percent));
         UIScale.setZoomFactor(1); // else the font's size would be taken as one at the scale that was
         UIManager.put("defaultFont", Fonts.base());
         PlainText.install();
         try {
-            UIManager.setLookAndFeel(next.laf());
+            UIManager.setLookAndFeel(laf(next));
         } catch (UnsupportedLookAndFeelException e) {
             throw new IllegalStateException("the look of the theme " + next.id() + " does not run here", e);
         }
@@ -55,9 +56,17 @@ public final class Look {
         LISTENERS.forEach(Runnable::run);
     }
 
+    private static FlatLaf laf(Theme theme) {
+        return switch (theme) {
+            case LIGHT -> new LightLaf();
+            case DARK -> new DarkLaf();
+            case SUN -> new SunLaf();
+        };
+    }
+
     /** The theme in force. */
     public static Theme theme() {
-        return theme;
+        return Theme.inForce();
     }
 
     /** The scale in force, in percent. */

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.border.Border;
+import org.sami.palette.SemanticColor;
 
 /**
  * Colours and borders of components that are those of the look in force at any time: they are set at once, and again whenever the look

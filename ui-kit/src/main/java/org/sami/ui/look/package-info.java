@@ -1,5 +1,5 @@
 /**
- * How windows look: themes, semantic colours, fonts and their scale, spacing, icons, identity colours of proxies. No other package of a
- * window names a colour or a font size of its own.
+ * How windows look: the theme in force and its look, fonts and their scale, spacing, icons. Colours are those of {@code org.sami.palette}. No
+ * other package of a window names a colour or a font size of its own.
  */
 package org.sami.ui.look;

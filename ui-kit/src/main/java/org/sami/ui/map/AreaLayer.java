@@ -12,11 +12,11 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
 import org.sami.ui.geo.Snapping;
-import org.sami.ui.look.SemanticColor;
 
 /** Areas: filled where something is to be done, hatched where none may go, dashed where none may leave. The latter two are never dimmed. */
 public final class AreaLayer extends MapLayer {

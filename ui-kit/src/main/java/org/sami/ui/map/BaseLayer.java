@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.map.base.BaseSource;
 import org.sami.ui.map.base.NamedPoint;
 

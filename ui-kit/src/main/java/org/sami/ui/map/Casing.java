@@ -4,7 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Shape;
-import org.sami.ui.look.Contrast;
+import org.sami.palette.Contrast;
 
 /** What lies around a line on imagery, of which nobody knows how dark it is: black around light colours, white around dark ones. */
 final class Casing {

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.MapFrame;
-import org.sami.ui.look.SemanticColor;
 
 /** What the pointer does while nothing is drawn: clicks choose, a box with Shift held chooses all in it. */
 final class ChooseTool implements MapTool {

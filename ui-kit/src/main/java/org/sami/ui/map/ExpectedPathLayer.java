@@ -5,9 +5,9 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
-import org.sami.ui.look.SemanticColor;
 
 /** Paths on which vehicles are expected: long dashes on a light ground, a ring at the end, and beside the longest leg what it is. */
 public final class ExpectedPathLayer extends MapLayer {

@@ -7,9 +7,9 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
-import org.sami.ui.look.SemanticColor;
 
 /** A heat map with its legend; the value under the pointer is said. The scale goes from violet to yellow, darker is less. */
 public final class HeatLayer extends MapLayer {

@@ -12,6 +12,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jxmapviewer.JXMapViewer;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
@@ -19,8 +21,6 @@ import org.sami.ui.geo.Mercator;
 import org.sami.ui.look.FocusFrame;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
-import org.sami.ui.look.Theme;
 
 /** The map itself, without what stands around it: base map, grid, layers, tool, scale. */
 final class MapCanvas extends JXMapViewer {

@@ -6,7 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /**
  * One line to whoever works on the map, on a plate at its lower edge: beside the scale, where nothing that lies in the middle is hidden below it; above

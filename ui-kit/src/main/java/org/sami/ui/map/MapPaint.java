@@ -7,8 +7,8 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Set;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.MapFrame;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * What a layer paints with.

@@ -5,10 +5,10 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoMeasure;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
-import org.sami.ui.look.SemanticColor;
 
 /** The grid of a map, its scale and where north is. A side of the grid is as long as the scale. */
 final class MapScale {

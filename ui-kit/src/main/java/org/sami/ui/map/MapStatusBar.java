@@ -10,6 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.CoordinateNotation;
 import org.sami.ui.geo.Coordinates;
@@ -17,7 +18,6 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The strip below a map: coordinates under the pointer, their notation, a field to type some, what to do, and zoom. */

@@ -5,8 +5,8 @@ import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.List;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.look.SemanticColor;
 
 /** Rings with a check mark around what is chosen on a map: seen whatever else is dimmed. */
 public final class PickLayer extends MapLayer {

@@ -2,8 +2,8 @@ package org.sami.ui.map;
 
 import java.util.List;
 import java.util.Objects;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.look.IdentityMark;
 
 /**
  * A path that a vehicle follows, or would follow.

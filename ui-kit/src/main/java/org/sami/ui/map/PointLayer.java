@@ -7,11 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Snapping;
-import org.sami.ui.look.SemanticColor;
 
 /** Named points, each a cross with its name. */
 public final class PointLayer extends MapLayer {

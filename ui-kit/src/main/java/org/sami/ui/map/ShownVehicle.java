@@ -1,8 +1,8 @@
 package org.sami.ui.map;
 
 import java.util.Objects;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.look.IdentityMark;
 
 /**
  * A vehicle as it is shown on a map.

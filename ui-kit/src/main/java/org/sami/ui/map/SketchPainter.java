@@ -7,12 +7,12 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoMeasure;
 import org.sami.ui.geo.GeoShape;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.geo.MapFrame;
-import org.sami.ui.look.SemanticColor;
 
 /** Paints a sketch with its handles, the line to the pointer, and lengths and area. */
 final class SketchPainter {

@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /**
  * Small pictures that are painted again and again: hulls, dots, names. Each is painted once in the pixels of the screen and kept until theme

@@ -6,7 +6,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.map.Sprites.Sprite;
 
 /** Paints the hulls of vehicles, turned to their headings, with lines to where they will be in ten seconds. */

@@ -9,7 +9,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.map.Sprites.Sprite;
 
 /**

@@ -4,11 +4,11 @@ import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Vertex;
-import org.sami.ui.look.SemanticColor;
 
 /** Paints the signs at vertices, over the net. */
 final class BadgePainter {

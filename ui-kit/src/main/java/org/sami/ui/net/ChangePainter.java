@@ -10,11 +10,11 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Map;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Edge;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
-import org.sami.ui.look.SemanticColor;
 
 /** Marks what differs between two versions of a net: a round sign for what is new, a square for what is gone, a diamond for what changed. */
 final class ChangePainter {

@@ -10,13 +10,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Label;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.drawing.TextStyle;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * Writes what vertices do on a net that is too small for its words, in letters that can be read: their names, or their first event's where

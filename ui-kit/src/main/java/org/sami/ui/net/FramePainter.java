@@ -7,11 +7,12 @@ import java.awt.geom.RoundRectangle2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.model.FrameColor;
-import org.sami.ui.look.SemanticColor;
 
 /** Paints frames behind a net, the largest first, and says which colour lies below a text. */
 final class FramePainter {
@@ -94,7 +95,7 @@ final class FramePainter {
     }
 
     private static Color tint(FrameColor color) {
-        return color(color).over(SemanticColor.NET_CANVAS, TINT);
+        return color(color).over(SemanticColor.NET_CANVAS, TINT, Theme.inForce());
     }
 
     private static SemanticColor color(FrameColor color) {

@@ -9,10 +9,10 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import javax.swing.JComponent;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 
 /** The whole net in a corner, with a frame around what is shown; a click or a drag shows another part. */
 final class NetOverview extends JComponent {

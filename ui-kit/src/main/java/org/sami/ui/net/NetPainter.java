@@ -8,6 +8,8 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import org.sami.palette.IdentityMarks;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
@@ -18,8 +20,6 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.drawing.TextStyle;
 import org.sami.spn.model.LayoutPoint;
-import org.sami.ui.look.IdentityMarks;
-import org.sami.ui.look.SemanticColor;
 
 /** Paints a scene in drawing units: places as circles, transitions as bars (thesis, Figure 3.1), tokens as chips. */
 final class NetPainter {

@@ -6,7 +6,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /** Selects by clicks, with Ctrl one more, with Shift all in a box; a double click opens. */
 final class NetSelectTool implements NetTool {

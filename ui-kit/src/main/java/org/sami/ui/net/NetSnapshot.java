@@ -2,8 +2,8 @@ package org.sami.ui.net;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
-import org.sami.ui.look.SemanticColor;
 
 /** Paints a whole net into a picture, in the colours of the theme in force. */
 final class NetSnapshot {

@@ -16,6 +16,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.drawing.TextStyle;
@@ -26,7 +27,6 @@ import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.canvas.CanvasKey;
 import org.sami.ui.canvas.CanvasMouse;
 import org.sami.ui.command.Command;
-import org.sami.ui.look.IdentityMarks;
 
 /**
  * The net of a plan: where its author has laid it out, with tokens, firing, selection, tooltips and an overview in its corner. It pans

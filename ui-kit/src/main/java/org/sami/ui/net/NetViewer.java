@@ -13,8 +13,8 @@ import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.FocusFrame;
-import org.sami.ui.look.SemanticColor;
 
 /** JUNG's viewer with the painter of nets: JUNG has graph, layout and view transformation, the painter all that is seen. */
 final class NetViewer extends VisualizationViewer<String, String> {

@@ -3,11 +3,11 @@ package org.sami.ui.net;
 import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.drawing.TextStyle;
-import org.sami.ui.look.SemanticColor;
 
 /** Paints notes as sheets with a folded corner. */
 final class NotePainter {

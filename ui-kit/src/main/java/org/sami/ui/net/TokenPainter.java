@@ -7,12 +7,13 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Optional;
+import org.sami.palette.IdentityMark;
+import org.sami.palette.IdentityMarks;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextStyle;
 import org.sami.spn.protocol.Token;
-import org.sami.ui.look.IdentityMark;
-import org.sami.ui.look.IdentityMarks;
-import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.MarkIcon;
 
 /**
  * Paints the tokens of a place inside of it: a proxy's mark, a small square for a task in its proxy's colour, a dot for the generic
@@ -61,7 +62,7 @@ final class TokenPainter {
     private void token(Graphics2D g, double x, double y, Token token, NetMarking marking) {
         Optional<IdentityMark> mark = marking.proxyOf(token).map(marks::of);
         if (token instanceof Token.Proxy) {
-            mark.orElseThrow().paint(g, x, y, CHIP);
+            MarkIcon.paint(g, mark.orElseThrow(), x, y, CHIP);
             return;
         }
         double side = token instanceof Token.Task ? CHIP - 2 : DOT;

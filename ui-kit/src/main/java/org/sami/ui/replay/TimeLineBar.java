@@ -11,10 +11,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JPanel;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.replay.TimeLine.Mark;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The time line: what happened when, one row for missions and decisions, one for messages and the operator, one for alarms; and where the replay is. */

@@ -12,9 +12,9 @@ import javax.swing.JTable;
 import javax.swing.SwingConstants;
 import javax.swing.plaf.basic.BasicGraphicsUtils;
 import javax.swing.table.DefaultTableCellRenderer;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** Draws the cells of a {@link RowTable}: words in as many lines as they need, numbers at the right in one. */

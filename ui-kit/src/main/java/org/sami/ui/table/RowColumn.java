@@ -4,7 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.Icon;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /**
  * A column of a {@link RowTable}.

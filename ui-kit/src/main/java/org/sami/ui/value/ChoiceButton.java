@@ -3,7 +3,7 @@ package org.sami.ui.value;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.util.Map;
 import javax.swing.JToggleButton;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /** A button that stays down while what it stands for is chosen, and is seen from afar then. */
 final class ChoiceButton extends JToggleButton {

@@ -3,8 +3,8 @@ package org.sami.ui.value;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.Value;
-import org.sami.ui.look.IdentityMark;
 
 /**
  * One thing that can be chosen from a list.

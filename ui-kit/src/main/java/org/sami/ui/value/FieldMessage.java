@@ -1,6 +1,6 @@
 package org.sami.ui.value;
 
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /** The line below a field that says why there is no value yet. It keeps its height when it is empty, so that nothing moves. */
 final class FieldMessage extends NoteLabel {

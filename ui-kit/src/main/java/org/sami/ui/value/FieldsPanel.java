@@ -10,8 +10,8 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.Value;
-import org.sami.ui.look.SemanticColor;
 
 /** Several named values, one below the other, each with its label above: what a record or a question asks. A question may ask for none. */
 public final class FieldsPanel {

@@ -13,8 +13,8 @@ import java.util.function.IntSupplier;
 import javax.swing.AbstractAction;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 
 /** A bar below a map with which it is made higher or lower: dragged, or with Up and Down. */
 final class MapResizeBar extends JPanel {

@@ -1,9 +1,9 @@
 package org.sami.ui.value;
 
 import java.util.List;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
-import org.sami.ui.look.IdentityMark;
 
 /** What can be chosen by name where an editor is, as far as no question offers less. Asked whenever an editor is made. */
 public interface NamedThings {

@@ -1,9 +1,9 @@
 package org.sami.ui.value;
 
 import javax.swing.JLabel;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** A line beside or below something that says more of it: small, in a colour by what it means, through all changes of theme and scale. */
 class NoteLabel extends JLabel {

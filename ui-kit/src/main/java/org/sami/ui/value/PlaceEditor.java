@@ -6,11 +6,11 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoShape;
 import org.sami.ui.geo.GeoSketch;
-import org.sami.ui.look.IdentityMark;
 import org.sami.ui.look.Look;
 import org.sami.ui.map.MapView;
 

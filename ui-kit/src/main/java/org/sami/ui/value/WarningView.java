@@ -1,8 +1,8 @@
 package org.sami.ui.value;
 
 import javax.swing.JComponent;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.Value;
-import org.sami.ui.look.SemanticColor;
 
 /** Stands where no component was found: the reason, in words; it never has a value (thesis 5.2.4, Algorithm 4). */
 final class WarningView extends ValueEditor {

@@ -7,9 +7,9 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** A text of any length that looks like a label, breaks between words but not between a number and its unit, and can be copied. */
 public final class WrappedText extends JTextArea {

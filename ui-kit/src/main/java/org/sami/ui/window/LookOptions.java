@@ -1,8 +1,8 @@
 package org.sami.ui.window;
 
 import java.util.Optional;
+import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 import picocli.CommandLine.Option;
 
 /** The options of a command line that choose how a window looks; a command takes them as a mixin. */

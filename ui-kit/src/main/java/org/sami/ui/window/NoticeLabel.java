@@ -4,10 +4,10 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import javax.swing.JLabel;
 import javax.swing.Timer;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.window.Notices.Notice;
 
 /** The line that tells what came of the last command, for as long as it is news. It is called {@code notice}. On the event thread. */

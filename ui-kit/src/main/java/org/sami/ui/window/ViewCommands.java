@@ -1,6 +1,7 @@
 package org.sami.ui.window;
 
 import javax.swing.JFrame;
+import org.sami.palette.Theme;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeysPanel;
 import org.sami.ui.command.CommandRegistry;
@@ -8,7 +9,6 @@ import org.sami.ui.command.CommandSearch;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The commands of how a window looks: themes and scale, panels, help. */
 public final class ViewCommands {

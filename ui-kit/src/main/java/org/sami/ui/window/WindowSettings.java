@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Properties;
+import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** What a person has set in the window, in a file of properties. What cannot be read there is as at first. On the event thread. */
 public final class WindowSettings {

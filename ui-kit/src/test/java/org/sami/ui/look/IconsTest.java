@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
+import org.sami.palette.SemanticColor;
 
 class IconsTest {
     @Test

@@ -12,6 +12,8 @@ import javax.swing.border.MatteBorder;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 
 @Isolated("the look is one for all windows of a process")
 class LookColorsTest {

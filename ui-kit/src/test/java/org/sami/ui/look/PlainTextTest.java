@@ -26,6 +26,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.palette.Theme;
 
 /** A name that looks like HTML is shown as it is written, and nothing is fetched for it. The theme is the whole process's. */
 @Isolated

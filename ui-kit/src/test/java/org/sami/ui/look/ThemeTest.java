@@ -1,22 +1,22 @@
 package org.sami.ui.look;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.sami.ui.look.SemanticColor.ACCENT;
-import static org.sami.ui.look.SemanticColor.BACKGROUND;
-import static org.sami.ui.look.SemanticColor.CRITICAL;
-import static org.sami.ui.look.SemanticColor.CRITICAL_FILL;
-import static org.sami.ui.look.SemanticColor.MUTED;
-import static org.sami.ui.look.SemanticColor.OK;
-import static org.sami.ui.look.SemanticColor.ON_ACCENT;
-import static org.sami.ui.look.SemanticColor.ON_CRITICAL;
-import static org.sami.ui.look.SemanticColor.ON_SELECTION;
-import static org.sami.ui.look.SemanticColor.ON_WARNING;
-import static org.sami.ui.look.SemanticColor.SELECTION;
-import static org.sami.ui.look.SemanticColor.SURFACE;
-import static org.sami.ui.look.SemanticColor.SURFACE_RAISED;
-import static org.sami.ui.look.SemanticColor.TEXT;
-import static org.sami.ui.look.SemanticColor.WARNING;
-import static org.sami.ui.look.SemanticColor.WARNING_FILL;
+import static org.sami.palette.SemanticColor.ACCENT;
+import static org.sami.palette.SemanticColor.BACKGROUND;
+import static org.sami.palette.SemanticColor.CRITICAL;
+import static org.sami.palette.SemanticColor.CRITICAL_FILL;
+import static org.sami.palette.SemanticColor.MUTED;
+import static org.sami.palette.SemanticColor.OK;
+import static org.sami.palette.SemanticColor.ON_ACCENT;
+import static org.sami.palette.SemanticColor.ON_CRITICAL;
+import static org.sami.palette.SemanticColor.ON_SELECTION;
+import static org.sami.palette.SemanticColor.ON_WARNING;
+import static org.sami.palette.SemanticColor.SELECTION;
+import static org.sami.palette.SemanticColor.SURFACE;
+import static org.sami.palette.SemanticColor.SURFACE_RAISED;
+import static org.sami.palette.SemanticColor.TEXT;
+import static org.sami.palette.SemanticColor.WARNING;
+import static org.sami.palette.SemanticColor.WARNING_FILL;
 
 import java.awt.Color;
 import java.util.List;
@@ -31,6 +31,9 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.palette.Contrast;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 
 @Isolated("the look is one for all windows of a process")
 class ThemeTest {

@@ -11,9 +11,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
-import org.sami.ui.look.Contrast;
+import org.sami.palette.Contrast;
+import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** Names of places that are not spoken of. */
 @Isolated("the look is one for all windows of a process")

@@ -22,13 +22,13 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.palette.Contrast;
+import org.sami.palette.IdentityMark;
+import org.sami.palette.Theme;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.EventThread;
 import org.sami.ui.geo.GeoBounds;
-import org.sami.ui.look.Contrast;
-import org.sami.ui.look.IdentityMark;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /**
  * What is drawn on imagery is seen on it, be it dark or light, in every look: 3:1 as WCAG 2.1 asks of graphics, between a line and its casing or

@@ -14,15 +14,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.sami.palette.Contrast;
+import org.sami.palette.IdentityMark;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
-import org.sami.ui.look.Contrast;
 import org.sami.ui.look.Fonts;
-import org.sami.ui.look.IdentityMark;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
-import org.sami.ui.look.Theme;
 
 /** Names of vehicles, points and areas that lie close to one another: none hides another. */
 @Isolated("the look is one for all windows of a process")

@@ -8,10 +8,10 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.palette.IdentityMark;
+import org.sami.palette.Theme;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.look.IdentityMark;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** What is kept from one painting to the next is never shown when it is old. The theme is the whole process's. */
 @Isolated

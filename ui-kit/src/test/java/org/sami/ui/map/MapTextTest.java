@@ -6,10 +6,10 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.palette.Theme;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.geo.CoordinateNotation;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The texts around a map, in every theme; the theme is the whole process's. */
 @Isolated

@@ -7,12 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.ui.look.IdentityMarks;
 
 /** Shipped plans in a view without a window. */
 final class NetScenes {

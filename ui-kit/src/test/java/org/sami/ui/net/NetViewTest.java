@@ -18,12 +18,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
-import org.sami.ui.look.IdentityMark;
 
 class NetViewTest {
     private final Plan plan = NetScenes.plan("clv");
@@ -40,7 +40,7 @@ class NetViewTest {
 
     @Test
     void showsAPlanAsSoonAsItHasASize() {
-        NetView late = new NetView(new org.sami.ui.look.IdentityMarks());
+        NetView late = new NetView(new org.sami.palette.IdentityMarks());
         late.show(plan, NetScenes.VOCABULARY);
         late.setSize(1200, 800);
         late.doLayout();

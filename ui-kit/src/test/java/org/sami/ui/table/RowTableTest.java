@@ -14,12 +14,12 @@ import java.util.stream.IntStream;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
-import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
 class RowTableTest {

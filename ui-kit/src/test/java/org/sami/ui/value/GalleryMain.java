@@ -5,10 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.JPanel;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** Paints the gallery in every theme at 100 and 150 % into a folder, and says what does not fit. */
 final class GalleryMain {

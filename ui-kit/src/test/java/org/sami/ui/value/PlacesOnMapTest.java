@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.check.Layout;
-import org.sami.ui.look.IdentityMark;
 import org.sami.ui.map.MapView;
 
 class PlacesOnMapTest {

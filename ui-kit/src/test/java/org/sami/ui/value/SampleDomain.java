@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.value.GeoPath;
@@ -19,7 +20,6 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.VariableReference;
-import org.sami.ui.look.IdentityMark;
 
 /** The shipped domain with some things that are known by name: what editors need to be tried. */
 final class SampleDomain {

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.EnumValue;
@@ -36,7 +37,6 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
 import org.sami.ui.check.Layout;
-import org.sami.ui.look.IdentityMark;
 
 /** Each component is answered once, through what it shows: its fields are typed into, its buttons pressed. */
 class ValueEditorTest {

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 class NoticeLabelTest {
     private final Notices notices = new Notices();

@@ -6,7 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import javax.swing.JComponent;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /** Lays components out and paints them without a window, so that it can be done where there is no display. */
 public final class Layout {

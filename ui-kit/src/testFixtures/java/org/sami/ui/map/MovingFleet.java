@@ -3,8 +3,8 @@ package org.sami.ui.map;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.sami.palette.IdentityMark;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.look.IdentityMark;
 
 /** Vehicles on a map that go on with {@link #move}, each with its track and the path that it follows; the same each time. */
 public final class MovingFleet {

@@ -10,8 +10,8 @@ import org.sami.crw.operator.boat.BoatCommands.Concluded;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot.Entry;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 

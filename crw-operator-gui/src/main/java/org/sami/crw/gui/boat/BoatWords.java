@@ -7,7 +7,7 @@ import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.status.LinkState;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 
 /** What lists and panels say of a boat, and in which colour. Values that came over the link carry their age. */
 public final class BoatWords {

@@ -11,9 +11,9 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetRows;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.NaturalOrder;
 import org.sami.ui.command.Command;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 

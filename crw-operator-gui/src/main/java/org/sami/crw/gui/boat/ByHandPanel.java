@@ -2,8 +2,8 @@ package org.sami.crw.gui.boat;
 
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /** Drives the selected boat by a stick on the screen, and says how it is done with keys. */

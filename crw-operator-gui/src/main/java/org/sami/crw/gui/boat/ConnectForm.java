@@ -15,8 +15,8 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.ConnectAttempt;
 import org.sami.crw.session.ConnectAttempt.State;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /**

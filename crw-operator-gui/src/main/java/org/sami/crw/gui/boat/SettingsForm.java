@@ -21,10 +21,10 @@ import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.session.Fleet;
 import org.sami.crw.session.RefusedException;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** The settings of the selected boat: gains of its two loops, velocity multiplier, what it does without a link. Each is set by itself, and says what the boat answered. */
 final class SettingsForm extends JPanel {

@@ -12,9 +12,9 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * A stick on the screen: dragged up and down it is thrust, left and right the rudder; let go it stands in the middle, and the boat stands. Tells

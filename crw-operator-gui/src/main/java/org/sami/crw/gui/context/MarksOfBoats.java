@@ -3,12 +3,12 @@ package org.sami.crw.gui.context;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.ui.EventThread;
-import org.sami.ui.look.IdentityMarks;
 
 /**
  * Gives boats their marks by what the session's journal has, so that a boat has the same colour in a session and in its replay: those that are there when the first

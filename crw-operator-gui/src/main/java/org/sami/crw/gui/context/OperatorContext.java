@@ -7,9 +7,9 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.command.CommandRegistry;
-import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.window.Notices;
 
 /**

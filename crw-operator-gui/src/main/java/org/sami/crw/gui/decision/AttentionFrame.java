@@ -5,9 +5,9 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.border.Border;
 import org.sami.crw.markup.Attention;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 
 /** The frame that draws attention to a component: lit, or lit every other half second. On the event thread. */
 final class AttentionFrame {

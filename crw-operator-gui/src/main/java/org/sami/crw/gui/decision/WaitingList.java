@@ -9,10 +9,10 @@ import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.ListSelectionModel;
 import org.sami.crw.operator.message.PendingDecision;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 

@@ -13,12 +13,12 @@ import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.BoatPick;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.map.PlacesInText;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoSketch;
-import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
 

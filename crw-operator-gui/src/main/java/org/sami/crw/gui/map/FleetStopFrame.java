@@ -6,8 +6,8 @@ import java.awt.Graphics;
 import java.awt.Insets;
 import java.util.function.BooleanSupplier;
 import javax.swing.border.Border;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 
 /** The frame of the map: red while the fleet is stopped, else as quiet as what is around it. It has its width at all times, so that the map never moves. */
 final class FleetStopFrame implements Border {

@@ -3,12 +3,12 @@ package org.sami.crw.gui.mission;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Plan;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.table.TooltipLines;
 

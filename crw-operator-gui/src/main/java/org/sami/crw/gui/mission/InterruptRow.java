@@ -7,8 +7,8 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.InterruptChoice;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The button of one interrupt of one mission, and beside it the one that withdraws it while it asks which boats it is for. */

@@ -13,10 +13,10 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.InterruptChoice;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.value.WrappedText;
 

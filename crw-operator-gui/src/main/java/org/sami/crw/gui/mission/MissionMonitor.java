@@ -19,12 +19,12 @@ import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Outcome;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.PlainText;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.ValueEditors;
 

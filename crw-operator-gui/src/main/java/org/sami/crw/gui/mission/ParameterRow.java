@@ -5,9 +5,9 @@ import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.Entry;
 import org.sami.ui.value.ValueEditor;
 

@@ -20,13 +20,13 @@ import org.sami.crw.gui.value.JudgementView;
 import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.judgement.Judgement;
 import org.sami.crw.sim.run.settings.Parameters;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Plan;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.ValueField;
 

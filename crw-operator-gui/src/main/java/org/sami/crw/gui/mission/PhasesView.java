@@ -9,12 +9,12 @@ import java.awt.RenderingHints;
 import java.util.Optional;
 import javax.swing.JComponent;
 import org.sami.crw.gui.mission.PhaseFollower.Phases;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.phase.PhaseAction;
 import org.sami.spn.phase.PhaseProgress.Status;
 import org.sami.spn.phase.PhaseView;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** A mission as phases and actors, for people who do not read nets: phase below phase, a row an actor, what is under way stands out. */

@@ -12,7 +12,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.OperatorLogEntry;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
-import org.sami.ui.look.Theme;
+import org.sami.palette.Theme;
 
 /**
  * How a window is to be opened.

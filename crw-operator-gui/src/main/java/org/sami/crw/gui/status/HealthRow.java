@@ -8,12 +8,12 @@ import javax.swing.JLabel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.health.HealthEntry;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.TooltipLines;
 

@@ -20,6 +20,7 @@ import org.sami.crw.operator.alarm.AlarmCount;
 import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetCount;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
@@ -28,7 +29,6 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.window.NoticeLabel;
 
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */

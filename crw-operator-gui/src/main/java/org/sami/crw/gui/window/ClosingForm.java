@@ -15,9 +15,9 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.session.BoatsAtEnd;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Ids;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
 /** Asks in place what boats shall do as the window is closed while missions run. The focus is on the answer that closes nothing. */

@@ -13,9 +13,9 @@ import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The panel before a real session with simulated boats: what is asked is answered by what it shows. */
 @Timeout(300)

@@ -18,12 +18,12 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.EventThread;
 import org.sami.ui.check.Layout;
 import org.sami.ui.command.CommandRegistry;
-import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.window.Notices;
 

@@ -12,11 +12,11 @@ import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.service.Geodesy;
+import org.sami.palette.IdentityMarks;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
 import org.sami.ui.geo.GeoBounds;
-import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.map.MapView;
 
 /** What the map shows of a question about a way, in a session with a boat that is sent too far. */

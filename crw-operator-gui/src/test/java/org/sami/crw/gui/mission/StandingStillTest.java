@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.LoadedProject;
-import org.sami.ui.look.SemanticColor;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.window.WindowSettings;
 
 /** No mission looks as if it ran while the engine does not work. */

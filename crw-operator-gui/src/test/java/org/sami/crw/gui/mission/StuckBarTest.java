@@ -29,9 +29,9 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.TextScale;
 import org.sami.crw.gui.context.LoadedProject;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 import org.sami.ui.window.WindowSettings;
 
 /** The tab of a mission that cannot go on says so in amber, and sends again what failed. */

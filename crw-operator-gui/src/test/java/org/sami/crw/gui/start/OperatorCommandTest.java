@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.ui.look.Theme;
+import org.sami.palette.Theme;
 import picocli.CommandLine;
 
 class OperatorCommandTest {

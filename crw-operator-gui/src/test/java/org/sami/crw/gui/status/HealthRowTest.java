@@ -18,13 +18,13 @@ import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.session.fault.BoatsAtFault;
 import org.sami.crw.session.fault.EngineWatch;
+import org.sami.palette.Theme;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
 class HealthRowTest {

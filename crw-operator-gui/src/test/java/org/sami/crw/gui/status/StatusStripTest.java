@@ -19,12 +19,12 @@ import org.sami.crw.gui.EventThreadCall;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
-import org.sami.ui.look.Theme;
 
 @Isolated("the look is one for all windows of a process")
 class StatusStripTest {

@@ -15,9 +15,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.LoadedProject;
+import org.sami.palette.Theme;
 import org.sami.ui.check.ShownColors;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")

@@ -1,8 +1,8 @@
 package org.sami.ui.map.base;
 
 import java.awt.Color;
+import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * How outlines are painted.

@@ -1,4 +1,4 @@
-package org.sami.ui.look;
+package org.sami.palette;
 
 import java.awt.Color;
 
@@ -114,17 +114,17 @@ public enum SemanticColor {
 
     /** The value in the theme in force. */
     public Color get() {
-        return in(Look.theme());
+        return in(Theme.inForce());
     }
 
     /**
-     * The value in the theme in force, mixed with another.
+     * The value in a theme, mixed with another.
      *
      * @param part of this colour, 0 to 1
      */
-    public Color over(SemanticColor other, double part) {
-        Color top = get();
-        Color below = other.get();
+    public Color over(SemanticColor other, double part, Theme theme) {
+        Color top = in(theme);
+        Color below = other.in(theme);
         return new Color(
                 mixed(top.getRed(), below.getRed(), part),
                 mixed(top.getGreen(), below.getGreen(), part),
@@ -137,7 +137,12 @@ public enum SemanticColor {
 
     /** The value in the theme in force, as transparent as said: 0 to 255. */
     public Color withAlpha(int alpha) {
-        Color color = get();
+        return withAlpha(alpha, Theme.inForce());
+    }
+
+    /** The value in a theme, as transparent as said: 0 to 255. */
+    public Color withAlpha(int alpha, Theme theme) {
+        Color color = in(theme);
         return new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha);
     }
 

@@ -1,26 +1,24 @@
-package org.sami.ui.look;
+package org.sami.palette;
 
-import com.formdev.flatlaf.FlatLaf;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
 
-/** The looks that a window can have. */
+/** The sets of colours that windows and pictures can have. */
 public enum Theme {
-    /** Dark text on light grey, for rooms. */
-    LIGHT("Light", LightLaf::new),
+    /** Dark text on light grey, for rooms; and for paper. */
+    LIGHT("Light"),
     /** Light text on dark grey, for dusk. */
-    DARK("Dark", DarkLaf::new),
+    DARK("Dark"),
     /** For a screen in the sun: text of at least 7:1, marks of at least 4.5:1, heavy lines. */
-    SUN("Sun", SunLaf::new);
+    SUN("Sun");
+
+    private static volatile Theme inForce = LIGHT;
 
     private final String title;
-    private final Supplier<FlatLaf> laf;
 
-    Theme(String title, Supplier<FlatLaf> laf) {
+    Theme(String title) {
         this.title = title;
-        this.laf = laf;
     }
 
     /** What a menu calls it. */
@@ -38,7 +36,13 @@ public enum Theme {
         return Stream.of(values()).filter(theme -> theme.id().equals(id)).findFirst();
     }
 
-    FlatLaf laf() {
-        return laf.get();
+    /** The theme of this process's windows; {@link #LIGHT} where there are none. */
+    public static Theme inForce() {
+        return inForce;
+    }
+
+    /** Makes this the theme of the process's windows. Whoever changes their look calls it; pictures name their theme instead. */
+    public void putInForce() {
+        inForce = this;
     }
 }

@@ -1,4 +1,4 @@
-package org.sami.ui.look;
+package org.sami.palette;
 
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;

@@ -1,4 +1,4 @@
-package org.sami.ui.look;
+package org.sami.palette;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

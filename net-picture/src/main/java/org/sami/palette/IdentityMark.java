@@ -1,14 +1,10 @@
-package org.sami.ui.look;
+package org.sami.palette;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
-import java.awt.Shape;
 import java.util.List;
 
 /**
- * The colour and shape that stand for one proxy in map, net and lists.
+ * The colour and shape that stand for one proxy in map, net, lists and reports.
  *
  * @param index in order of appearance, from 0
  */
@@ -40,10 +36,15 @@ public record IdentityMark(int index) {
         }
     }
 
-    /** The colour that the mark is filled with. */
+    /** The colour that the mark is filled with in the theme in force. */
     public Color color() {
+        return color(Theme.inForce());
+    }
+
+    /** The colour that the mark is filled with in a theme. */
+    public Color color(Theme theme) {
         Color color = COLORS.get(index % COUNT);
-        return color.equals(Color.BLACK) && Look.theme() == Theme.DARK ? Color.WHITE : color;
+        return color.equals(Color.BLACK) && theme == Theme.DARK ? Color.WHITE : color;
     }
 
     /** The colour of words on the mark. */
@@ -55,18 +56,5 @@ public record IdentityMark(int index) {
     public MarkShape shape() {
         MarkShape[] shapes = MarkShape.values();
         return shapes[index / COUNT % shapes.length];
-    }
-
-    /** Paints the mark around a point: filled, with a line that is seen on any surface. */
-    public void paint(Graphics2D g, double x, double y, double diameter) {
-        Graphics2D own = (Graphics2D) g.create();
-        own.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        Shape outline = shape().around(x, y, diameter);
-        own.setColor(color());
-        own.fill(outline);
-        own.setColor(SemanticColor.TEXT.get());
-        own.setStroke(new BasicStroke(Look.theme() == Theme.SUN ? Look.px(2) : Math.max(1, Look.px(1))));
-        own.draw(outline);
-        own.dispose();
     }
 }
