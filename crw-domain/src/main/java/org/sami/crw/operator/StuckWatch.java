@@ -21,7 +21,7 @@ import org.sami.spn.protocol.Priority;
 
 /**
  * Finds missions that cannot go on by themselves. Those that were stuck at every look for five seconds are shown with the missions and are faults of
- * the session's health, until they go on or end (decision 0395). For the engine's thread; models receive the result by one hop.
+ * the session's health, until they go on or end (docs/session.md). For the engine's thread; models receive the result by one hop.
  */
 public final class StuckWatch {
     /** Within this time everything has been asked and said that follows from an input. */

@@ -72,7 +72,7 @@ final class BoatExplainer {
                 : inItsPlace(last.cause(), nobody);
     }
 
-    /** A boat that keeps its place drives aside for another one, and back, by itself (docs/decisions, 0322): then it is not said to stand. */
+    /** A boat that keeps its place drives aside for another one, and back, by itself (docs/services.md): then it is not said to stand. */
     private BoatExplanation inItsPlace(Cause cause, String why) {
         return drivesInItsPlace()
                 ? new BoatExplanation(false, cause, proxy.boatId() + " keeps its place, and " + MAKES_ROOM + ": " + why)

@@ -35,7 +35,7 @@ import org.sami.spn.value.GeoPoint;
  * <p>The proxy makes the boat execute the command whose turn it is: it uploads the path under a new list id, reads it back, starts it, repeats
  * unanswered requests and follows the progress. After a lost link it compares the boat's list with the queue, and continues or uploads again. When
  * the last command is withdrawn, it stops the boat. A boat that completed its path keeps its station there; a boat whose path was given up holds its
- * place (docs/decisions, 0323).
+ * place (docs/services.md).
  *
  * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
  */

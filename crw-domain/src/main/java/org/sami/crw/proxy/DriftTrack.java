@@ -12,7 +12,7 @@ import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Estimates how a boat that rests or holds its place is carried over ground (docs/decisions, 0399). A boat's own speed is that through the water along its heading: it is
+ * Estimates how a boat that rests or holds its place is carried over ground (docs/operator-models.md). A boat's own speed is that through the water along its heading: it is
  * zero while a current takes the boat away.
  *
  * <p>Positions of the last {@link #WINDOW_MS} are compared with those half the window later; of these displacements the median counts, east and north each, so that no

@@ -35,7 +35,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What an operator wants of boats without a plan (docs/decisions, 0222, 0236). It comes before what missions want, which waits and goes on
+ * What an operator wants of boats without a plan (docs/session.md). It comes before what missions want, which waits and goes on
  * afterwards; the latest wish replaces the one before. Methods may be called from any thread and return at once; what comes of them arrives on the
  * front's executor, a refusal as a {@link RefusedException}.
  */

@@ -8,7 +8,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 
-/** Whether an operator may give a task to another boat by hand (docs/decisions/0212). */
+/** Whether an operator may give a task to another boat by hand (docs/operator-models.md). */
 public final class TaskMove {
     private TaskMove() {}
 

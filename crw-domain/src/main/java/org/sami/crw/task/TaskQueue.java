@@ -14,7 +14,7 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * The tasks that one boat has to do, of all missions, in the order in which it does them (docs/decisions/0080). The first is the one
+ * The tasks that one boat has to do, of all missions, in the order in which it does them (docs/language.md). The first is the one
  * that it does now. More urgent allocations come before less urgent ones; within one rank new tasks come last, and an allocation that
  * names tasks which the boat has already orders these among the places that they hold. Immutable.
  */

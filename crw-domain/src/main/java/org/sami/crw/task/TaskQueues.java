@@ -20,7 +20,7 @@ import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.TaskId;
 
 /**
- * The queue of tasks of every boat, kept in step with what the engine allocates, and the news of it for plans (docs/decisions/0080).
+ * The queue of tasks of every boat, kept in step with what the engine allocates, and the news of it for plans (docs/language.md).
  * The queues stand in the session's journalled memory, written in one batch with the news, so that each is told once, whatever dies in
  * between. News that no transition waits for is not posted.
  *

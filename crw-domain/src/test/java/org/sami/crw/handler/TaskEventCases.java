@@ -19,7 +19,7 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
-/** Tasks: made, allocated, started one after another, passed on, complete (appendix .2, Tasks; docs/decisions/0080). */
+/** Tasks: made, allocated, started one after another, passed on, complete (appendix .2, Tasks; docs/language.md). */
 final class TaskEventCases {
     private static final GeoPoint NEAR = PlanScene.at(0, 20);
     private static final GeoPoint FAR = PlanScene.at(0, 60);

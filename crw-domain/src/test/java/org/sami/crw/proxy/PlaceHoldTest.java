@@ -25,7 +25,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
-/** A boat whose path was given up holds its place until somebody decides (docs/decisions, 0323). */
+/** A boat whose path was given up holds its place until somebody decides (docs/services.md). */
 class PlaceHoldTest {
     private static final GeoPoint HERE = GeoPoint.of(45, 10);
     private static final List<GeoPoint> POINTS = List.of(GeoPoint.of(45.01, 10.01), GeoPoint.of(45.02, 10.01));

@@ -43,7 +43,7 @@ import org.sami.ui.sheet.WindowSheet;
 @TestInstance(Lifecycle.PER_CLASS)
 class ReachWindowTest {
     private static final int LEAST = 40;
-    private static final String HEADS = "-menu '' Set "; // as high as the heads of panels (decision 0403)
+    private static final String HEADS = "-menu '' Set "; // as high as the heads of panels (docs/windows.md)
     private static final List<String> SHEETS = List.of(
             "boat-connect",
             "project-open",

@@ -78,7 +78,7 @@ public interface EngineView {
     /** The fields of a task of a running mission. */
     Optional<Map<String, Value>> task(TaskId task);
 
-    /** Whether some attentive transition waits for an input event of this type now (decision 0095). */
+    /** Whether some attentive transition waits for an input event of this type now (docs/writing-a-domain.md). */
     boolean awaits(String inputEvent);
 
     /** What handlers remembered for a mission, or with {@code Ids.NONE} for the session ({@code Input.Remember}). */

@@ -19,7 +19,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.vocabulary.EventFlag;
 
 /**
- * Hosts one engine: gives it a thread, a clock, a journal, listeners and handlers (decisions 0030, 0033).
+ * Hosts one engine: gives it a thread, a clock, a journal, listeners and handlers (decision 0030, docs/threads.md).
  *
  * <p>Inputs are posted from any thread. On the injected serial executor the host takes all that wait as one batch, steps
  * the engine through them, makes the batch durable, and only then lets out what followed, in order: for each input first

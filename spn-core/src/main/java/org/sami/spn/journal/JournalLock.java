@@ -17,8 +17,7 @@ import org.sami.spn.host.JournalException;
  * The right to write a journal: a lock on a file beside it, so that reading stays free to everybody, and one on a byte of the
  * journal itself, far behind its end, which keeps out who comes by another name (a hard link has a lock file, and a
  * write-ahead log, of its own). The system gives both back when the process dies; the empty file stays. Within one process
- * a set keeps the second writer out, because there closing any handle of a file would end its locks (docs/decisions 0034,
- * 0140).
+ * a set keeps the second writer out, because there closing any handle of a file would end its locks (docs/session.md).
  */
 final class JournalLock implements AutoCloseable {
     /** Behind all that SQLite locks (from 1 GiB) or ever writes. */

@@ -19,8 +19,8 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Saves the values that a session gave to global variables as initial values in a project's file (thesis 3.1; docs/decisions
- * 0178). Only those values are changed; everything else in the file stays, laid out by {@link CanonicalJson}.
+ * Saves the values that a session gave to global variables as initial values in a project's file (thesis 3.1;
+ * docs/session.md). Only those values are changed; everything else in the file stays, laid out by {@link CanonicalJson}.
  */
 public final class GlobalsFile {
     private final Vocabulary vocabulary;

@@ -13,7 +13,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
 
 /**
- * Asks whether restarted boats may move again: one question for all of them (decision 0397), in which each can be left out. A boat that restarts
+ * Asks whether restarted boats may move again: one question for all of them (docs/session.md), in which each can be left out. A boat that restarts
  * while the question waits is added by asking again. For the fleet's thread.
  */
 final class RestartQuestion {

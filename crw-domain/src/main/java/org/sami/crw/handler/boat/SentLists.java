@@ -11,7 +11,7 @@ import org.sami.spn.host.EngineHost;
 
 /**
  * Keeps in the session's journal which waypoint list each boat took last, so that a base that goes on after its death knows its own
- * list in the boat, and has the boat go on with it (docs/decisions/0077). For the fleet's thread.
+ * list in the boat, and has the boat go on with it (docs/link.md). For the fleet's thread.
  */
 public final class SentLists implements BoatListener {
     private final EngineHost host;

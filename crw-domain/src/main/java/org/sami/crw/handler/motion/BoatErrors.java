@@ -6,7 +6,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**
- * The cross-track errors of boats: as each has reported, or the configured one for those that have not (docs/decisions, 0336). For the fleet's
+ * The cross-track errors of boats: as each has reported, or the configured one for those that have not (docs/session.md). For the fleet's
  * thread.
  */
 public final class BoatErrors {

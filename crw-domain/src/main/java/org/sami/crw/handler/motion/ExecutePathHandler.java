@@ -16,7 +16,7 @@ import org.sami.spn.value.Value;
 
 /**
  * Proxy Execute Path, and Proxy Execute Path and Block: each boat follows its own path of the map, from the first location that it has not visited in this mission
- * (decisions 0040, 0046). A boat without a path, or with nothing left of it, completes at once.
+ * (decision 0040, docs/services.md). A boat without a path, or with nothing left of it, completes at once.
  * With block, the boat is kept for the mission until the mission ends.
  */
 public final class ExecutePathHandler implements ActivationHandler {

@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Warns the operator, once in a mission and before the boats go, of places in which boats would lie so close together that others cannot pass between
- * them (docs/decisions, 0322). For the fleet's thread.
+ * them (docs/services.md). For the fleet's thread.
  */
 public final class NearPlaces {
     private static final String TOLD = "near-places";

@@ -18,7 +18,7 @@ import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.Value;
 
 /**
- * How far boats are along paths, kept per mission, path and boat in the engine's journalled memory (decision 0045). A path is known by its
+ * How far boats are along paths, kept per mission, path and boat in the engine's journalled memory (docs/services.md). A path is known by its
  * points alone: the same points in another variable or activation are the same path.
  */
 public final class PathProgress {

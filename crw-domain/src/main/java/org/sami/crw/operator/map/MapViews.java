@@ -14,7 +14,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * The part of the map that is to be seen (markup Relevant Area). Without a modification it is the relevant part; <i>expand</i> widens what
- * is shown so that it has the part in it, <i>reduce</i> narrows what is shown to the part (docs/decisions/0211). For the owner's thread.
+ * is shown so that it has the part in it, <i>reduce</i> narrows what is shown to the part (docs/operator-models.md). For the owner's thread.
  */
 public final class MapViews {
     private final LongFunction<String> missions;

@@ -27,7 +27,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * How transitions of missions may come to fire: what they wait for is under way, comes by itself, needs a press of the operator, or will not come.
- * The one place with this judgement, for runs that end when nothing can happen and for the missions shown to the operator (decision 0395). For the
+ * The one place with this judgement, for runs that end when nothing can happen and for the missions shown to the operator (docs/session.md). For the
  * thread that owns the state.
  */
 public final class Outlooks {

@@ -20,7 +20,7 @@ import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Finds missions that cannot go on by themselves (decision 0395): something failed at a place, and nothing is under way there; or nothing at all is under way
+ * Finds missions that cannot go on by themselves (docs/session.md): something failed at a place, and nothing is under way there; or nothing at all is under way
  * for the mission and its sub-missions, and no news, press or answer leads on. A mission that waits for a press, a boat or a reading alone is well.
  */
 public final class StuckMissions {

@@ -11,7 +11,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * The way on which a boat is expected to return home by itself when its link is lost. As the boat does, it takes the shortest from the last position
- * among the ways sent for the current or last leg (docs/decisions, 0335).
+ * among the ways sent for the current or last leg (docs/link.md).
  */
 public final class ExpectedWayHome {
     /** A boat that is so near to its home has no way there. */

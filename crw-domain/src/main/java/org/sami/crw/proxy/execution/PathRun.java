@@ -26,7 +26,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Has the boat drive along a path: uploads it as a list under a new id, reads it back, starts it where the command is, and
  * follows its progress. The list holds the whole path, and the points at which the boat turns to keep clear of what is not to be entered.
- * Before the start the boat gets the ways home along the list where straight ones would lead through that (docs/decisions, 0335).
+ * Before the start the boat gets the ways home along the list where straight ones would lead through that (docs/link.md).
  */
 final class PathRun extends CommandRun {
 

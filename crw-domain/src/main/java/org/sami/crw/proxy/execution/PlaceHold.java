@@ -8,7 +8,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Keeps a boat whose path was given up at its place, or at the nearest place outside no-go areas, until somebody decides (docs/decisions, 0323). No
+ * Keeps a boat whose path was given up at its place, or at the nearest place outside no-go areas, until somebody decides (docs/services.md). No
  * mission asked for it: it comes after every command and is in no queue.
  */
 final class PlaceHold {

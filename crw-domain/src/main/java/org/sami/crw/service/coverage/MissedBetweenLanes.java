@@ -5,7 +5,7 @@ import java.util.Locale;
 /**
  * The strip that boats likely miss between lanes because their positions err. Two neighbouring lanes are driven at different times, so their errors
  * are independent: where the errors point apart by more than the overlap of the lanes, a strip as wide as the difference is missed. For two normal
- * errors with deviation σ its mean width is σ/√π where lanes do not overlap (docs/decisions, 0330).
+ * errors with deviation σ its mean width is σ/√π where lanes do not overlap (docs/services.md).
  */
 final class MissedBetweenLanes {
     private static final double LEAST_SHARE = 0.005;

@@ -21,7 +21,8 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
 
     private static final double APART_M = 3.5; // boats keep that between them,
     private static final double APART_DEVIATIONS = 1.5; // that many of the distance between two (docs/decisions, 0320),
-    private static final double STATION_M = 1.5; // and to their stations, among others and where they drift (0322)
+    private static final double STATION_M =
+            1.5; // and to their stations, among others and where they drift (docs/services.md)
 
     private static final double KEPT_DEVIATIONS = 3; // exceeded once in some hours
     private static final double MOST_DEVIATIONS = 5; // exceeded once in some years

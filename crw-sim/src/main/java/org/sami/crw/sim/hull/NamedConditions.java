@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.handler.planning.CrwServices;
 
-/** The conditions that have a name (docs/decisions, 0302); options print and read the constants as they are written. */
+/** The conditions that have a name (docs/command-line.md); options print and read the constants as they are written. */
 public enum NamedConditions {
     /** Still water, exact instruments. */
     calm(Conditions.CALM),

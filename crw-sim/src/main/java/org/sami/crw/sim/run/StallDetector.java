@@ -29,7 +29,7 @@ final class StallDetector {
     /** After so long without an input nothing comes of what was asked of services and sensors either. */
     private static final long QUIET_MILLIS = 300_000;
 
-    /** For so long no boat gets anywhere of which more can be expected: a path without headway is given up in half of that (docs/decisions, 0324). */
+    /** For so long no boat gets anywhere of which more can be expected: a path without headway is given up in half of that (docs/command-line.md). */
     private static final long STUCK_MILLIS = 600_000;
 
     /** Farther than a boat that keeps a station, or that waits, drifts. */

@@ -1,5 +1,5 @@
 /**
- * Runs whose boats are other processes, behind TCP, in real time (docs/decisions, 0053 and following).
+ * Runs whose boats are other processes, behind TCP, in real time (ARCHITECTURE.md).
  *
  * <p>Here belong the fleet of such a run with its threads and its clock, the wait for its boats, what the base knows of them and keeps in the
  * journal, and taking up such a run after its process died. The links themselves belong to {@code crw.proxy.tcp}, what both

@@ -7,7 +7,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.sim.hull.NamedConditions;
 
-/** True tracks of boats whose paths were given up: they stay where they were (docs/decisions, 0323). */
+/** True tracks of boats whose paths were given up: they stay where they were (docs/services.md). */
 class PlaceHoldRunTest {
     private static final double KEPT_M = 5; // what a boat that keeps a station lets itself drift
 

@@ -15,7 +15,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 
-/** In which order the simulated operator answers what is asked at once (markup Priority, decision 0218). */
+/** In which order the simulated operator answers what is asked at once (markup Priority, docs/answers-file.md). */
 class OperatorOrderTest {
     /** Asks four times at once: the last is critical, two have the same rank. */
     private static final String PLAN = """

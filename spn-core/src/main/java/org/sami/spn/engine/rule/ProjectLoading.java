@@ -20,7 +20,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
 /**
- * Loads a project beside the missions that run (docs/decisions 0176, 0178). Those keep their plans; a global keeps its value
+ * Loads a project beside the missions that run (decision 0176, docs/session.md). Those keep their plans; a global keeps its value
  * where its name and type stay.
  *
  * <p>Implements R-LOAD-1, R-LOAD-2 and R-LOAD-3.

@@ -34,7 +34,7 @@ public final class GivingWay {
     private static final double ERROR_MARGIN_DEVIATIONS = 1.5;
 
     // A boat that has given way for a while reduces its margin for position errors, linearly between these two times.
-    // Otherwise two boats could block each other forever (docs/decisions, 0327).
+    // Otherwise two boats could block each other forever (docs/link.md).
     private static final double FULL_MARGIN_UNTIL_S = 20;
     private static final double LEAST_MARGIN_FROM_S = 80;
     private static final double MARGIN_REDUCTION = 0.6; // of the margin, at the most

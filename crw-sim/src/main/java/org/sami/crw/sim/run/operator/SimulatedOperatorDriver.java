@@ -23,7 +23,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then. Of
- * several whose time has come it answers the first in the order of the queue: by priority, then by age (decision 0218).
+ * several whose time has come it answers the first in the order of the queue: by priority, then by age (docs/answers-file.md).
  * For the engine's thread.
  */
 public final class SimulatedOperatorDriver implements SessionOperator {

@@ -10,7 +10,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Where on earth a run takes place, as far as somebody said so. Nothing else moves a run: neither what its plan names nor how many
- * boats it has (docs/decisions/0130).
+ * boats it has (docs/command-line.md).
  *
  * @param centre of the square in which locations lie; empty = {@link #USUAL_CENTRE}, or the middle of boats behind TCP
  * @param quay the middle of the line in which boats of this process lie at the start; empty = {@link #QUAY_M} south of the square
