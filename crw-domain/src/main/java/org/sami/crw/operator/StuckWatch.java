@@ -24,8 +24,8 @@ import org.sami.spn.protocol.Priority;
  * the session's health, until they go on or end (docs/session.md). For the engine's thread; models receive the result by one hop.
  */
 public final class StuckWatch {
-    /** Within this time everything has been asked and said that follows from an input. */
-    private static final long SETTLED_MILLIS = 5_000;
+    /** A mission is stuck after this time, in ms: within it everything has been asked and said that follows from an input. */
+    public static final long SETTLED_MILLIS = 5_000;
 
     private final OperatorModels models;
     private final FailedAnswers failed = new FailedAnswers();

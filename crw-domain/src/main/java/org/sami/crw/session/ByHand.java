@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.handler.planning.CrwServices;
@@ -40,7 +41,6 @@ import org.sami.spn.value.GeoPoint;
  * front's executor, a refusal as a {@link RefusedException}.
  */
 public final class ByHand {
-    private static final double RADIUS_M = 5;
 
     private final Fleet fleet;
     private final EngineHost host;
@@ -107,7 +107,8 @@ public final class ByHand {
             GeoPoint here = start(proxy).at().at();
             proxy.commands().withdraw(Ids.NONE);
             proxy.commands()
-                    .submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
+                    .submit(new KeepStation(
+                            command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
         });
     }
 

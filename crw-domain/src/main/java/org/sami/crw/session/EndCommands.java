@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -18,7 +19,6 @@ import org.sami.spn.value.GeoPoint;
 
 /** Commands boats for the end of a session, and says which do not do so yet. On the fleet's thread. */
 final class EndCommands {
-    private static final double RADIUS_M = 5;
 
     private final BoatsAtEnd end;
     private final Map<String, GeoPoint> held = new LinkedHashMap<>();
@@ -45,7 +45,9 @@ final class EndCommands {
     private void hold(BoatProxy boat, GeoPoint here) {
         held.put(boat.boatId(), here);
         String command = "hold-at-end-" + boat.boatId();
-        boat.commands().submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
+        boat.commands()
+                .submit(new KeepStation(
+                        command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
     }
 
     /** Whether nothing is to be waited for: a boat without a link cannot say anything. */

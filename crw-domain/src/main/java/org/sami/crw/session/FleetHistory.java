@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.proxy.command.UploadCount;
 import org.sami.spn.value.GeoPoint;
 
@@ -14,9 +15,6 @@ import org.sami.spn.value.GeoPoint;
  * has their present state. Safe for use by several threads.
  */
 public final class FleetHistory {
-    /** A charge that rises by more than this, in percent of full, did not do so by itself. */
-    private static final double RECHARGED_PERCENT = 10;
-
     /** Of a longer silence nobody knows how fast the boat was. */
     private static final long LONGEST_GAP_MS = 5000;
 
@@ -110,7 +108,7 @@ public final class FleetHistory {
             if (gapMs > 0 && gapMs <= LONGEST_GAP_MS) {
                 known.distanceM += Math.abs(before.speedMps + now.speedMps) / 2 * gapMs / 1000;
             }
-            if (now.batteryPercent > before.batteryPercent + RECHARGED_PERCENT) {
+            if (now.batteryPercent > before.batteryPercent + SharedDefaults.RECHARGED_PERCENT) {
                 known.recharges++;
             }
         });

@@ -22,9 +22,6 @@ public sealed interface SessionRuntime {
     record RealTime(
             SteadyClock clock, TcpBaseConfig links, Optional<Executor> front, Optional<SimulatedBoats> simulatedBoats)
             implements SessionRuntime {
-        /** Plans hear of boats, and tracks are drawn, by poses: several while a boat passes a location. */
-        public static final double TELEMETRY_HZ = 10;
-
         private static final SecureRandom RANDOM = new SecureRandom();
 
         public RealTime {
@@ -41,7 +38,8 @@ public sealed interface SessionRuntime {
 
         /** A runtime with a client id of the caller's. */
         public static RealTime named(String clientId, SteadyClock clock) {
-            ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(TELEMETRY_HZ);
+            ProxyConfig proxy =
+                    ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(SessionDefaults.TELEMETRY_HZ);
             long jitter = clientId.hashCode(); // bases that begin together do not all come back in one moment
             return new RealTime(clock, TcpBaseConfig.of(proxy, jitter), Optional.empty(), Optional.empty());
         }

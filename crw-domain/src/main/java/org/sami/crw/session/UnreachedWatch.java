@@ -20,8 +20,6 @@ import org.sami.spn.protocol.Priority;
 
 /** Tells the models of addresses at which no boat has answered, and the session's health of those that do not for a while. For the fleet's thread. */
 final class UnreachedWatch {
-    /** A boat that is switched on takes so long to answer. */
-    private static final long PATIENCE_MS = 5_000;
 
     private final OperatorModels models;
     private final MessageSink messages;
@@ -80,7 +78,7 @@ final class UnreachedWatch {
     private void report(Set<String> known, long nowMillis) {
         Set<String> late = new HashSet<>();
         for (UnreachedBoat one : shown) {
-            if (nowMillis - one.sinceMillis() >= PATIENCE_MS) {
+            if (nowMillis - one.sinceMillis() >= SessionDefaults.UNREACHED_AFTER_MS) {
                 late.add(one.address());
                 if (!reported.contains(one.address())) {
                     tell(one.address(), Priority.HIGH, one.sentence(), nowMillis);

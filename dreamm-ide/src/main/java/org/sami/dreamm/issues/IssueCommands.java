@@ -15,7 +15,6 @@ import org.sami.ui.command.Command;
 
 /** What can be done with issues: go through them, show, mend, play, and search deeper. */
 public final class IssueCommands {
-    private static final int MOST_STATES = 5_000;
 
     /** The key that shows a row, while the list has the focus. */
     static final KeyStroke SHOW = KeyStroke.getKeyStroke("ENTER");
@@ -130,7 +129,11 @@ public final class IssueCommands {
                 .ifPresent(plan -> deep.start(
                         check,
                         new DeepRequest(
-                                context.document().project(), context.vocabulary(), plan, robots, MOST_STATES)));
+                                context.document().project(),
+                                context.vocabulary(),
+                                plan,
+                                robots,
+                                DeepRequest.STANDARD_STATES)));
     }
 
     DeepSearch deep() {

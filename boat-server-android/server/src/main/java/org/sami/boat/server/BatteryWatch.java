@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -8,12 +9,6 @@ import org.sami.boat.server.vehicle.Vehicle;
  * critical until its battery is charged; otherwise it would be uncritical again as soon as it turns round.
  */
 final class BatteryWatch {
-    /** Reserve factor on the way home: a tenth for metres that cost more than the mean, a quarter for a current or an unknown detour. */
-    static final double RESERVE_FACTOR = 1.4;
-
-    /** A rise of the charge by this much, in percent of full, means that the battery was charged. */
-    private static final double CHARGED_PERCENT = 5;
-
     private static final long PERIOD_MS = 1000;
 
     private final ServerConfig config;
@@ -33,14 +28,15 @@ final class BatteryWatch {
     void tick(long nowMs) {
         if (config.metresPerPercent() > 0 && nowMs - lookedMs >= PERIOD_MS) {
             lookedMs = nowMs;
-            neededPercent =
-                    RESERVE_FACTOR * ways.lengthM(vehicle.latDeg(), vehicle.lonDeg()) / config.metresPerPercent();
+            neededPercent = BoatDefaults.HOME_RESERVE_FACTOR
+                    * ways.lengthM(vehicle.latDeg(), vehicle.lonDeg())
+                    / config.metresPerPercent();
             look(vehicle.batteryPercent());
         }
     }
 
     private void look(double percent) {
-        if (percent >= turnedAtPercent + CHARGED_PERCENT) {
+        if (percent >= turnedAtPercent + SharedDefaults.RECHARGED_PERCENT) {
             turnedAtPercent = Double.NaN;
         }
         if (Double.isNaN(turnedAtPercent) && percent < neededPercent) {

@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.TrackingError;
 
 /**
@@ -143,20 +144,20 @@ public final class ServerConfig {
     public static final class Builder {
         private final String boatId;
         private final String bootId;
-        private double fullThrustSpeedMps = 3.2;
-        private double returnSpeedMps = 1.5;
-        private double arrivalRadiusM = 3;
-        private double holdRadiusM = 5;
-        private Gains headingGains = new Gains(1.2, 0, 0);
-        private Gains speedGains = new Gains(0.3, 0.05, 0);
-        private long lostLinkAfterMs = 3500;
-        private LostLinkAction lostLinkAction = LostLinkAction.HOLD;
-        private long deadmanMs = 2000;
-        private double telemetryHz = 1;
-        private double lowBatteryPercent = 30;
-        private double criticalBatteryPercent = 15;
+        private double fullThrustSpeedMps = BoatDefaults.FULL_THRUST_SPEED_MPS;
+        private double returnSpeedMps = SharedDefaults.CRUISE_SPEED_MPS;
+        private double arrivalRadiusM = SharedDefaults.ARRIVAL_RADIUS_M;
+        private double holdRadiusM = SharedDefaults.HOLD_RADIUS_M;
+        private Gains headingGains = BoatDefaults.HEADING_GAINS;
+        private Gains speedGains = BoatDefaults.SPEED_GAINS;
+        private long lostLinkAfterMs = SharedDefaults.LINK_LOST_AFTER_MS;
+        private LostLinkAction lostLinkAction = BoatDefaults.LOST_LINK_ACTION;
+        private long deadmanMs = BoatDefaults.TELEOPERATION_STOP_MS;
+        private double telemetryHz = SharedDefaults.TELEMETRY_HZ;
+        private double lowBatteryPercent = BoatDefaults.LOW_BATTERY_PERCENT;
+        private double criticalBatteryPercent = BoatDefaults.CRITICAL_BATTERY_PERCENT;
         private double metresPerPercent;
-        private int maxWaypoints = 20_000;
+        private int maxWaypoints = BoatDefaults.MAX_WAYPOINTS;
         private Optional<TrackingError> trackingError = Optional.empty();
 
         private Builder(String boatId, String bootId) {

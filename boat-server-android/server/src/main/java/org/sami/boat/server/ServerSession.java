@@ -14,6 +14,7 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.SharedDefaults;
 
 /**
  * The boat's side of one client's link. Its host passes it the frames that arrive and reports when the link has closed, on the thread that ticks the
@@ -21,7 +22,8 @@ import org.sami.boat.link.Role;
  */
 public final class ServerSession {
     private static final long TICK_MS = 100;
-    private static final long HEARTBEAT_MS = 1000 - TICK_MS; // so that it comes once a second at least
+    private static final long HEARTBEAT_MS =
+            SharedDefaults.HEARTBEAT_MS - TICK_MS; // so that it comes once a second at least
 
     private final BoatServer server;
     private final FrameSink toClient;

@@ -36,7 +36,10 @@ import org.sami.spn.value.TextValue;
  */
 public final class MeasurementHandler implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "TakeMeasurement";
-    static final long TOLD_AFTER_MS = 60_000;
+
+    /** A measurement fails after this time, in ms, without a reading. */
+    public static final long FAILED_AFTER_MS = 60_000;
+
     private static final String SENSOR = "sensor";
 
     private final MessageSink messages;
@@ -127,7 +130,7 @@ public final class MeasurementHandler implements ActivationHandler, BoatListener
         }
 
         boolean isOverdue() {
-            return !told && context.nowMillis() - sinceMs >= TOLD_AFTER_MS;
+            return !told && context.nowMillis() - sinceMs >= FAILED_AFTER_MS;
         }
 
         void answer(BoatReading reading) {
@@ -154,7 +157,7 @@ public final class MeasurementHandler implements ActivationHandler, BoatListener
 
         String reason(Set<String> known) {
             String has = known.isEmpty() ? "it has sent no reading at all" : "it has " + String.join(", ", known);
-            return "no reading in " + TOLD_AFTER_MS / 1000 + " s; " + has;
+            return "no reading in " + FAILED_AFTER_MS / 1000 + " s; " + has;
         }
 
         OperatorMessage overdue(String reason) {

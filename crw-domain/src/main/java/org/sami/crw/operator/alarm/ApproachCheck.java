@@ -14,9 +14,6 @@ import org.sami.crw.service.LocalPlane;
  * Whether boats come too near to each other, by their closest point of approach if both keep course and speed. For one thread.
  */
 public final class ApproachCheck {
-    private static final double NEAR_M = 3;
-    // boats give way to one another from 8 s on: what is left then they did not see to
-    private static final double WITHIN_S = 3;
     private static final double MOVING_MPS = 0.3;
     private static final long PERIOD_MILLIS = 1000;
 
@@ -34,7 +31,7 @@ public final class ApproachCheck {
                     plane.y(pose.position()),
                     east,
                     north,
-                    NEAR_M / 2 + WITHIN_S * Math.abs(pose.speedMps()),
+                    AlarmDefaults.APPROACH_M / 2 + AlarmDefaults.APPROACH_WITHIN_S * Math.abs(pose.speedMps()),
                     Math.abs(pose.speedMps()) < MOVING_MPS);
         }
 
@@ -100,13 +97,13 @@ public final class ApproachCheck {
         double north = two.north() - one.north();
         double squared = east * east + north * north;
         double closestS = squared == 0 ? 0 : -(x * east + y * north) / squared;
-        if (closestS < 0 || closestS > WITHIN_S) {
+        if (closestS < 0 || closestS > AlarmDefaults.APPROACH_WITHIN_S) {
             return Optional.empty(); // they part, or there is time
         }
         double atX = x + closestS * east;
         double atY = y + closestS * north;
         double closestM = Math.sqrt(atX * atX + atY * atY);
-        return closestM >= NEAR_M
+        return closestM >= AlarmDefaults.APPROACH_M
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,

@@ -14,9 +14,6 @@ import org.sami.crw.proxy.status.LinkState;
 
 /** Finds the alarms of one boat from its known state. For one thread. */
 public final class BoatAlarms {
-    /** A boat whose link stands says several times a second where it is. */
-    private static final long STALE_AFTER_MILLIS = 5_000;
-
     private final PoseCheck poses = new PoseCheck();
     private final RangeCheck ranges = new RangeCheck();
     private final DriftCheck drifts = new DriftCheck();
@@ -75,7 +72,8 @@ public final class BoatAlarms {
     public static Optional<String> stale(BoatSnapshot boat, long nowMillis, long sampledEveryMillis) {
         OptionalLong age = boat.poseAgeMillis(nowMillis);
         return when(
-                boat.link() == LinkState.LINKED && age.orElse(0) > STALE_AFTER_MILLIS + sampledEveryMillis,
+                boat.link() == LinkState.LINKED
+                        && age.orElse(0) > AlarmDefaults.POSITION_STALE_AFTER_MS + sampledEveryMillis,
                 boat.boat() + " has not said where it is for " + age.orElse(0) / 1000 + " s, though its link stands");
     }
 

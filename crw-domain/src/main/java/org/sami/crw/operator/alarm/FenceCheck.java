@@ -21,12 +21,6 @@ import org.sami.spn.value.GeoPoint;
  * thread.
  */
 public final class FenceCheck {
-    /** So far a boat may seem to be in what its mission avoids: as far as GPS wanders in the field (1.4 m an axis, jumps to 2.1 m). */
-    static final double POSITION_DEPTH_M = 2;
-
-    /** So far a path may lead into it: planned ones may touch it. */
-    static final double PATH_DEPTH_M = 0.5;
-
     private final MissionTitles titles;
     private final Map<String, GeoPoint> last = new HashMap<>();
     private Optional<AllowedWater> fence = Optional.empty();
@@ -60,7 +54,8 @@ public final class FenceCheck {
     private static Optional<AllowedWater> water(List<GeoArea> avoid) {
         try {
             Water water = Water.of(avoid.get(0).outline().get(0), avoid, Optional.empty());
-            return Optional.of(new AllowedWater(water.shrunk(POSITION_DEPTH_M), water.shrunk(PATH_DEPTH_M)));
+            return Optional.of(new AllowedWater(
+                    water.shrunk(AlarmDefaults.NO_GO_DEPTH_M), water.shrunk(AlarmDefaults.NO_GO_PATH_DEPTH_M)));
         } catch (IllegalArgumentException crossed) {
             return Optional.empty();
         }

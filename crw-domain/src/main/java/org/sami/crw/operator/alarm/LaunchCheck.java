@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
@@ -20,7 +21,6 @@ import org.sami.crw.proxy.status.LinkState;
  * @param items in the order of the checklist
  */
 public record LaunchCheck(List<Item> items) {
-    private static final long FRESH_MS = 3500;
     private static final double MOVES_MPS = 0.1;
 
     /** How one item stands. */
@@ -100,7 +100,7 @@ public record LaunchCheck(List<Item> items) {
         if (age.isEmpty()) {
             return new Item(Subject.LINK, State.UNKNOWN, "it has not answered yet");
         }
-        boolean fresh = boat.link() == LinkState.LINKED && age.getAsLong() <= FRESH_MS;
+        boolean fresh = boat.link() == LinkState.LINKED && age.getAsLong() <= SharedDefaults.LINK_LOST_AFTER_MS;
         return new Item(
                 Subject.LINK,
                 fresh ? State.GOOD : State.BAD,
@@ -132,7 +132,7 @@ public record LaunchCheck(List<Item> items) {
                 "%.6f, %.6f",
                 boat.pose().get().position().latDeg(),
                 boat.pose().get().position().lonDeg());
-        return age <= FRESH_MS
+        return age <= SharedDefaults.LINK_LOST_AFTER_MS
                 ? new Item(Subject.POSITION, State.GOOD, text)
                 : new Item(
                         Subject.POSITION,

@@ -28,7 +28,6 @@ import org.sami.spn.value.GeoPoint;
  * stops the boat when nothing is left. Whether the boat may be commanded at all is the proxy's to know.
  */
 public final class CommandDriver {
-    private static final int MAX_TRIES = 3;
 
     private final String boatId;
     private final ProxyConfig config;
@@ -401,11 +400,13 @@ public final class CommandDriver {
         if (verdict == Verdict.COMPLETED) {
             finish(queued);
         } else if (hold.is(queued)) {
-            if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
+            if (verdict == Verdict.FAILED
+                    || (verdict == Verdict.RETRY && queued.failedTry() >= CommandDefaults.MAX_TRIES)) {
                 mustStop = true;
                 hold.end();
             }
-        } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
+        } else if (verdict == Verdict.FAILED
+                || (verdict == Verdict.RETRY && queued.failedTry() >= CommandDefaults.MAX_TRIES)) {
             mustStop = true;
             queue.finish(queued);
             lastWord = LastCommandOutcome.failed(queued.command(), ended.why());

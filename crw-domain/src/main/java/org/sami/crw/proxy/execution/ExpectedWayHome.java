@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 
@@ -14,9 +15,6 @@ import org.sami.spn.value.GeoPoint;
  * among the ways sent for the current or last leg (docs/link.md).
  */
 public final class ExpectedWayHome {
-    /** A boat that is so near to its home has no way there. */
-    private static final double AT_HOME_M = 3;
-
     private final Supplier<Optional<GeoPoint>> home;
     private String listId = "";
     private List<List<List<GeoPoint>>> ofLegs = List.of(); // each way as the turns before home
@@ -81,7 +79,7 @@ public final class ExpectedWayHome {
     }
 
     private List<GeoPoint> way(GeoPoint from, GeoPoint to) {
-        if (Geodesy.distanceM(from, to) < AT_HOME_M) {
+        if (Geodesy.distanceM(from, to) < SharedDefaults.ARRIVAL_RADIUS_M) {
             return List.of();
         }
         List<List<GeoPoint>> known = ofLegs.isEmpty() ? List.of() : ofLegs.get(Math.min(leg, ofLegs.size() - 1));

@@ -13,7 +13,7 @@ import org.sami.spn.value.GeoPoint;
 /** Has the boat take pictures all round. A report that is lost with its link cannot be asked for again: they are taken anew. */
 final class PanoramaRun extends CommandRun {
     /** A boat that has not reported after so long was kept from it, or its report was lost. */
-    static final long LONGEST_MS = 180_000;
+    static final long LONGEST_MS = CommandDefaults.LONGEST_PANORAMA_MS;
 
     private final Panorama panorama;
     private final String wireId;

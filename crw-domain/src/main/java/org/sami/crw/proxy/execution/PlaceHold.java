@@ -12,7 +12,6 @@ import org.sami.spn.value.GeoPoint;
  * mission asked for it: it comes after every command and is in no queue.
  */
 final class PlaceHold {
-    private static final double RADIUS_M = 10; // the boat itself keeps closer, where it can
 
     private Optional<QueuedCommand> station = Optional.empty();
 
@@ -36,7 +35,7 @@ final class PlaceHold {
                 givenUp.mission(),
                 givenUp.activation(),
                 place,
-                RADIUS_M,
+                CommandDefaults.PLACE_RADIUS_M, // the boat itself keeps closer, where it can
                 Priority.LOW,
                 false,
                 givenUp.water());

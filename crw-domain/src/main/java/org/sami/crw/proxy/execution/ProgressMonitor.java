@@ -10,10 +10,10 @@ import org.sami.spn.value.GeoPoint;
  */
 public final class ProgressMonitor {
     /** After so long the operator sees it. */
-    static final long SHOWN_AFTER_MS = 60_000;
+    static final long SHOWN_AFTER_MS = CommandDefaults.NO_PROGRESS_SHOWN_AFTER_MS;
 
     /** After so long the path counts as one that cannot be followed. */
-    static final long FAILED_AFTER_MS = 300_000;
+    static final long FAILED_AFTER_MS = CommandDefaults.NO_PROGRESS_FAILED_AFTER_MS;
 
     private static final double LEAST_M = 2; // what the noise of positions does not feign again and again
 

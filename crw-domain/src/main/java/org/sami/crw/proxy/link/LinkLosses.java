@@ -6,10 +6,10 @@ import java.util.Deque;
 /** How often the link to one boat was lost lately, and whether it is lost now. For one thread, with milliseconds of one clock. */
 public final class LinkLosses {
     /** Losses are counted for this time. */
-    public static final long WINDOW_MS = 5 * 60_000;
+    public static final long WINDOW_MS = BaseDefaults.FLAPPING_WINDOW_MS;
 
     /** A link that was lost so often within the window flaps. */
-    public static final int FLAPPING = 3;
+    public static final int FLAPPING = BaseDefaults.FLAPPING_LOSSES;
 
     private final Deque<Long> losses = new ArrayDeque<>();
     private boolean lost;

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.link;
 
 import java.util.Objects;
+import org.sami.boat.link.SharedDefaults;
 
 /**
  * The configuration of the base's side of the links.
@@ -23,8 +24,15 @@ public record ProxyConfig(
         long resendMs,
         int maxSends) {
 
-    /** Cruise 1.5 m/s, telemetry once a second, lost after 3.5 s, 20 tries a second apart. */
-    public static final ProxyConfig DEFAULT = new ProxyConfig("base", 0, 1.5, 1, 3500, 1000, 20);
+    /** What {@link SharedDefaults} and {@link BaseDefaults} say. */
+    public static final ProxyConfig DEFAULT = new ProxyConfig(
+            "base",
+            0,
+            SharedDefaults.CRUISE_SPEED_MPS,
+            SharedDefaults.TELEMETRY_HZ,
+            SharedDefaults.LINK_LOST_AFTER_MS,
+            BaseDefaults.RESEND_MS,
+            BaseDefaults.MAX_SENDS);
 
     /** Refuses what is not positive. */
     public ProxyConfig {

@@ -9,13 +9,14 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.status.LinkState;
 
 /** The base's end of one link: says hello until it is welcome, keeps it alive, notices when it is lost. */
 public final class ProxyLink {
     private static final long HELLO_MS = 1000;
-    private static final long HEARTBEAT_MS = 1000;
+    private static final long HEARTBEAT_MS = SharedDefaults.HEARTBEAT_MS;
 
     private final String boatId;
     private final FrameSink toBoat;

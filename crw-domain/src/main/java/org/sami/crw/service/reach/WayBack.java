@@ -17,7 +17,7 @@ import org.sami.spn.value.GeoPoint;
  */
 public record WayBack(String words, boolean isSure) {
     /** What a boat brings home that need not be spoken of, in percent. */
-    private static final double PLENTY_PERCENT = 30;
+    public static final double PLENTY_PERCENT = 30;
 
     public WayBack {
         Objects.requireNonNull(words, "words");

@@ -19,8 +19,11 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     /** Ways are planned on one plane, told in degrees, and measured on another. */
     private static final double ROUNDING_M = 0.01;
 
-    private static final double APART_M = 3.5; // boats keep that between them,
-    private static final double APART_DEVIATIONS = 1.5; // that many of the distance between two (docs/decisions, 0320),
+    /** Distance in metres that boats keep from each other. */
+    public static final double SEPARATION_M = 3.5;
+
+    private static final double APART_DEVIATIONS =
+            1.5; // added to the separation, of the distance between two (docs/decisions, 0320),
     private static final double STATION_M =
             1.5; // and to their stations, among others and where they drift (docs/services.md)
 
@@ -71,7 +74,7 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
 
     /** How far from one another boats are to lie so that others find a way between them, in metres. */
     public double berthM() {
-        double apartM = APART_M + APART_DEVIATIONS * Math.sqrt(2) * positionM;
+        double apartM = SEPARATION_M + APART_DEVIATIONS * Math.sqrt(2) * positionM;
         return 2 * (apartM + (driftMps > 0 ? STATION_M : 0));
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.session.fault;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -18,7 +19,6 @@ import org.sami.spn.value.GeoPoint;
  * come home on an empty battery, is carried out; what else missions have for a boat waits. For the fleet's thread.
  */
 final class HeldBoats {
-    private static final double RADIUS_M = 5;
 
     private final Map<String, String> holds = new HashMap<>(); // the command that holds it, by boat
     private long made;
@@ -44,7 +44,9 @@ final class HeldBoats {
         if (before != null) {
             boat.commands().withdraw(before);
         }
-        boat.commands().submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
+        boat.commands()
+                .submit(new KeepStation(
+                        command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
     }
 
     /** All boats are stopped until they are released. */

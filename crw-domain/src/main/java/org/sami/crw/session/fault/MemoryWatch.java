@@ -13,7 +13,7 @@ import org.sami.spn.protocol.Priority;
  */
 final class MemoryWatch {
     private static final int LOOKS = 60;
-    private static final double NEARLY_ALL = 0.9;
+    private static final double NEARLY_ALL = HealthDefaults.MEMORY_FULL_SHARE;
     private static final double ENOUGH_FREE = 0.75;
 
     private final Deque<Long> used = new ArrayDeque<>();

@@ -15,10 +15,10 @@ import org.sami.spn.protocol.Priority;
 final class RoomWatch {
     private static final long WINDOW_MS = 600_000;
     private static final long SHORTEST_MS = 30_000;
-    private static final double LITTLE_MIN = 60;
-    private static final double NONE_MIN = 10;
-    private static final long LITTLE_BYTES = 50L << 20;
-    private static final long NONE_BYTES = 2L << 20;
+    private static final double LITTLE_MIN = HealthDefaults.ROOM_LOW_MIN;
+    private static final double NONE_MIN = HealthDefaults.ROOM_GONE_MIN;
+    private static final long LITTLE_BYTES = HealthDefaults.ROOM_LOW_BYTES;
+    private static final long NONE_BYTES = HealthDefaults.ROOM_GONE_BYTES;
     /** A warning that came stays until there is clearly more room. */
     private static final double MARGIN = 1.25;
 

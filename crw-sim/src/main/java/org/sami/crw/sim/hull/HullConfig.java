@@ -1,6 +1,8 @@
 package org.sami.crw.sim.hull;
 
+import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
+import org.sami.crw.service.reach.Range;
 
 /**
  * What a simulated hull can do.
@@ -19,7 +21,8 @@ public record HullConfig(
         double batteryPercentPerM) {
 
     /** A boat of the fleet: 3.2 m/s, and about 3.5 km on one battery. */
-    public static final HullConfig DEFAULT = new HullConfig(3.2, 0.6, 0.9, 2.0, 100.0 / 3500);
+    public static final HullConfig DEFAULT =
+            new HullConfig(BoatDefaults.FULL_THRUST_SPEED_MPS, 0.6, 0.9, 2.0, 1 / Range.METRES_PER_PERCENT);
 
     /** Refuses limits that are not positive; a battery that never drains (0) is allowed. */
     public HullConfig {

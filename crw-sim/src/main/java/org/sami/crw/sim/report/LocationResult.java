@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.sami.boat.link.SharedDefaults;
 
 /**
  * A location that the operator gave, and whether boats were there: as they reported it, and truly. The two differ where positions err;
@@ -42,7 +43,7 @@ public record LocationResult(
      */
     public record Truth(Optional<Visit> visit, OptionalDouble nearestM) {
         /** A boat that is as near as this, in metres, is there: it is what the boats themselves call arrived. */
-        public static final double RADIUS_M = 3;
+        public static final double RADIUS_M = SharedDefaults.ARRIVAL_RADIUS_M;
 
         public Truth {
             Objects.requireNonNull(visit, "visit");

@@ -41,7 +41,7 @@ public record RunRecord(
      * they are not to enter thereby (0321); 6 stopping at once (0300); 7 taking in messages as a tick begins (0316). A run of
      * another version cannot be gone through again.
      */
-    private static final String PRESENT_DRIVING = "8";
+    private static final String PRESENT_DRIVING = "9";
 
     private static final String SOURCE = "source";
     private static final String ANSWERS_FILE = "answersFile";

@@ -16,6 +16,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.session.SessionDefaults;
 
 /**
  * Tells the boats at some addresses one thing, outside of any run: the fleet stop, its release, or nothing, to see how they are. Each
@@ -23,7 +24,6 @@ import org.sami.crw.proxy.tcp.TcpBaseConfig;
  */
 public final class FleetOrder {
     private static final long LOOK_MS = 20;
-    private static final double TELEMETRY_HZ = 10;
 
     /** What is told. */
     public enum Kind {
@@ -55,7 +55,7 @@ public final class FleetOrder {
         this.kind = kind;
         this.address = address;
         String client = "crw-" + kind.name().toLowerCase(Locale.ROOT) + "-" + UUID.randomUUID();
-        ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(client).withTelemetryHz(TELEMETRY_HZ);
+        ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(client).withTelemetryHz(SessionDefaults.TELEMETRY_HZ);
         base = new TcpBase(TcpBaseConfig.of(proxy, 1), SteadyClock.ofThisMachine(), new Finder());
         base.connect(address.toSocketAddress());
     }

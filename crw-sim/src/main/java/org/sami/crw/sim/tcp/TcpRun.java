@@ -12,6 +12,7 @@ import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionDefaults;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.fault.FaultPolicy;
@@ -145,9 +146,8 @@ public final class TcpRun {
     }
 
     private SessionSetup setup() {
-        ProxyConfig proxy = ProxyConfig.DEFAULT
-                .withClientId(process.clientId())
-                .withTelemetryHz(SessionRuntime.RealTime.TELEMETRY_HZ);
+        ProxyConfig proxy =
+                ProxyConfig.DEFAULT.withClientId(process.clientId()).withTelemetryHz(SessionDefaults.TELEMETRY_HZ);
         SessionRuntime runtime = new SessionRuntime.RealTime(
                 process.clock(), TcpBaseConfig.of(proxy, settings.fleet().seed()), Optional.empty(), Optional.empty());
         CrwServices services =

@@ -7,6 +7,8 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.server.BoatDefaults;
+import org.sami.crw.service.reach.Range;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.InterruptResult;
@@ -21,8 +23,6 @@ import org.sami.crw.sim.run.settings.Speed;
 
 /** Boats whose batteries turn critical are pulled out (thesis 7.1.1): {@code recharge@battery}. */
 class BatteryRunTest {
-    private static final double CRITICAL_PERCENT = 25;
-
     @Test
     void boatIsPulledOutAtTheMomentAtWhichItTurnsCritical() {
         RunReport report = run("100,37,100", "recharge@battery");
@@ -37,16 +37,17 @@ class BatteryRunTest {
         List<TrackPoint> track = report.boats().get(1).track();
         assertThat(track)
                 .filteredOn(p -> p.atMillis() < pressed - 2_000)
-                .allMatch(p -> p.batteryPercent() >= CRITICAL_PERCENT);
+                .allMatch(p -> p.batteryPercent() >= criticalPercent(p, track.get(0)));
         assertThat(track)
                 .filteredOn(p -> p.atMillis() >= pressed)
                 .first()
-                .satisfies(p -> assertThat(p.batteryPercent()).isBetween(CRITICAL_PERCENT - 0.3, CRITICAL_PERCENT));
+                .satisfies(p -> assertThat(p.batteryPercent() - criticalPercent(p, track.get(0)))
+                        .isBetween(-0.3, 0.0));
         assertThat(report.boats()).extracting(BoatResult::recharges).containsExactly(0, 1, 0);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"25", "100,25,25.1", "39.9", "40", "90"})
+    @ValueSource(strings = {"15", "100,15,15.1", "29.9", "30", "90"})
     void lowIsNotCritical(String charges) {
         RunReport report = TestRuns.run(plan(), settings(charges, 1, "recharge@battery"));
 
@@ -58,7 +59,7 @@ class BatteryRunTest {
 
     @Test
     void boatThatIsCriticalFromTheStartIsRechargedWhereItLies() {
-        RunReport report = run("24.99", "recharge@battery");
+        RunReport report = run("14.99", "recharge@battery");
 
         assertAllVisited(report);
         assertThat(report.interrupts()).hasSize(3).allMatch(InterruptResult::taken);
@@ -67,7 +68,7 @@ class BatteryRunTest {
 
     @Test
     void boatThatIsCriticalAtLaunchIsPulledOutAsSoonAsItsPlanOffersIt() {
-        RunReport report = run("100,24.99,100", "recharge:2@battery");
+        RunReport report = run("100,14.99,100", "recharge:2@battery");
 
         InterruptResult pressed = report.interrupts().get(0);
         assertThat(pressed.boat()).isEqualTo("boat2");
@@ -170,6 +171,14 @@ class BatteryRunTest {
         assertThat(report.interrupts()).hasSizeGreaterThan(1).allMatch(InterruptResult::taken);
         assertThat(report.boats().get(0).recharges())
                 .isEqualTo(report.interrupts().size());
+    }
+
+    /** Below this charge the boat's server calls the battery critical: a threshold, or the way home with its reserve. */
+    private static double criticalPercent(TrackPoint at, TrackPoint home) {
+        double wayM = Math.hypot(at.eastM() - home.eastM(), at.northM() - home.northM());
+        return Math.max(
+                BoatDefaults.CRITICAL_BATTERY_PERCENT,
+                BoatDefaults.HOME_RESERVE_FACTOR * wayM / Range.METRES_PER_PERCENT);
     }
 
     private static RunReport run(String charges, String... interrupts) {

@@ -25,6 +25,9 @@ public record DeepRequest(
     /** As few as there can be, some, and more than most teams have robots. */
     public static final List<Integer> LOCATIONS = List.of(1, 3, 5);
 
+    /** How many states a search looks at unless somebody says otherwise. */
+    public static final int STANDARD_STATES = 5000;
+
     private static final int PART_OF_MEMORY = 4;
 
     public DeepRequest {

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.sami.boat.link.SharedDefaults;
 
 /**
  * Decides which clients to drop where more connect than a boat serves. The commander is never dropped. Silent clients go first, the longest silent before the
@@ -15,7 +16,6 @@ import java.util.stream.Collectors;
  * thread.
  */
 final class ConnectionSlots {
-    private static final long DEAD_AFTER_MS = 3500;
     private static final long UNDECIDED_MS = 2000;
     private static final int WAITING = 8;
 
@@ -66,7 +66,7 @@ final class ConnectionSlots {
         List<Client> others =
                 clients.stream().filter(client -> !client.commands()).collect(Collectors.toList());
         Optional<Client> dead = clients.stream()
-                .filter(client -> client.silentForMs(nowMs) > DEAD_AFTER_MS)
+                .filter(client -> client.silentForMs(nowMs) > SharedDefaults.LINK_LOST_AFTER_MS)
                 .max(order);
         Optional<Client> last = others.stream()
                 .filter(client -> !client.wishesToCommand())

@@ -2,6 +2,7 @@ package org.sami.boat.server.traffic;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -22,7 +23,7 @@ import org.sami.boat.server.vehicle.Vehicle;
  */
 public final class GivingWay {
     /** Separation of the stopping segments of two boats, in metres: 3, plus what a boat can turn and accelerate before the others know. */
-    static final double APART_M = 3.5;
+    static final double APART_M = SharedDefaults.SEPARATION_M;
 
     /** Extra clearance when passing where there is room, in metres; added to {@link #APART_M}. */
     static final double PASSING_CLEARANCE_M = 1;

@@ -17,6 +17,7 @@ import org.sami.crw.sim.cli.output.Terminal;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.legacy.ImportedFindings;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
+import org.sami.spn.analysis.space.DeepRequest;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.json.DomainLibrary;
@@ -86,7 +87,7 @@ public final class CheckCommand implements Callable<Integer> {
     @Option(
             names = "--states",
             paramLabel = "N",
-            defaultValue = "5000",
+            defaultValue = "" + DeepRequest.STANDARD_STATES,
             description = "With --deep: how many states of each plan are looked at. Default: ${DEFAULT-VALUE}.")
     private int states;
 

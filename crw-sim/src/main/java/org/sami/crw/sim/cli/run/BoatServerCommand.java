@@ -11,6 +11,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
@@ -94,7 +95,7 @@ public final class BoatServerCommand implements Callable<Integer> {
     @Option(
             names = "--top-speed",
             paramLabel = "MPS",
-            defaultValue = "3.2",
+            defaultValue = "" + BoatDefaults.FULL_THRUST_SPEED_MPS,
             description = "Speed at full thrust in still water (default ${DEFAULT-VALUE}).")
     private double topSpeedMps;
 

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.LocationResult.Visit;
 
@@ -12,7 +13,7 @@ import org.sami.crw.sim.report.LocationResult.Visit;
  * is known to {@link TrueVisits}.
  */
 public final class VisitRecorder {
-    public static final double RADIUS_M = 3.5;
+    public static final double RADIUS_M = SharedDefaults.ARRIVAL_RADIUS_M + 0.5;
 
     private final List<LocationResult> locations = new ArrayList<>();
     private int visited;

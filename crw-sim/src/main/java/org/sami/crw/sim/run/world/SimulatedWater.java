@@ -13,7 +13,6 @@ import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.fleet.SimulatedFleet;
-import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunHash;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -36,9 +35,6 @@ public final class SimulatedWater {
         quay = settings.site().quayInProcess(settings.areaM());
         double eastM = plane.eastM(quay.latDeg(), quay.lonDeg()) - (settings.boats() - 1) * SPACING_M / 2;
         double northM = plane.northM(quay.latDeg(), quay.lonDeg());
-        double half = settings.areaM() / 2;
-        double farthestM = Math.hypot(Math.abs(eastM) + half, Math.abs(northM) + half);
-        BatteryThresholds thresholds = BatteryThresholds.forWayBackM(farthestM, HullConfig.DEFAULT);
         fleet = new SimulatedFleet(
                 clock,
                 settings.seed(),
@@ -46,11 +42,7 @@ public final class SimulatedWater {
                 plane.latDeg(eastM, northM),
                 plane.lonDeg(eastM, northM),
                 listeners,
-                FleetConfig.DEFAULT
-                        .withoutTracks()
-                        .withConditions(settings.conditions())
-                        .withServer(server ->
-                                server.batteryThresholds(thresholds.lowPercent(), thresholds.criticalPercent())));
+                FleetConfig.DEFAULT.withoutTracks().withConditions(settings.conditions()));
         for (int i = 0; i < settings.boats(); i++) {
             fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
         }
