@@ -60,7 +60,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private Optional<Arrangement> fitted = Optional.empty();
     private Optional<String> trouble = Optional.empty();
     private final SplitProportions proportions;
-    private final PointerRest pointer = new PointerRest();
+    private final PointerRest pointer = PointerRest.watch();
     private final Timer saving = new Timer(SAVE_MS, event -> save());
     private final DockingListener docked = event -> {
         changed();
@@ -188,7 +188,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     /** Has sides whose panels are all empty leave their room to others of their column; to be called a few times a second. */
     public void shareRoom() {
         if (isBesideOneAnother()) {
-            proportions.share(pointer::isAwayFrom, pointer::letsMove);
+            proportions.share(pointer::letsShrink, pointer::letsReturn, pointer::pressable);
         }
     }
 

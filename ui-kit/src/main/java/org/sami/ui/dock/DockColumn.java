@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import javax.swing.JSplitPane;
 import org.sami.ui.look.Look;
 
@@ -92,14 +93,33 @@ final class DockColumn {
         share(PaneKeeper::move);
     }
 
-    /** Forgets that somebody has moved a divider. */
-    void unpin() {
-        unpin(top);
+    /** Has these sides leave their room to the others, wherever somebody has moved a divider before. */
+    void give(Set<Component> emptied) {
+        topmost.setEmptied(emptied);
+        keepers(top).forEach(PaneKeeper::unpin);
+        show();
     }
 
-    private static void unpin(Part part) {
-        part.keeper.ifPresent(PaneKeeper::unpin);
-        part.parts.forEach(DockColumn::unpin);
+    /** How it stands now; to be run where it is to stand so again. */
+    Runnable mark() {
+        Set<Component> emptied = topmost.emptied();
+        List<Runnable> dividers = keepers(top).map(PaneKeeper::mark).toList();
+        return () -> {
+            topmost.setEmptied(emptied);
+            dividers.forEach(Runnable::run);
+        };
+    }
+
+    /** Places its dividers and lays it out: the outer panes first, as a divider cannot stand beyond the pane that is to become larger. */
+    void layOut(Runnable places) {
+        keepers(top).forEach(pane -> {
+            places.run();
+            topmost.pane().validate();
+        });
+    }
+
+    private static Stream<PaneKeeper> keepers(Part part) {
+        return Stream.concat(part.keeper.stream(), part.parts.stream().flatMap(DockColumn::keepers));
     }
 
     @FunctionalInterface

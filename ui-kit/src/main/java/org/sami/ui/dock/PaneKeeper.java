@@ -3,6 +3,7 @@ package org.sami.ui.dock;
 import java.awt.Component;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.Optional;
 import java.util.Set;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
@@ -21,6 +22,10 @@ final class PaneKeeper extends ComponentAdapter {
     private boolean moving;
     private boolean pinned; // somebody has moved the divider since panels of its column became empty
     private Set<Component> emptied = Set.of(); // of the uppermost pane of a column
+    private Optional<Refusal> refused = Optional.empty(); // last one, of the uppermost pane of a column
+
+    /** Sides that may not leave their room while this is pointed at. */
+    private record Refusal(Set<Component> sides, PointerRest.Pressable pointedAt) {}
 
     /**
      * The keeper of a pane.
@@ -61,6 +66,25 @@ final class PaneKeeper extends ComponentAdapter {
 
     void unpin() {
         pinned = false;
+    }
+
+    /** Where its divider stands now; to be run where it is to stand there again. */
+    Runnable mark() {
+        int place = pane.getDividerLocation();
+        boolean byHand = pinned;
+        return () -> {
+            pinned = byHand;
+            move(place);
+        };
+    }
+
+    /** Whether it is known that a button under the pointer would move if sides of its column left their room; of the uppermost pane of a column. */
+    boolean isRefused(Set<Component> sides, PointerRest.Pressable pointedAt) {
+        return refused.equals(Optional.of(new Refusal(sides, pointedAt)));
+    }
+
+    void refuse(Set<Component> sides, PointerRest.Pressable pointedAt) {
+        refused = Optional.of(new Refusal(sides, pointedAt));
     }
 
     /** The sides of its column that leave their room to others now; of the uppermost pane of a column. */

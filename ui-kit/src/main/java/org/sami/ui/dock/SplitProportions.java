@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import javax.swing.JSplitPane;
 
@@ -59,8 +60,12 @@ final class SplitProportions {
      *
      * @param mayShrink whether what is in a column may move because something has gone; given its uppermost pane
      * @param mayReturn the same, because something has come
+     * @param pointedAt what in a column can be pressed where the pointer is: something that has gone does not move it
      */
-    void share(Predicate<JSplitPane> mayShrink, Predicate<JSplitPane> mayReturn) {
+    void share(
+            Predicate<JSplitPane> mayShrink,
+            Predicate<JSplitPane> mayReturn,
+            Function<JSplitPane, Optional<PointerRest.Pressable>> pointedAt) {
         keepers.values().removeIf(keeper -> keeper.isGoneFrom(area));
         List<PaneKeeper> now = List.copyOf(keepers.values());
         for (PaneKeeper keeper : now) {
@@ -72,26 +77,52 @@ final class SplitProportions {
         }
         for (PaneKeeper keeper : now) {
             if (!keeper.isBeside() && top(keeper) == keeper) {
-                share(keeper, mayShrink, mayReturn);
+                share(keeper, mayShrink, mayReturn, pointedAt);
             }
         }
     }
 
-    private void share(PaneKeeper top, Predicate<JSplitPane> mayShrink, Predicate<JSplitPane> mayReturn) {
+    private void share(
+            PaneKeeper top,
+            Predicate<JSplitPane> mayShrink,
+            Predicate<JSplitPane> mayReturn,
+            Function<JSplitPane, Optional<PointerRest.Pressable>> pointedAt) {
         DockColumn column = new DockColumn(top, this);
         if (!column.isKnown()) {
             return;
         }
         Set<Component> due = column.due();
         if (!due.equals(top.emptied())) {
-            boolean hasCome = !due.containsAll(top.emptied());
-            if ((hasCome ? mayReturn : mayShrink).test(top.pane())) {
-                top.setEmptied(due);
-                column.unpin();
-                column.show();
+            if (!due.containsAll(top.emptied())) { // something has come
+                if (mayReturn.test(top.pane())) {
+                    column.give(due);
+                }
+            } else if (mayShrink.test(top.pane())) {
+                shrink(column, top, due, pointedAt);
             }
         } else if (!due.isEmpty() && !column.isShown() && mayShrink.test(top.pane())) {
             column.show(); // a panel has come to a side, or has left it
+        }
+    }
+
+    /** Gives the room of empty sides to the others, unless a button under the pointer would become another one: the pointer may rest on one before it is pressed. */
+    private static void shrink(
+            DockColumn column,
+            PaneKeeper top,
+            Set<Component> due,
+            Function<JSplitPane, Optional<PointerRest.Pressable>> pointedAt) {
+        Optional<PointerRest.Pressable> before = pointedAt.apply(top.pane());
+        if (before.isPresent() && top.isRefused(due, before.get())) {
+            return;
+        }
+        Runnable back = column.mark();
+        column.give(due);
+        if (before.isPresent()) {
+            column.layOut(column::show); // nothing is painted before this has returned
+            if (!before.equals(pointedAt.apply(top.pane()))) {
+                column.layOut(back);
+                top.refuse(due, before.get());
+            }
         }
     }
 

@@ -5,12 +5,16 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.BorderLayout;
 import java.awt.Container;
+import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.EventThread;
 
@@ -101,7 +105,7 @@ class SplitProportionsTest {
 
         settled(() -> {
             decisions.setEmpty(true);
-            proportions.share(pane -> false, pane -> true);
+            proportions.share(pane -> false, pane -> true, pane -> Optional.empty());
             return area;
         });
         assertThat(part(inner)).isCloseTo(0.7, within(0.002));
@@ -109,7 +113,7 @@ class SplitProportionsTest {
         empty(decisions, true);
         settled(() -> {
             decisions.setEmpty(false);
-            proportions.share(pane -> true, pane -> false);
+            proportions.share(pane -> true, pane -> false, pane -> Optional.empty());
             return area;
         });
         assertThat(below(inner)).isCloseTo(120, within(2));
@@ -244,7 +248,7 @@ class SplitProportionsTest {
         for (DockPanel panel : List.of(messages, decisions)) {
             settled(() -> {
                 panel.setEmpty(false);
-                proportions.share(pane -> true, pane -> true);
+                proportions.share(pane -> true, pane -> true, pane -> Optional.empty());
                 lowest.doLayout(); // a split pane is laid out by itself, maybe before the one around it
                 return area;
             });
@@ -262,13 +266,57 @@ class SplitProportionsTest {
 
         settled(() -> {
             ((DockPanel) lowest.getLeftComponent()).setEmpty(true);
-            proportions.share(pane -> !asked.add(pane), pane -> true);
+            proportions.share(pane -> !asked.add(pane), pane -> true, pane -> Optional.empty());
             return area;
         });
 
         assertThat(asked).as("the pane with all that would move").containsExactly(inner);
         assertThat(part(inner)).isCloseTo(0.4, within(0.002));
         assertThat(part(lowest)).isCloseTo(0.7, within(0.004));
+    }
+
+    @Test
+    void aButtonUnderARestingPointerDoesNotMoveAway() {
+        JSplitPane lowest = missionsDecisionsMessages();
+        JButton confirm = button((DockPanel) inner.getLeftComponent(), BorderLayout.SOUTH);
+
+        shareWithPointerOn(confirm, (DockPanel) lowest.getLeftComponent());
+
+        assertThat(part(inner)).isCloseTo(0.4, within(0.002));
+        assertThat(part(lowest)).isCloseTo(0.7, within(0.004));
+        empty((DockPanel) lowest.getLeftComponent(), true);
+        assertThat(above(lowest)).as("once it is left").isCloseTo(120, within(2));
+    }
+
+    @Test
+    void aRestingPointerOnAButtonThatStaysWhereItIsHoldsNothingUp() {
+        JSplitPane lowest = missionsDecisionsMessages();
+        JButton abort = button((DockPanel) inner.getLeftComponent(), BorderLayout.NORTH);
+
+        shareWithPointerOn(abort, (DockPanel) lowest.getLeftComponent());
+
+        assertThat(above(lowest)).as("the decisions").isCloseTo(120, within(2));
+    }
+
+    private JButton button(DockPanel panel, String where) {
+        JButton button = new JButton("press");
+        settled(() -> {
+            panel.content().setLayout(new BorderLayout());
+            panel.content().add(button, where);
+            return area;
+        });
+        return button;
+    }
+
+    private void shareWithPointerOn(JButton button, DockPanel gone) {
+        settled(() -> {
+            area.addNotify(); // what is in no window is validated too
+            gone.setEmpty(true);
+            Point at = SwingUtilities.convertPoint(button, 5, 5, inner);
+            PointerRest pointer = new PointerRest(() -> 0, pane -> Optional.of(at));
+            proportions.share(pane -> true, pane -> true, pointer::pressable);
+            return area;
+        });
     }
 
     /** The column of the operator's window: missions at 40 %, below them decisions at 70 % of the rest, and messages. */
@@ -300,7 +348,7 @@ class SplitProportionsTest {
     private void empty(DockPanel panel, boolean empty) {
         settled(() -> {
             panel.setEmpty(empty);
-            proportions.share(pane -> true, pane -> true);
+            proportions.share(pane -> true, pane -> true, pane -> Optional.empty());
             return area;
         });
     }
