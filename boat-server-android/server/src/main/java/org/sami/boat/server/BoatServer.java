@@ -83,7 +83,7 @@ public final class BoatServer {
         modes = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, modes);
         sensors = new SensorWatch(vehicle);
-        battery = new BatteryWatch(config, vehicle, modes.waysHome());
+        battery = new BatteryWatch(config, vehicle, modes.homeward().waysHome());
         reportedLevel = battery.level();
         motion = new MotionReports(vehicle);
     }
@@ -116,9 +116,9 @@ public final class BoatServer {
     public void tick(long nowMs) {
         watchCommander(nowMs);
         if (modes.tick(nowMs)) {
-            broadcast(modes.track().progress(), nowMs);
+            broadcast(modes.path().track().progress(), nowMs);
         }
-        Optional<PanoramaReport> report = modes.takeReport();
+        Optional<PanoramaReport> report = modes.panorama().takeReport();
         if (report.isPresent()) {
             broadcast(report.get(), nowMs);
         }
@@ -247,7 +247,7 @@ public final class BoatServer {
         session.send(new Welcome(config.boatId(), config.bootId(), role, term, "", true), nowMs);
         session.send(battery(), nowMs);
         session.send(executor.settings(), nowMs);
-        session.send(modes.track().progress(), nowMs);
+        session.send(modes.path().track().progress(), nowMs);
     }
 
     private void command(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
@@ -258,7 +258,7 @@ public final class BoatServer {
             NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
             session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
         } else if (command instanceof ReadBack) { // changes nothing, so each one is answered from the present state
-            WaypointTrack track = modes.track();
+            WaypointTrack track = modes.path().track();
             session.send(new HeldWaypoints(command.commandId(), track.listId(), track.waypoints()), nowMs);
         } else if (known == CommandLedger.Known.REPEATED && !isStopAgain(session, command, frame)) {
             session.send(ledger.answerTo(session.clientId(), command), nowMs);
@@ -340,7 +340,7 @@ public final class BoatServer {
     }
 
     private void execute(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
-        Progress before = modes.track().progress();
+        Progress before = modes.path().track().progress();
         LinkMessage answer = executor.execute(session.clientId(), command);
         ledger.record(session.clientId(), command, answer);
         if (CommandExecutor.isMoving(command) && answer instanceof Ack) {
@@ -352,8 +352,8 @@ public final class BoatServer {
         if (CommandExecutor.isSetting(command) || CommandExecutor.isLatch(command)) {
             broadcast(executor.settings(), nowMs);
         }
-        if (!modes.track().isAt(before)) {
-            broadcast(modes.track().progress(), nowMs);
+        if (!modes.path().track().isAt(before)) {
+            broadcast(modes.path().track().progress(), nowMs);
         }
     }
 
@@ -365,7 +365,7 @@ public final class BoatServer {
             refuseLate(session, hand, OTHER_TERM, nowMs);
         } else if (!session.isOvertaken(frame)) {
             session.executed(frame);
-            if (modes.mode() != BoatMode.FLEET_STOP) {
+            if (!modes.denies(ModeEvent.TELEOPERATE)) {
                 movedBy = session.clientId();
                 modes.teleoperate(hand.thrust(), hand.rudder(), nowMs);
             }

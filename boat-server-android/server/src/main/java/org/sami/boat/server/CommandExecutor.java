@@ -64,9 +64,9 @@ final class CommandExecutor {
         return new SettingsReport(
                 modes.steering().gains(GainAxis.HEADING),
                 modes.steering().gains(GainAxis.SPEED),
-                modes.velocityMultiplier(),
+                modes.path().velocityMultiplier(),
                 lostLinkAction,
-                Optional.of(modes.home().origin(config.returnSpeedMps())),
+                Optional.of(modes.homeward().home().origin(config.returnSpeedMps())),
                 config.trackingError(),
                 isFleetStopped() ? stoppedBy : "");
     }
@@ -84,7 +84,7 @@ final class CommandExecutor {
         } else if (command instanceof SetWaysHome) {
             return waysHome((SetWaysHome) command);
         } else if (command instanceof StopMotors) {
-            return stop(command);
+            modes.stop();
         } else if (command instanceof HoldPosition) {
             return hold(command);
         } else if (command instanceof TakePanorama) {
@@ -93,7 +93,7 @@ final class CommandExecutor {
             stoppedBy = isFleetStopped() ? stoppedBy : clientId;
             modes.fleetStop();
         } else if (command instanceof FleetRelease) {
-            release();
+            modes.release();
         } else {
             set(command);
         }
@@ -110,8 +110,8 @@ final class CommandExecutor {
     }
 
     private LinkMessage start(StartWaypoints command) {
-        WaypointTrack track = modes.track();
-        if (isFleetStopped()) {
+        WaypointTrack track = modes.path().track();
+        if (modes.denies(ModeEvent.START)) {
             return fleetStopped(command);
         }
         if (!track.listId().equals(command.listId())) {
@@ -125,10 +125,10 @@ final class CommandExecutor {
     }
 
     private LinkMessage waysHome(SetWaysHome command) {
-        if (!modes.track().listId().equals(command.listId())) {
+        if (!modes.path().track().listId().equals(command.listId())) {
             return unknownList(command);
         }
-        modes.setWaysHome(command);
+        modes.path().setWaysHome(command);
         return ack(command);
     }
 
@@ -136,18 +136,11 @@ final class CommandExecutor {
         return nack(
                 command,
                 NackReason.UNKNOWN_LIST,
-                "this boat holds " + named(modes.track().listId()));
-    }
-
-    private LinkMessage stop(CommandMessage command) {
-        if (!isFleetStopped()) { // it is stopped already, and stays latched
-            modes.stop();
-        }
-        return ack(command);
+                "this boat holds " + named(modes.path().track().listId()));
     }
 
     private LinkMessage hold(CommandMessage command) {
-        if (isFleetStopped()) {
+        if (modes.denies(ModeEvent.HOLD_POSITION)) {
             return fleetStopped(command);
         }
         modes.hold();
@@ -155,7 +148,7 @@ final class CommandExecutor {
     }
 
     private LinkMessage panorama(TakePanorama command) {
-        if (isFleetStopped()) {
+        if (modes.denies(ModeEvent.PANORAMA)) {
             return fleetStopped(command);
         }
         if (!modes.hasCamera()) {
@@ -165,18 +158,12 @@ final class CommandExecutor {
         return ack(command);
     }
 
-    private void release() {
-        if (isFleetStopped()) {
-            modes.stop();
-        }
-    }
-
     private void set(CommandMessage command) {
         if (command instanceof SetGains) {
             SetGains set = (SetGains) command;
             modes.steering().setGains(set.axis(), set.gains());
         } else if (command instanceof SetVelocityMultiplier) {
-            modes.setVelocityMultiplier(((SetVelocityMultiplier) command).multiplier());
+            modes.path().setVelocityMultiplier(((SetVelocityMultiplier) command).multiplier());
         } else if (command instanceof SetLostLinkAction) {
             lostLinkAction = ((SetLostLinkAction) command).action();
         } else {

@@ -1,6 +1,8 @@
 package org.sami.boat.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.boat.server.BoatsInModes.PATH;
+import static org.sami.boat.server.BoatsInModes.boatIn;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,17 +26,13 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.StartWaypoints;
-import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
-import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.ServerTestBench.Client;
 
 /** What a boat does by itself when its commander's link is lost: every action that can be set, in every mode. */
 class LostLinkTest {
-    private static final List<Waypoint> PATH = List.of(new Waypoint(45.01, 10, 1.5));
-
     /** How a link ends: nothing comes any more, or the socket closes. */
     enum End {
         SILENT,
@@ -51,30 +49,6 @@ class LostLinkTest {
             }
         }
         return rows.stream();
-    }
-
-    /** 50 m north of home, looking north, in a mode. */
-    private static Client boatIn(BoatMode mode, ServerTestBench bench) {
-        bench.vehicle.northM = 50;
-        Client client = bench.commander();
-        client.command(new UploadWaypoints("u", "l1", PATH));
-        switch (mode) {
-            case PATH -> client.command(new StartWaypoints("g", "l1", 0));
-            case HOLD -> client.command(new HoldPosition("h"));
-            case TELEOPERATION -> client.say(new Teleoperate(0.4, 0));
-            case FLEET_STOP -> client.command(new FleetStop("f"));
-            case RETURN -> { // as an earlier lost link has left it
-                client.command(new StartWaypoints("g", "l1", 0));
-                client.command(new SetLostLinkAction("before", LostLinkAction.RETURN));
-                client.session.closed(bench.nowMs);
-                client = bench.commander();
-            }
-            case STOPPED -> { // on its way before: a boat that nobody has moved is moved by no lost link
-                client.command(new StartWaypoints("g", "l1", 0));
-                client.command(new StopMotors("s"));
-            }
-        }
-        return client;
     }
 
     private static BoatMode expected(BoatMode before, LostLinkAction action) {
