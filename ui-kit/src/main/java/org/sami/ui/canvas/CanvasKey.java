@@ -21,7 +21,7 @@ public interface CanvasKey {
     /** What it does, in a few words. */
     String label();
 
-    /** The keys, the first is the one that is told. */
+    /** The keys, the first is the one shown in help and menus. */
     List<KeyStroke> strokes();
 
     /** Its stable id, that of its command: {@code map-zoom-in}. */

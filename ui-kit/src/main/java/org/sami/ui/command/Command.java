@@ -17,7 +17,7 @@ import org.sami.ui.look.Icons;
  * Something that a person can have a window do, as a Swing action: buttons, menus, keys and the command search all run the same one. On the
  * event thread.
  *
- * <p>Whether it can be run is asked anew by {@link #refresh}, and when it is run; where it cannot, its tooltip says why.
+ * <p>{@link #refresh} and each run check again whether it can be run; where it cannot, its tooltip says why.
  */
 public final class Command extends AbstractAction {
     private final String id;
@@ -183,7 +183,7 @@ public final class Command extends AbstractAction {
         return locked.or(whyNot);
     }
 
-    /** Asks anew whether it can be run. */
+    /** Asks again whether it can be run. */
     public void refresh() {
         Optional<String> reason = whyNot();
         setEnabled(reason.isEmpty());

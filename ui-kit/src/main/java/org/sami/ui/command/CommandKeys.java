@@ -37,7 +37,7 @@ public final class CommandKeys implements AutoCloseable {
     /**
      * Lets keys run commands until the result is closed.
      *
-     * @param refused is told, in one line, why the key of a command did nothing
+     * @param refused receives, in one line, why the key of a command did nothing
      */
     public static CommandKeys install(CommandRegistry commands, Consumer<String> refused) {
         CommandKeys keys = new CommandKeys(commands, refused);

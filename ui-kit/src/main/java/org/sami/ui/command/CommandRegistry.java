@@ -79,7 +79,7 @@ public final class CommandRegistry {
         return Optional.ofNullable(keys.get(key)).filter(command -> !command.isHidden());
     }
 
-    /** Asks all commands anew whether they can be run: to be called when what they depend on has changed. */
+    /** Asks all commands again whether they can be run: to be called when what they depend on has changed. */
     public void refresh() {
         commands.values().forEach(Command::refresh);
     }

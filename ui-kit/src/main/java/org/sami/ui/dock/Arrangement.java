@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * How panels lie in a window, as the program wants it first: each beside, below or behind one that is placed already. Some are folded to the
+ * The program's first arrangement of panels in a window: each to the side of, below or behind one that is placed already. Some are folded to the
  * edge at first: they have a place, and take it when they are opened. Immutable.
  */
 public final class Arrangement {
@@ -70,7 +70,7 @@ public final class Arrangement {
     }
 
     /**
-     * Where a panel takes its place beside those that have theirs: behind one of its stack, else where its stack lies. Empty where it is the
+     * Where a panel is placed among those that are placed already: behind one of its stack, else where its stack lies. Empty where it is the
      * first one, or none of those that it lies at has a place.
      */
     Optional<Step> home(String panel, Predicate<String> isPlaced) {

@@ -7,7 +7,7 @@ import java.util.Set;
 import org.sami.ui.look.Look;
 
 /**
- * The arrangements that a program has for its panels: one for windows with room, one with fewer panels beside one another for small windows
+ * The arrangements that a program has for its panels: one for windows with room, one with fewer panels side by side for small windows
  * and large letters, one with fewer still for the smallest. Immutable.
  *
  * @param leastRoomy how large the area of the panels has to be for the roomy one, in pixels at 100 %

@@ -18,7 +18,7 @@ final class ComponentWatch extends ContainerAdapter {
     /**
      * Tells each component below one, and that one, once; each that is added later as it is added.
      *
-     * @param found is told of it
+     * @param found receives it
      */
     static void on(Component component, Consumer<Component> found) {
         new ComponentWatch(found).look(component);

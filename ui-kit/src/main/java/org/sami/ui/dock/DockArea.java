@@ -253,7 +253,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         }
     }
 
-    /** Gives a folded panel its place beside the others. */
+    /** Puts a folded panel back among the others. */
     private void place(DockPanel panel) {
         fitting()
                 .home(panel.getPersistentID(), Docking::isDocked)
@@ -304,7 +304,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         });
     }
 
-    /** The panel that has all the room; empty where panels lie beside one another. */
+    /** The panel that has all the room; empty where panels lie side by side. */
     public Optional<String> alone() {
         return alone.map(DockPanel::getPersistentID);
     }

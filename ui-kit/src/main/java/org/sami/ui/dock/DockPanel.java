@@ -64,7 +64,7 @@ public final class DockPanel extends JPanel implements Dockable {
         return first;
     }
 
-    /** What it shows, for whoever shows it elsewhere for a while. */
+    /** Its content, for code that shows it elsewhere for a while. */
     JComponent content() {
         return content;
     }

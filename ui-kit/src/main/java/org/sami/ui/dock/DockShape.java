@@ -8,7 +8,7 @@ import io.github.andrewauclair.moderndocking.layouts.DockingTabPanelNode;
 import java.util.stream.Collectors;
 import javax.swing.JSplitPane;
 
-/** Which panels lie beside, below and behind one another, without their sizes: a person who has moved a panel has made another shape. */
+/** Which panels lie side by side, below and behind one another, without their sizes: a person who has moved a panel has made another shape. */
 final class DockShape {
     private DockShape() {}
 

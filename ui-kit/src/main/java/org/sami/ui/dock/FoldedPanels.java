@@ -56,7 +56,7 @@ final class FoldedPanels {
      * @param area which lays them out
      * @param unfold puts all panels back
      * @param focusLarge gives the focus back to the large panel
-     * @param pressed is told whose button was pressed
+     * @param pressed receives whose button was pressed
      * @param keyOf the key that shows a panel, in words; empty text where it has none
      */
     FoldedPanels(
@@ -71,7 +71,7 @@ final class FoldedPanels {
         this.keyOf = keyOf;
         strip.setName("folded-panels");
         open.setName("folded-open");
-        JButton back = button("layout", "panels-unfold", "Put the panels back beside it");
+        JButton back = button("layout", "panels-unfold", "Put the panels back next to it");
         back.addActionListener(e -> unfold.run());
         strip.add(back, "w 36!, h 36!");
         JPanel head = new JPanel(new MigLayout("novisualpadding, insets 0 8 0 2, fill", "[grow, fill][]", "[fill]"));

@@ -150,7 +150,7 @@ final class PaneKeeper extends ComponentAdapter {
         move(placeIn(size));
     }
 
-    /** Moves the divider; not beyond the pane, whose layout would take it back: a pane that is to become larger is shown anew as it does. */
+    /** Moves the divider; not beyond the pane, whose layout would take it back: a pane that is to become larger is shown again as it does. */
     void move(int place) {
         if (size > 0 && place <= free()) {
             moving = true;

@@ -28,7 +28,7 @@ final class SplitProportions {
     /**
      * Keeps the proportions of all split panes below a component, and of those that are added to it later.
      *
-     * @param moved is told when somebody has moved a divider
+     * @param moved is called when somebody has moved a divider
      */
     static SplitProportions keep(Component component, Runnable moved) {
         SplitProportions all = new SplitProportions(component, moved);
@@ -126,7 +126,7 @@ final class SplitProportions {
         }
     }
 
-    /** The uppermost pane of the column that a pane is in; the pane itself where its sides lie beside one another. */
+    /** The uppermost pane of the column that a pane is in; the pane itself where its sides lie side by side. */
     private PaneKeeper top(PaneKeeper keeper) {
         PaneKeeper top = keeper;
         for (Container at = keeper.pane().getParent(); at != null && at != area; at = at.getParent()) {

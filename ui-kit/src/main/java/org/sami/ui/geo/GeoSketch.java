@@ -18,7 +18,7 @@ import org.sami.spn.value.Value;
  * A point, list of points, path or area while it is drawn: each change can be undone. What it will become is {@link #value}, and why it
  * is not one yet {@link #problem}. An area keeps the holes that it came with.
  *
- * <p>Used by one thread, a window's event thread. Listeners are told after each change, also of the selection.
+ * <p>Used by one thread, a window's event thread. Listeners are called after each change, also of the selection.
  */
 public final class GeoSketch {
     private record State(List<GeoPoint> points, List<List<GeoPoint>> holes) {}
@@ -227,7 +227,7 @@ public final class GeoSketch {
         return Optional.empty();
     }
 
-    /** Adds somebody who is told after each change. */
+    /** Adds a listener that is called after each change. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
     }

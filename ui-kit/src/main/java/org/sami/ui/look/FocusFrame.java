@@ -13,7 +13,7 @@ public final class FocusFrame {
 
     private FocusFrame() {}
 
-    /** Has a component painted anew when the focus comes to it or leaves it; it paints the line itself. */
+    /** Has a component repainted when the focus comes to it or leaves it; it paints the line itself. */
     public static void watch(JComponent component) {
         component.addFocusListener(new FocusListener() {
             @Override

@@ -24,7 +24,7 @@ public final class Fonts {
         return sans(Font.BOLD, TEXT);
     }
 
-    /** What stands beside running text, 12 px: no text is smaller at 100 %. */
+    /** Secondary text next to running text, 12 px: no text is smaller at 100 %. */
     public static Font small() {
         return sans(Font.PLAIN, SMALL);
     }

@@ -6,7 +6,7 @@ import javax.swing.Icon;
 import org.sami.palette.SemanticColor;
 
 /**
- * The icons: one family, drawn on 24 by 24 with lines two wide, in the colour of text. They stand as SVG in {@code icons} beside this class and
+ * The icons: one family, drawn on 24 by 24 with lines two wide, in the colour of text. They are SVG files in {@code icons}, next to this class and
  * follow theme and scale.
  */
 public final class Icons {
@@ -15,7 +15,7 @@ public final class Icons {
 
     private Icons() {}
 
-    /** An icon beside text.
+    /** An icon next to text.
      *
      * @throws IllegalArgumentException if there is none of this name
      */

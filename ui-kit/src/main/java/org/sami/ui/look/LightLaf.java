@@ -2,7 +2,7 @@ package org.sami.ui.look;
 
 import com.formdev.flatlaf.FlatLightLaf;
 
-/** Light grey surfaces, one blue accent. What it changes stands in the file of its name beside it. */
+/** Light grey surfaces, one blue accent. Its changes are in the properties file of the same name. */
 public final class LightLaf extends FlatLightLaf {
     @Override
     public String getName() {

@@ -13,7 +13,7 @@ import org.sami.palette.Theme;
 /**
  * The theme and the scale of all windows, which can change while they are open. On the event thread.
  *
- * <p>Painted components ask {@link SemanticColor}, {@link Fonts} and {@link #px} anew each time that they paint; those that keep what they
+ * <p>Painted components ask {@link SemanticColor}, {@link Fonts} and {@link #px} again each time that they paint; those that keep what they
  * asked register a listener.
  */
 public final class Look {
@@ -112,12 +112,12 @@ public final class Look {
         return Math.round(logical * scalePercent / 100f);
     }
 
-    /** Is told after theme or scale have changed. */
+    /** Calls a listener after theme or scale have changed. */
     public static void addListener(Runnable listener) {
         LISTENERS.add(listener);
     }
 
-    /** Is told no longer. */
+    /** Removes a listener. */
     public static void removeListener(Runnable listener) {
         LISTENERS.remove(listener);
     }

@@ -11,7 +11,7 @@ import org.sami.palette.IdentityMark;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
 
-/** A proxy's mark as an icon, beside its name. */
+/** A proxy's mark as an icon, next to its name. */
 public final class MarkIcon implements Icon {
     private static final int SIZE = 14;
     private final IdentityMark mark;

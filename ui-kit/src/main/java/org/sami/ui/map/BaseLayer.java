@@ -11,7 +11,7 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.map.base.BaseSource;
 import org.sami.ui.map.base.NamedPoint;
 
-/** A base map as a layer of a map view: images of tiles, and beside its named points their names. */
+/** A base map as a layer of a map view: images of tiles, and the names of its named points next to them. */
 final class BaseLayer extends MapLayer {
     private static final int MOST_NAMES = 150; // in sight; more would hide the map
     private static final double DOT = 3;
@@ -25,7 +25,7 @@ final class BaseLayer extends MapLayer {
      *
      * @param owns whether it closes the base map in the end; else another map view does
      * @param looked is run when tiles are asked for or have come
-     * @param problems is told in one line what is wrong with a tile
+     * @param problems receives, in one line, what is wrong with a tile
      */
     BaseLayer(String id, Path file, BaseSource source, boolean owns, Runnable looked, Consumer<String> problems) {
         super(id, source.name());

@@ -17,7 +17,7 @@ import org.sami.ui.map.base.MbTiles;
 import org.sami.ui.map.base.OutlineSource;
 
 /**
- * Opens files of base maps beside the event thread, and hands over there what they hold or what is wrong with them. A file may take its time, or
+ * Opens files of base maps off the event thread, and hands over there what they hold or what is wrong with them. A file may take its time, or
  * never be read: nobody waits for it, and it can be left. On the event thread.
  */
 final class BaseMapLoader {
@@ -45,7 +45,7 @@ final class BaseMapLoader {
      * A loader that reads nothing yet.
      *
      * @param sources is handed what was read
-     * @param problems is told in one line what is wrong with a file
+     * @param problems receives, in one line, what is wrong with a file
      * @param changed is run when a file is begun, was read or was left
      */
     BaseMapLoader(BiConsumer<Path, BaseSource> sources, BiConsumer<Path, String> problems, Runnable changed) {

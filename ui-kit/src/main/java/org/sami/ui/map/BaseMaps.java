@@ -48,7 +48,7 @@ final class BaseMaps {
     /**
      * The base maps of a canvas, which has none yet.
      *
-     * @param problems is told in one line what is wrong with a file
+     * @param problems receives, in one line, what is wrong with a file
      * @param changed is run when there are others, or others are shown
      */
     BaseMaps(MapCanvas canvas, Consumer<String> problems, Runnable changed) {
@@ -64,7 +64,7 @@ final class BaseMaps {
         canvas.add(note, "pos 12 12, wmax 100%-24");
     }
 
-    /** Reads a file beside the event thread and shows it then. */
+    /** Reads a file off the event thread and shows it then. */
     void open(Path file) {
         loader.open(file);
     }

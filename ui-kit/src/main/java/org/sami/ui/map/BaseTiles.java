@@ -44,7 +44,7 @@ final class BaseTiles implements AutoCloseable {
      * @param owns whether it closes the source in the end
      * @param come is run when tiles have come
      * @param asked is run when a tile is asked for and none was waited for; while painting, so it paints nothing
-     * @param problems is told once, in one line, when the source fails
+     * @param problems receives one line, once, when the source fails
      */
     BaseTiles(BaseSource source, boolean owns, Runnable come, Runnable asked, Consumer<String> problems) {
         this.source = source;
@@ -197,7 +197,7 @@ final class BaseTiles implements AutoCloseable {
         tiles.values().removeIf(StoredTile::isAnswered);
     }
 
-    /** Reads no more tiles, leaves one that is being read, and closes a source that it owns, beside the event thread. */
+    /** Reads no more tiles, leaves one that is being read, and closes a source that it owns, off the event thread. */
     @Override
     public void close() {
         reader.close();

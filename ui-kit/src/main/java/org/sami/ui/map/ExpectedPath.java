@@ -10,7 +10,7 @@ import org.sami.spn.value.GeoPoint;
  *
  * @param id stable, unique among paths
  * @param mark its vehicle's
- * @param text what is written beside it, in a few words
+ * @param text the label next to it, in a few words
  */
 public record ExpectedPath(String id, IdentityMark mark, List<GeoPoint> points, String text) {
     public ExpectedPath {

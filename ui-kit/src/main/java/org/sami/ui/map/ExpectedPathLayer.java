@@ -9,7 +9,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 
-/** Paths on which vehicles are expected: long dashes on a light ground, a ring at the end, and beside the longest leg what it is. */
+/** Paths on which vehicles are expected: long dashes on a light ground, a ring at the end, and a label next to the longest leg. */
 public final class ExpectedPathLayer extends MapLayer {
     private static final double RING_PX = 7;
     private static final double REACH_PX = 6;

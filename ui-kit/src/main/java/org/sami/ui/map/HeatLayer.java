@@ -11,7 +11,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 
-/** A heat map with its legend; the value under the pointer is said. The scale goes from violet to yellow, darker is less. */
+/** A heat map with its legend; the value under the pointer is shown. The scale goes from violet to yellow, darker is less. */
 public final class HeatLayer extends MapLayer {
     /** Lightness rises evenly along the scale, so that it is read without colours too. */
     private static final Color[] SCALE = {

@@ -92,7 +92,7 @@ final class MapCanvas extends JXMapViewer {
         repaint();
     }
 
-    /** What is said. */
+    /** The lines of text on the map. */
     String said() {
         return message.text();
     }
@@ -252,7 +252,7 @@ final class MapCanvas extends JXMapViewer {
                 .collect(Collectors.joining(" · "));
     }
 
-    /** No name is written over the scale, or half beside the map. */
+    /** No name is written over the scale, or partly outside the map. */
     private void reserve() {
         int w = getWidth();
         int h = getHeight();

@@ -90,7 +90,7 @@ public abstract class MapLayer {
         return Optional.empty();
     }
 
-    /** What is to be said of a pixel in one line, such as a value with its unit; none where there is nothing to say. */
+    /** One line about a pixel, such as a value with its unit; none where there is nothing to show. */
     public Optional<String> textAt(MapFrame frame, double px, double py) {
         return Optional.empty();
     }

@@ -9,7 +9,7 @@ import java.util.List;
 import org.sami.palette.SemanticColor;
 
 /**
- * One line to whoever works on the map, on a plate at its lower edge: beside the scale, where nothing that lies in the middle is hidden below it; above
+ * One line to the user of the map, on a plate at its lower edge: next to the scale, where nothing that lies in the middle is hidden below it; above
  * the scale where there is no room, and broken into several lines where the map is narrow. It hides no more than a part of a low map: what has no room ends
  * in dots.
  */
@@ -24,12 +24,12 @@ final class MapMessage {
     private boolean problem;
     private boolean free = true;
 
-    /** Whether nothing else stands in the lower right corner, such as whom to name for a base map. */
+    /** Whether the lower right corner is free of other text, such as a base map's attribution. */
     void setFree(boolean lowerRight) {
         free = lowerRight;
     }
 
-    /** Says something instead of what was said before; empty text says nothing. */
+    /** Replaces the message; empty text removes it. */
     void say(String text, boolean problem) {
         this.text = text;
         this.problem = problem;

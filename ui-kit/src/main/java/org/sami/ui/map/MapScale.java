@@ -70,7 +70,7 @@ final class MapScale {
         return value - by * Math.floor(value / by);
     }
 
-    /** The scale in the lower left corner with north beside it, and whom to name for the base map. */
+    /** The scale in the lower left corner with north next to it, and the base map's attribution. */
     void paint(MapPaint paint, String attribution) {
         paint.font(MapPaint.PLAIN);
         Graphics2D g = paint.g();

@@ -15,7 +15,7 @@ final class MapSurface implements CanvasMouse.Surface<MapPointer> {
     /**
      * Makes the surface of a map.
      *
-     * @param pointing is told where the pointer is; nowhere when it has left
+     * @param pointing receives the pointer's position; empty when it has left
      */
     MapSurface(MapCanvas canvas, Consumer<Optional<MapPointer>> pointing) {
         this.canvas = canvas;

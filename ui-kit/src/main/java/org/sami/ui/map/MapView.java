@@ -160,9 +160,9 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     /**
-     * Opens a base map beside the event thread: raster tiles (.mbtiles), or outlines (.geojson, .json). It becomes a layer below
+     * Opens a base map off the event thread: raster tiles (.mbtiles), or outlines (.geojson, .json). It becomes a layer below
      * all others. A file that takes its time is named on the map until it is read or left ({@link #stopReading}). What is wrong with
-     * the file is shown on the map and told to listeners.
+     * the file is shown on the map and reported to listeners.
      */
     public void openBaseMap(Path file) {
         base.open(file);
@@ -202,7 +202,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     /**
-     * Says a line on the map whenever nothing else is said there, such as what a click does now; behind what a sketch still lacks.
+     * Shows a line on the map while no other is shown there, such as what a click does now; behind what a sketch still lacks.
      *
      * @param text empty for none
      */
@@ -222,7 +222,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         canvas.say(text.isEmpty() ? hint : text, problem && !text.isEmpty());
     }
 
-    /** What was said of a file has been read by whoever works on the map; it stays in notices and in the list of base maps. */
+    /** The user has read the message about a file: it stays in notices and in the list of base maps. */
     private void leaveProblem() {
         if (canvas.said().equals(problemSaid)) {
             say("", false);
@@ -238,7 +238,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     /**
      * Lets the operator draw or change something until {@link #stopEditing}, or until somebody ends it.
      *
-     * @param ended is told whether what was drawn is kept (Enter, double click) or not (Escape); the map has stopped editing then
+     * @param ended receives whether what was drawn is kept (Enter, double click) or not (Escape); the map has stopped editing then
      */
     public void edit(GeoSketch sketch, Consumer<Boolean> ended) {
         stopEditing();

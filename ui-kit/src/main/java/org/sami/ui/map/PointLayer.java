@@ -22,7 +22,7 @@ public final class PointLayer extends MapLayer {
      * A point with a name.
      *
      * @param id stable, unique in the layer
-     * @param name what stands beside it; empty text where nothing does
+     * @param name the label next to it; empty text for none
      */
     public record MapPoint(String id, String name, GeoPoint at) {}
 

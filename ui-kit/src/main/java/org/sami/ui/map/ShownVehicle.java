@@ -8,7 +8,7 @@ import org.sami.spn.value.GeoPoint;
  * A vehicle as it is shown on a map.
  *
  * @param id stable, unique among vehicles
- * @param shortName what stands beside it
+ * @param shortName the label next to it
  * @param mark its identity's
  * @param headingRad where its bow points, clockwise from true north
  * @param courseRad where it moves, clockwise from true north
@@ -28,7 +28,7 @@ public record ShownVehicle(
         double ageS,
         String age,
         boolean selected) {
-    /** From this age on in seconds a position is not to be taken for the present one. */
+    /** From this age on, in seconds, a position is out of date. */
     public static final double STALE_S = 3.5;
 
     /** A vehicle whose age is written in whole seconds. */

@@ -15,7 +15,7 @@ import org.sami.ui.look.Look;
  * Small pictures that are painted again and again: hulls, dots, names. Each is painted once in the pixels of the screen and kept until theme
  * or scale change; copying it costs a fiftieth of painting it. For the event thread.
  *
- * @param <K> tells one picture from another, apart from theme and scale
+ * @param <K> identifies a picture within one theme and scale
  */
 final class Sprites<K> {
     private static final int MOST = 2000;
@@ -57,10 +57,10 @@ final class Sprites<K> {
     }
 
     /**
-     * The picture of a key, for whoever paints with these graphics.
+     * The picture of a key, for these graphics.
      *
      * @param width in logical pixels, as the height
-     * @param painter paints it anew, from the left upper corner on
+     * @param painter paints it, from the left upper corner on, when it has to be renewed
      */
     Sprite get(Graphics2D g, K key, double width, double height, Consumer<Graphics2D> painter) {
         Style now =

@@ -21,7 +21,7 @@ final class StillImage {
      * Paints it from the upper left corner on.
      *
      * @param what all that it depends on; where it equals that of the last time, the kept image is painted
-     * @param painter paints it anew
+     * @param painter paints it when it has to be renewed
      */
     void paint(Graphics2D g, Object what, int width, int height, Consumer<Graphics2D> painter) {
         AffineTransform transform = g.getTransform();

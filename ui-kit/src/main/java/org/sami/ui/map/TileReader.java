@@ -109,7 +109,7 @@ final class TileReader implements AutoCloseable {
         taker.accept(come);
     }
 
-    /** Leaves what is being read, and closes a source that it owns, both beside the caller's thread. On the event thread, as asking is. */
+    /** Leaves what is being read, and closes a source that it owns, both off the caller's thread. On the event thread, as asking is. */
     @Override
     public void close() {
         asked.clear();

@@ -117,7 +117,7 @@ public final class TrackLayer extends MapLayer {
                 }));
     }
 
-    /** On imagery the oldest part is fainter by less: its casing has to be told from it. */
+    /** On imagery the oldest part is fainter by less, so that it stays distinct from its casing. */
     private static Color shade(MapPaint paint, Shown shown, int shade) {
         double alpha = paint.imagery() ? 0.7 + 0.3 * shade / SHADES : 0.15 + 0.6 * shade / SHADES;
         return Painting.alpha(shown.track().mark().color(), alpha);

@@ -13,8 +13,8 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.map.Sprites.Sprite;
 
 /**
- * Writes the names of vehicles, each beside its hull where it hides nothing, or a little away with a line to it. A name that would hide
- * others wherever it stands is left out until somebody looks nearer. A name is never dimmed: where other things are spoken of it is written
+ * Writes the names of vehicles, each next to its hull where it hides nothing, or a little away with a line to it. A name that would hide
+ * others at every position is left out until the map is zoomed in. A name is never dimmed: where other things are highlighted it is written
  * in the colour of less weight, so that each boat is still known. The names of vehicles that are chosen, spoken of or silent are
  * always written, and have the first choice.
  */

@@ -103,7 +103,7 @@ final class FarNames {
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, LETTERS_PX).deriveFont((float) (LETTERS_PX * unit)));
         for (Name name : of(unit, scene, marking, light, shown, frames)) {
             DrawingBox box = name.box();
-            g.setColor(translucent(frames.below(box))); // lines are not to be read through the name
+            g.setColor(translucent(frames.below(box))); // lines must not show through the name
             g.fill(new Rectangle2D.Double(box.x(), box.y(), box.width(), box.height()));
             g.setColor(SemanticColor.TEXT.get());
             double top = box.y();

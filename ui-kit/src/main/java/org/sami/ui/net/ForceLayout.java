@@ -28,7 +28,7 @@ public final class ForceLayout {
     /**
      * The centres of all vertices, in drawing units.
      *
-     * @param drawing of the plan, wherever they lie now
+     * @param drawing of the plan, with the present positions
      * @param cancelled is asked again and again, on the caller's thread
      * @throws CancellationException when it was cancelled
      */

@@ -15,7 +15,7 @@ public enum NetChange {
         this.sign = sign;
     }
 
-    /** The sign that stands beside it, so that no one has to tell colours apart. */
+    /** The sign next to it, so that nobody depends on colours. */
     public String sign() {
         return sign;
     }

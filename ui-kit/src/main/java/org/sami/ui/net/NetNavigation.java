@@ -101,7 +101,7 @@ final class NetNavigation {
                 .ifPresent(this::showAmidstNet);
     }
 
-    /** Shows a box in the middle, or as near to it as shows nothing beside the net while a part of the net is hidden. */
+    /** Shows a box in the middle, or as near to it as possible without showing space outside the net while a part of the net is hidden. */
     private void showAmidstNet(DrawingBox box) {
         DrawingBox net = view.scene().shownBounds().union(box).grown(NET_MARGIN_PX / viewport.scale());
         Rectangle2D shown = viewport.shown();
@@ -110,7 +110,7 @@ final class NetNavigation {
                 middle(box.y() + box.height() / 2, shown.getHeight(), net.y(), net.maxY()));
     }
 
-    /** The middle of what is shown of a range, as near to a point of it as shows nothing beside the range; the range's own where all of it has room. */
+    /** The middle of the shown part of a range, as near to a point of it as possible without showing space outside the range; the range's own middle where all of it has room. */
     private static double middle(double point, double shown, double from, double to) {
         return to - from <= shown ? (from + to) / 2 : Math.max(from + shown / 2, Math.min(to - shown / 2, point));
     }

@@ -61,7 +61,7 @@ final class NetPainter {
         for (Edge edge : edges) {
             edge(g, edge, light, strokes);
         }
-        if (words) { // a line that crosses a text is not to be read through it
+        if (words) { // a line that crosses a text must not show through it
             for (Label label : scene.labels()) {
                 if (clip.intersects(label.box())) {
                     g.setColor(frames.below(label.box()));
@@ -191,7 +191,7 @@ final class NetPainter {
         }
     }
 
-    /** A stroke through what is left out while the plan is tried; "disabled" stands beside it. */
+    /** A stroke through an element that is left out while the plan is tried; "disabled" is written next to it. */
     private static void disabled(Graphics2D g, Vertex vertex, double reach, NetStrokes strokes) {
         if (vertex.disabled()) {
             double x = vertex.centre().x();
@@ -260,7 +260,7 @@ final class NetPainter {
         return label.text().lines().get(0).style() == TextStyle.MISSING;
     }
 
-    /** The mark of an edge that nobody has said anything of yet. */
+    /** The mark of an edge without any requirement yet. */
     private static void missing(Graphics2D g, DrawingBox box) {
         double x = box.x() + box.width() / 2;
         double y = box.y() + box.height() / 2;

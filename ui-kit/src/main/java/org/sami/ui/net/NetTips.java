@@ -13,7 +13,7 @@ import org.sami.spn.naming.ElementNames;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** What is said of an element while the pointer rests on it, a line for each thing. */
+/** The tooltip of an element, one line for each statement. */
 final class NetTips {
     private static final int MOST_TOKENS = 12;
 

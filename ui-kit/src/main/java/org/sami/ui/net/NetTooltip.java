@@ -9,7 +9,7 @@ import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.protocol.Token;
 
-/** What is said of the vertex or edge under the pointer: of the plan, of its tokens, and why it does not fire. On the event thread. */
+/** The tooltip of the vertex or edge under the pointer: its part in the plan, its tokens, and why it does not fire. On the event thread. */
 final class NetTooltip {
     private static final double REACH = 4; // of an edge, in drawing units
 
@@ -26,7 +26,7 @@ final class NetTooltip {
         this.tokenName = tokenName;
     }
 
-    /** What is said at a point of the drawing; empty where nothing lies there. */
+    /** The tooltip at a point of the drawing; empty where nothing lies there. */
     Optional<String> at(Point2D point, NetScene scene, NetContent content, NetMarking marking) {
         String id = scene.vertexAt(point.getX(), point.getY(), 0)
                 .map(Vertex::id)

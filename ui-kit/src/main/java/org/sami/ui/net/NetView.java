@@ -94,7 +94,7 @@ public final class NetView extends JPanel {
     }
 
     /**
-     * Shows a plan as it was drawn elsewhere, such as beside the event thread. Another version of the plan that is shown keeps view
+     * Shows a plan as it was drawn elsewhere, such as off the event thread. Another version of the plan that is shown keeps view
      * and selection.
      */
     public void show(Plan plan, Vocabulary vocabulary, NetDrawing drawing) {
@@ -125,7 +125,7 @@ public final class NetView extends JPanel {
         viewer.repaint();
     }
 
-    /** How wide a text will be on a net, for whoever draws a plan elsewhere. */
+    /** How wide a text will be on a net, for code that draws a plan elsewhere. */
     public static double textWidth(String text, TextStyle style) {
         return NetFonts.width(text, style);
     }

@@ -24,7 +24,7 @@ final class NetViewer extends VisualizationViewer<String, String> {
      * Makes a viewer of an empty net.
      *
      * @param painting paints with a graphics in drawing units, and so many pixels for one
-     * @param tips what is said of what lies under the pointer; null where nothing is
+     * @param tips the tooltip of the element under the pointer; null for none
      */
     NetViewer(BiConsumer<Graphics2D, Double> painting, Function<MouseEvent, String> tips) {
         super(new StaticLayout<>(new DirectedSparseMultigraph<>(), new Dimension(1, 1)), new Dimension(600, 400));

@@ -1,5 +1,5 @@
 /**
- * The net of a plan, on JUNG, for whoever watches missions and whoever writes plans.
+ * The net of a plan, on JUNG, for watching missions and for writing plans.
  *
  * <p>Belongs here: what of a net is shown and how it is painted, with tokens, firing and selection; {@link org.sami.ui.net.NetScene} and
  * {@link org.sami.ui.net.NetMarking} know no Swing. Does not belong here: where things lie and what is written

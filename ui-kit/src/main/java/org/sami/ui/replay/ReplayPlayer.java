@@ -12,7 +12,7 @@ import org.sami.ui.EventThread;
 
 /**
  * Keeps a replay at the moment that a person wants: while it plays, by this machine's clock. The moment is computed on the replay's thread, one at
- * a time; of those that are wanted meanwhile the last counts. On the event thread.
+ * a time; of the moments requested meanwhile the last counts. On the event thread.
  */
 public final class ReplayPlayer {
     private static final int PERIOD_MS = 50;
@@ -55,17 +55,17 @@ public final class ReplayPlayer {
         return timeLine;
     }
 
-    /** The moment that is wanted, the speed, and whether it plays. */
+    /** The requested moment, the speed, and whether it plays. */
     public Playback playback() {
         return playback;
     }
 
-    /** Whether the moment that is shown is not yet the one that is wanted. */
+    /** Whether the shown moment is not yet the requested one. */
     public boolean isComputing() {
         return under;
     }
 
-    /** Is told when the moment, the speed, or whether it plays has changed. */
+    /** Calls a listener when the moment, the speed, or whether it plays has changed. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
     }

@@ -63,7 +63,7 @@ public final class FileSheet {
      */
     public void open(Component inside, Consumer<Path> chosen) {
         Object before = UIManager.get(READ_ONLY);
-        UIManager.put(READ_ONLY, true); // else a new folder that cannot be made is told in a modal dialog
+        UIManager.put(READ_ONLY, true); // otherwise a failure to make a new folder opens a modal dialog
         JFileChooser chooser = new JFileChooser(folder.map(Path::toFile).orElse(null));
         UIManager.put(READ_ONLY, before);
         chooser.setName(name + "-chooser");

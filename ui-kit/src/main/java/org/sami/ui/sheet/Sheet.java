@@ -39,7 +39,7 @@ public record Sheet(
         return new Sheet(name, title, content, over, passes, closed);
     }
 
-    /** The same, with somebody who is told when it was closed. */
+    /** The same, with a listener that is called when it was closed. */
     public Sheet whenClosed(Runnable told) {
         return new Sheet(name, title, content, over, passing, told);
     }

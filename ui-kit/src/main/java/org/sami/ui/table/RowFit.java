@@ -101,7 +101,7 @@ final class RowFit<R> {
         return RowCell.height(table, Math.min(mostLines, linesNeeded));
     }
 
-    /** Whether rows that follow one another are seen together wherever the view is, as many as are to be seen. */
+    /** Whether the required number of neighbouring rows is visible together at every position of the view. */
     private boolean areEnoughSeen(int[] lines) {
         int together = Math.min(leastSeen, lines.length);
         int heights = 0;

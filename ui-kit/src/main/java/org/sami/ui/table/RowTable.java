@@ -136,7 +136,7 @@ public final class RowTable<R> extends JScrollPane {
         rowFit.showOneLine();
     }
 
-    /** Is as high as all rows, and leaves scrolling to the pane in which it lies: two bars beside one another are one too many. */
+    /** Is as high as all rows, and leaves scrolling to the pane in which it lies: two bars side by side are one too many. */
     public void showAllRows(boolean all) {
         this.all = all;
         revalidate();
@@ -211,7 +211,7 @@ public final class RowTable<R> extends JScrollPane {
         }
     }
 
-    /** Selects what these keys are about, as somebody did it elsewhere; listeners are not told. */
+    /** Selects the rows of these keys, as the user did elsewhere; listeners are not called. */
     public void selectKeys(Set<Object> keys) {
         replacing = true;
         select(keys);
@@ -220,7 +220,7 @@ public final class RowTable<R> extends JScrollPane {
 
     /**
      * Selects what these keys are about, and keeps the first of it in view until the user selects something else or scrolls: also while the table is
-     * given its size. Listeners are not told.
+     * given its size. Listeners are not called.
      */
     public void offer(Set<Object> keys) {
         selectKeys(keys);
@@ -263,7 +263,7 @@ public final class RowTable<R> extends JScrollPane {
         return all;
     }
 
-    /** Is told when the user selects something else. */
+    /** Calls a listener when the user selects something else. */
     public void addSelectionListener(Runnable listener) {
         selectionListeners.add(listener);
     }

@@ -11,8 +11,8 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Look;
 
 /**
- * A table with buttons: below it with their titles, or, where the panel is so low that rows would have no room, beside it as icons. Their
- * components are named by the commands, those beside with {@code -icon} behind.
+ * A table with buttons: below it with their titles, or, where the panel is so low that rows would have no room, next to it as icons. Their
+ * components are named by the commands, the icons with the suffix {@code -icon}.
  */
 public final class TableTools extends JPanel {
     private static final int LOW = 170;

@@ -44,7 +44,7 @@ final class TextLines {
     }
 
     /**
-     * A text in one line that keeps its beginning and, of more letters, its end: names that differ there only are told apart.
+     * A text in one line that keeps its beginning and, of more letters, its end: so names that differ only there stay distinct.
      *
      * @param width in pixels
      */

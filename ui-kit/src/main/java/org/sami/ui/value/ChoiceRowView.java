@@ -10,7 +10,7 @@ import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.MarkIcon;
 
-/** One row of a list of choices: its button, its number, its colour, its name and what is said of it. A click anywhere chooses it. */
+/** One row of a list of choices: its button, its number, its colour, its name and its description. A click anywhere chooses it. */
 final class ChoiceRowView extends JPanel {
     private static final int NUMBERED = 9;
 
@@ -50,7 +50,7 @@ final class ChoiceRowView extends JPanel {
         });
     }
 
-    /** Says this beside its name from now on. */
+    /** Shows this text next to its name from now on. */
     final void showDetail(String text) {
         if (!text.equals(detail.getText())) {
             detail.setText(text);

@@ -89,7 +89,7 @@ public final class FieldsPanel {
         editors.values().forEach(editor -> editor.setEditable(editable));
     }
 
-    /** Adds somebody who is told after each change. */
+    /** Adds a listener that is called after each change. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
     }

@@ -19,7 +19,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
 
 /**
- * A list of choices, one below the other: of which one is chosen, or several with what is said of each (components {@code ChoiceList},
+ * A list of choices, one below the other: of which one is chosen, or several with the description of each (components {@code ChoiceList},
  * {@code ProxyList}, {@code TaskList}, {@code VariableList}, {@code PlanList}). With the widget {@code FilterBar} only the rows are seen
  * that contain something.
  */
@@ -208,7 +208,7 @@ final class ListChooser extends ValueChooser {
         return Entry.of(asList ? new ListValue(values) : values.get(0));
     }
 
-    /** Chooses those that a value names; of what is not offered nothing is chosen. */
+    /** Chooses those that a value names; names that are not offered are ignored. */
     @Override
     protected void display(Value value) {
         List<Value> wanted = asList ? ((ListValue) value).items() : List.of(value);

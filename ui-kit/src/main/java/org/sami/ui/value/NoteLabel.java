@@ -5,7 +5,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 
-/** A line beside or below something that says more of it: small, in a colour by what it means, through all changes of theme and scale. */
+/** A line of explanation next to or below a component: small, in a colour by what it means, through all changes of theme and scale. */
 class NoteLabel extends JLabel {
     NoteLabel(String text) {
         super(text);

@@ -15,7 +15,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.map.MapView;
 
 /**
- * A point, list of points, path or area, drawn on a map of its own or entered as coordinates beside it, or below where there is no room beside:
+ * A point, list of points, path or area, drawn on a map of its own or entered as coordinates next to it, or below it where the panel is narrow:
  * each follows the other. What stands in the text is the value (component {@code Map}).
  */
 final class PlaceEditor extends ValueEditor {
@@ -59,7 +59,7 @@ final class PlaceEditor extends ValueEditor {
         draw();
     }
 
-    /** Puts the text beside the map where both have room there: so it can be seen in a panel that is low. */
+    /** Puts the text next to the map where both have room, so that it is visible in a low panel. */
     private final class Sides extends JPanel {
         private final MigLayout layout = new MigLayout(LAYOUT + ", wrap 1", "[grow,fill]", "[grow,fill][]");
         private boolean beside;

@@ -13,7 +13,7 @@ final class Places {
     /**
      * A path: how many points it has, and how long the way along it is.
      *
-     * @param way on which its robot would go, from where it is; where that is not known, the way from the first point on is said to be that
+     * @param way on which its robot would go, from where it is; where that is not known, the way from the first point on is named as that
      */
     static String pathInWords(GeoPath path, Optional<List<GeoPoint>> way) {
         int count = path.points().size();

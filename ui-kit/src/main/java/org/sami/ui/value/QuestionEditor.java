@@ -128,7 +128,7 @@ public final class QuestionEditor {
                 .orElseGet(() -> fields.missing().map(Entry.Missing::why));
     }
 
-    /** Whether the operator has changed something: such an editor is not to be replaced by another. */
+    /** Whether the operator has changed something: such an editor must not be replaced by another. */
     public boolean isTouched() {
         return single.map(ValueEditor::isTouched).orElseGet(() -> fields.isTouched());
     }
@@ -262,12 +262,12 @@ public final class QuestionEditor {
         }
     }
 
-    /** Adds somebody who is told after each change. */
+    /** Adds a listener that is called after each change. */
     public void addListener(Runnable listener) {
         single.ifPresentOrElse(editor -> editor.addListener(listener), () -> fields.addListener(listener));
     }
 
-    /** Is told when a yes or no was pressed, which is an answer without any further click. */
+    /** Calls a listener when yes or no was pressed, which is an answer without any further click. */
     public void onPressed(Runnable listener) {
         if (single.isPresent() && single.get() instanceof YesNoEditor yesNo) {
             yesNo.onPressed(listener);

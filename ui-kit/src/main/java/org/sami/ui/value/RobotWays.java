@@ -14,7 +14,7 @@ public interface RobotWays {
     /**
      * Finds the way of a robot.
      *
-     * @param found is told the way from where the robot is, at once or later, and again where it becomes better known; never where nothing is known
+     * @param found receives the way from where the robot is, at once or later, and again where it becomes better known; not called where none is known
      */
     void find(String robot, GeoPath path, Consumer<List<GeoPoint>> found);
 }

@@ -14,7 +14,7 @@ import org.sami.spn.value.Value;
 
 /** What solutions have in particular: of each what every entry says, and its picture where there is one. Browsing it chooses nothing. */
 final class SolutionDetails {
-    /** How solutions stand beside one another; the option {@code format} of the markup Selection Options. */
+    /** How solutions are compared side by side; the option {@code format} of the markup Selection Options. */
     enum Format {
         /** One after another, with buttons to go on and back. */
         SEQUENTIAL,

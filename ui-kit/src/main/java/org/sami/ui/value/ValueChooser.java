@@ -17,7 +17,7 @@ public abstract class ValueChooser extends ValueEditor {
     /** Chooses an option as the operator does: of several that may be chosen, one that is chosen already is chosen no longer. */
     public abstract void choose(int option);
 
-    /** Says something else beside an option from now on, where there is room for it. */
+    /** Changes the text next to an option, where there is room for it. */
     void showDetail(int option, String detail) {}
 
     /** Shows options as chosen before the operator has touched anything. */

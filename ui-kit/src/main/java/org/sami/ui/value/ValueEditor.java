@@ -89,12 +89,12 @@ public abstract class ValueEditor {
         tell();
     }
 
-    /** Whether the operator has changed something since a value was last shown: such a field is not to be replaced. */
+    /** Whether the operator has changed something since a value was last shown: such a field must not be replaced. */
     public final boolean isTouched() {
         return touched;
     }
 
-    /** Adds somebody who is told after each change of the entry, on the event thread. */
+    /** Adds a listener that is called after each change of the entry, on the event thread. */
     public final void addListener(Runnable listener) {
         listeners.add(Objects.requireNonNull(listener, "listener"));
     }
@@ -107,7 +107,7 @@ public abstract class ValueEditor {
         }
     }
 
-    /** Leaves it to whoever asks to say what is missing, as the same is not to be read twice. */
+    /** Leaves out what is missing, where the caller shows it: the same text must not appear twice. */
     void leaveMessage() {}
 
     /** Puts the reason at the field after a change; called before the listeners. */

@@ -7,7 +7,7 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
 
 /**
- * What an editor is for: one value, where it belongs and what is said about it.
+ * What an editor is for: one value, its field and its description.
  *
  * @param path where the value belongs, its parts divided by dots, such as {@code boatId.server}; names the components
  * @param label what is written before the field

@@ -49,7 +49,7 @@ final class YesNoEditor extends ValueEditor {
         panel.remove(message);
     }
 
-    /** Is told after the operator has pressed a button, and the entry is what it says. */
+    /** Calls a listener after the operator has pressed a button; the entry has that answer then. */
     void onPressed(Runnable listener) {
         pressed = listener;
     }

@@ -10,7 +10,7 @@ import org.sami.ui.look.Icons;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.window.Notices.Notice;
 
-/** The line that tells what came of the last command, for as long as it is news. It is called {@code notice}. On the event thread. */
+/** The line with the result of the last command, for as long as it is news. Its component name is {@code notice}. On the event thread. */
 public final class NoticeLabel extends JLabel {
     private final transient ShownNotice shown;
     private transient Optional<SemanticColor> ink = Optional.empty();

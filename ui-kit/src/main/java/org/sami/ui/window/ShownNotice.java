@@ -15,7 +15,7 @@ final class ShownNotice {
     private long toldAt;
 
     /**
-     * Nothing was told yet.
+     * Nothing was reported yet.
      *
      * @param nanos a clock that only goes on, in ns
      */
@@ -29,7 +29,7 @@ final class ShownNotice {
         toldAt = nanos.getAsLong();
     }
 
-    /** What is to be shown now; empty where nothing was told, or it has been shown long enough. */
+    /** The notice to show now; empty where none was reported, or it has been shown long enough. */
     Optional<Notice> now() {
         return leftMillis() > 0 ? last : Optional.empty();
     }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** Opens a window for a command, and tells on standard error in one line why that was not possible. */
+/** Opens a window for a command, or prints in one line on standard error why that was not possible. */
 public final class WindowStart {
     private static final int OPENED = 0;
     private static final int USAGE = 2;

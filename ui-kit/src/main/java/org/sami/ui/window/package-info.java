@@ -1,5 +1,5 @@
 /**
- * What a window has beside its panels, whatever they show: settings that are kept, commands of its look, menus of commands, the line that
- * tells what came of a command, the lock of a folder. It knows no panel by name.
+ * The parts of a window other than its panels: saved settings, commands of its look, menus of commands, the line with the result of a
+ * command, the lock of a folder. It knows no panel by name.
  */
 package org.sami.ui.window;

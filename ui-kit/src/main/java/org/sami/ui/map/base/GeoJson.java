@@ -199,7 +199,7 @@ final class GeoJson {
             }
         }
         if (!(Math.abs(lonDeg) <= 180) || !(Math.abs(latDeg) <= 90)) {
-            throw new GeoJsonFault("[" + lonDeg + ", " + latDeg + "] lies beside the world: degrees are wanted"
+            throw new GeoJsonFault("[" + lonDeg + ", " + latDeg + "] is not on the globe: degrees are expected"
                     + " (longitude, latitude, WGS 84); a file in metres has to be converted first");
         }
         into.position(lonDeg, latDeg, depth);

@@ -24,7 +24,7 @@ enum GeometryType {
         return Arrays.stream(values()).filter(type -> type.word.equals(word)).findFirst();
     }
 
-    /** Lines of a depth, where a document has not said yet what they are. */
+    /** Lines of a depth, before the document has named their type. */
     static Optional<GeometryType> linesOf(int depth) {
         return depth < 2 ? Optional.empty() : Optional.of(depth == 2 ? LINE : MULTI_LINE);
     }

@@ -22,7 +22,7 @@ import org.sqlite.SQLiteConfig;
 
 /**
  * Raster tiles in one SQLite file (MBTiles 1.3). Its rows are counted from the south. Reading ends when its thread is interrupted: a
- * table of tiles may be a view that takes for ever.
+ * table of tiles may be a view that takes forever.
  */
 public final class MbTiles implements BaseSource {
     private static final int MOST_LEVEL = 22;
@@ -116,7 +116,7 @@ public final class MbTiles implements BaseSource {
                 connection.close();
             }
         } catch (SQLException e) {
-            // what was wrong with the file is said already
+            // the fault of the file is reported already
         }
     }
 

@@ -19,7 +19,8 @@ public final class OutlineSource implements BaseSource {
     private static final double FINEST_PX = Math.scalb((double) TileKey.PX, 22);
     private static final double COARSER = 8; // from one set of outlines to the next
     private static final double COARSEST_PX = TileKey.PX;
-    private static final double LITTLE = 0.8; // who spares less is not kept beside the finer one
+    private static final double MAX_POINTS_RATIO =
+            0.8; // a level that saves less than a fifth of the points is not kept in addition to the finer one
 
     /** Outlines, and the scale up to which they show all that can be seen. */
     private record Level(double worldPx, Outlines outlines) {}
@@ -69,7 +70,8 @@ public final class OutlineSource implements BaseSource {
             levels.add(new Level(Double.POSITIVE_INFINITY, outlines));
             for (double px = FINEST_PX / COARSER; px >= COARSEST_PX; px /= COARSER) {
                 Outlines simpler = outlines.simplified(px);
-                if (simpler.points() < LITTLE * outlines.points() || simpler.count() < LITTLE * outlines.count()) {
+                if (simpler.points() < MAX_POINTS_RATIO * outlines.points()
+                        || simpler.count() < MAX_POINTS_RATIO * outlines.count()) {
                     levels.add(new Level(px, simpler));
                     outlines = simpler;
                 }

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.locationtech.jts.geom.Envelope;
 
-/** One tile of outlines as it is painted. What lies beside the tile costs a step for each chunk, not for each point. */
+/** One tile of outlines as it is painted. Content outside the tile costs a step for each chunk, not for each point. */
 final class OutlineTile {
     private static final double BESIDE_PX = 4; // as wide as a line is
     private static final double LINE_PX = 1.5;
@@ -74,7 +74,7 @@ final class OutlineTile {
         return work > MapBudget.TILE_POINTS || Thread.currentThread().isInterrupted();
     }
 
-    /** A chunk that lies wholly above, below or beside the tile is as good as the line between its ends: inside of the tile nothing changes. */
+    /** A chunk wholly above, below, left or right of the tile is replaced by the line between its ends: nothing changes inside the tile. */
     private void fill(Graphics2D g, List<Run> rings) {
         Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
         for (Run ring : rings) {
