@@ -26,7 +26,7 @@ final class DreammStart {
     /**
      * Opens it.
      *
-     * @param ended is told when the window was closed
+     * @param ended is called when the window was closed
      */
     static DreammWindow open(DreammOptions options, FirstProject first, AuthorDirectory data, IntConsumer ended)
             throws IOException {

@@ -70,7 +70,7 @@ final class FrameEdits {
                 .toList();
     }
 
-    /** Adds a frame around the selected vertices with their words, or at a point where none is selected; tells its id. */
+    /** Adds a frame around the selected vertices with their words, or at a point where none is selected; returns its id. */
     NetEdits.Made add(Set<String> selection, LayoutPoint at) {
         NetDrawing drawing = net.drawing();
         Optional<DrawingBox> around = drawing.vertices().stream()
@@ -163,7 +163,7 @@ final class FrameEdits {
         return new DrawingBox(frame.x(), frame.y(), Math.max(LEAST, x - frame.x()), Math.max(LEAST, y - frame.y()));
     }
 
-    /** Edits by which frames go on around their vertices when those are laid out anew: with as much room around them as before. */
+    /** Edits by which frames go on around their vertices when those are laid out again: with as much room around them as before. */
     List<Edit> following(Map<String, LayoutPoint> centres) {
         List<Edit> edits = new ArrayList<>();
         for (FrameBox frame : net.drawing().frames()) {

@@ -23,7 +23,7 @@ import org.sami.ui.net.ForceLayout;
 import org.sami.ui.net.NetView;
 
 /**
- * Lays the open plan out when the author asks for it: beside the event thread, until it is cancelled, as one edit that can be undone. A plan
+ * Lays the open plan out when the author asks for it: off the event thread, until it is cancelled, as one edit that can be undone. A plan
  * that was changed meanwhile stays as it is.
  */
 final class LayoutCommands {

@@ -304,7 +304,7 @@ public final class ModelView extends JPanel implements NetDropTarget {
         view.setMarking(tokens ? marking : NetMarking.EMPTY);
     }
 
-    /** The net itself, for whoever tries the plan or prints it. */
+    /** The net itself, for trying or printing the plan. */
     public NetView net() {
         return view;
     }

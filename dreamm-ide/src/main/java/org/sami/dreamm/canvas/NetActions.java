@@ -180,7 +180,7 @@ final class NetActions {
         return copied.isEmpty() ? Optional.of("nothing was copied yet") : whyNotEdit("net-paste");
     }
 
-    /** Pastes at a point, or a little beside where it was copied. */
+    /** Pastes at a point, or next to where it was copied. */
     void paste(Optional<LayoutPoint> at) {
         pasted++;
         if (at.isPresent() || !copiedFrom.equals(net.plan().id())) {

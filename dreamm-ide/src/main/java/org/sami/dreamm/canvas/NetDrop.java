@@ -17,7 +17,7 @@ public interface NetDrop {
     /**
      * The edit that adds it to a vertex to which it can be added.
      *
-     * @param mode of what is made beside it
+     * @param mode of the places or transitions made in addition
      */
     Edit onto(Plan plan, String vertex, Mode mode);
 

@@ -191,7 +191,7 @@ final class NetEdits {
         return notes;
     }
 
-    /** Adds a note and tells its id. */
+    /** Adds a note and returns its id. */
     Made addNote(double x, double y, String text) {
         Note note = new Note(text, Optional.of(net.toPlan(x, y)));
         return new Made(

@@ -57,7 +57,7 @@ final class NetWalk {
         return next(from, direction, vertex -> true);
     }
 
-    /** The next of those vertices that are wanted. */
+    /** The next vertex that matches. */
     Optional<Vertex> next(String from, Direction direction, Predicate<Vertex> wanted) {
         Optional<Vertex> start = drawing.vertices().stream()
                 .filter(vertex -> vertex.id().equals(from))

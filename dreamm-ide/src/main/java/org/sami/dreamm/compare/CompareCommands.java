@@ -12,7 +12,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 
-/** The commands that read another version of the open plan, beside the event thread. */
+/** The commands that read another version of the open plan, off the event thread. */
 final class CompareCommands {
     private final DreammContext context;
     private final BiConsumer<Plan, String> compare;

@@ -37,7 +37,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
         return new Builder(before, after, vocabulary).build();
     }
 
-    /** Whether both say the same, wherever their vertices lie. */
+    /** Whether both are equal, apart from the positions of their vertices. */
     public boolean isEmpty() {
         return differences.isEmpty();
     }

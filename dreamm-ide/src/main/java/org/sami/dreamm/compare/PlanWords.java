@@ -9,7 +9,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
 
-/** In what two versions of a plan differ beside their nets. */
+/** The differences of two versions of a plan outside of their nets. */
 final class PlanWords {
     private PlanWords() {}
 

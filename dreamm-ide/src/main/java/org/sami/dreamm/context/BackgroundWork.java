@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import org.sami.ui.EventThread;
 
 /**
- * Work beside the event thread, one piece after another, with one hop back for what it makes. A piece that fails is told to the author and
+ * Tasks off the event thread, one after another, with one hop back for the result. A task that fails is reported to the author and
  * makes nothing.
  */
 public final class BackgroundWork implements AutoCloseable {
@@ -24,7 +24,7 @@ public final class BackgroundWork implements AutoCloseable {
     /**
      * Work for a window.
      *
-     * @param failed is told on the event thread, in one sentence, what could not be done
+     * @param failed receives on the event thread, in one sentence, what could not be done
      */
     public BackgroundWork(Consumer<String> failed) {
         this.failed = Objects.requireNonNull(failed, "failed");

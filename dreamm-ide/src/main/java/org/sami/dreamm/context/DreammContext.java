@@ -78,7 +78,7 @@ public final class DreammContext implements AutoCloseable {
         return editor;
     }
 
-    /** What the author can have the window do. Their conditions are asked anew when the document or the editor's state changes. */
+    /** What the author can have the window do. Their conditions are asked again when the document or the editor's state changes. */
     public CommandRegistry commands() {
         return commands;
     }
@@ -143,7 +143,7 @@ public final class DreammContext implements AutoCloseable {
         return additions;
     }
 
-    /** Does what is slow beside the event thread. */
+    /** Does what is slow off the event thread. */
     public BackgroundWork background() {
         return background;
     }
@@ -175,7 +175,7 @@ public final class DreammContext implements AutoCloseable {
         return done.told().isEmpty() ? label : label + " – " + String.join("; ", done.told());
     }
 
-    /** Ends what works beside the event thread. */
+    /** Ends what works off the event thread. */
     @Override
     public void close() {
         maps.keepLast();

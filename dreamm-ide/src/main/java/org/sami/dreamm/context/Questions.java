@@ -67,7 +67,7 @@ public final class Questions {
         List.copyOf(listeners).forEach(Runnable::run);
     }
 
-    /** Is told when another question, or none, is asked. */
+    /** Calls a listener when another question, or none, is asked. */
     public void addListener(Runnable listener) {
         listeners.add(Objects.requireNonNull(listener, "listener"));
     }

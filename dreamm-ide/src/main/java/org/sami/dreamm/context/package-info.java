@@ -1,2 +1,2 @@
-/** What all panels of DREAMM work on: document, editor's state, commands, words of the domain, the status line, work beside the event thread. */
+/** What all panels of DREAMM work on: document, editor's state, commands, words of the domain, the status line, work off the event thread. */
 package org.sami.dreamm.context;

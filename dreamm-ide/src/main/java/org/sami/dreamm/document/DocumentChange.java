@@ -16,7 +16,7 @@ import org.sami.spn.model.Project;
  * @param before the project as it was
  * @param after the project as it is
  * @param plans ids of the plans that were changed, added or removed; the others are the same objects as before
- * @param told sentences for the author on what went along, or still speaks of what is gone
+ * @param told sentences for the author about parts that were removed along with others, or still refer to removed ones
  */
 public record DocumentChange(Cause cause, Project before, Project after, Set<String> plans, List<String> told) {
     /** Why the document is another one. */

@@ -63,7 +63,7 @@ public final class ProjectDocument {
         return history.isModified();
     }
 
-    /** Makes an edit. One that is refused, or changes nothing, is told to no listener; who shows results to the author says why. */
+    /** Makes an edit. One that is refused, or changes nothing, reaches no listener; the caller shows the reason to the author. */
     public EditResult apply(Edit edit) {
         Project before = project();
         EditResult result = history.apply(edit);

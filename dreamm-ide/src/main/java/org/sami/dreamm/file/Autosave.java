@@ -16,7 +16,7 @@ import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 
 /**
- * Keeps what is not saved yet in a {@link RecoveryFolder}, half a second after an edit at most, beside the event thread. What is saved, and what is
+ * Keeps unsaved work in a {@link RecoveryFolder}, half a second after an edit at most, off the event thread. What is saved, and what is
  * closed, is kept no longer.
  */
 public final class Autosave implements AutoCloseable {
@@ -36,7 +36,7 @@ public final class Autosave implements AutoCloseable {
     /**
      * Begins to keep a document.
      *
-     * @param failed is told on the event thread, in one sentence, why something could not be kept
+     * @param failed receives on the event thread, in one sentence, why something could not be kept
      */
     public Autosave(ProjectDocument document, RecoveryFolder folder, Consumer<String> failed) {
         this.document = Objects.requireNonNull(document, "document");
@@ -51,18 +51,18 @@ public final class Autosave implements AutoCloseable {
 
             @Override
             public void stateChanged() {
-                timer.start(); // where it runs already it is not begun anew, so that typing does not put it off
+                timer.start(); // where it runs already it is not begun again, so that typing does not put it off
             }
         });
     }
 
-    /** Keeps what is unsaved now, at once, beside the event thread. */
+    /** Keeps what is unsaved now, at once, off the event thread. */
     public void keep() {
         keep(Optional.empty());
     }
 
     /**
-     * Keeps what is unsaved now, at once, beside the event thread.
+     * Keeps what is unsaved now, at once, off the event thread.
      *
      * @param restored where it was kept before: forgotten there once it is kept here
      */

@@ -10,7 +10,7 @@ import javax.swing.Timer;
 import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.context.DreammContext;
 
-/** Looks every two seconds, beside the event thread, whether another program has changed the project's files, and asks what is to be shown. */
+/** Looks every two seconds, off the event thread, whether another program has changed the project's files, and asks what is to be shown. */
 final class DiskWatch implements AutoCloseable {
     private static final String ID = "changed-on-disk";
     private static final int PERIOD_MS = 2000;

@@ -218,7 +218,7 @@ public final class FileCommands implements AutoCloseable {
         then.run();
     }
 
-    /** Ends what works beside the window; nothing unsaved is kept. */
+    /** Stops the window's background tasks. Unsaved changes are lost. */
     @Override
     public void close() {
         watch.close();

@@ -29,7 +29,7 @@ final class GeometryImport {
         this.context = Objects.requireNonNull(context, "context");
     }
 
-    /** Reads a file beside the event thread, and goes on with what is in it. */
+    /** Reads a file off the event thread, and goes on with what is in it. */
     void read(Path path) {
         context.background()
                 .run(

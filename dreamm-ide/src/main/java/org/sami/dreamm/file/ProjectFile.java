@@ -116,7 +116,7 @@ public final class ProjectFile {
         return seen;
     }
 
-    /** Another program's version is known now, and is not told again. */
+    /** The other program's version is known now and is not reported again. */
     void seen(DiskVersion version) {
         seen = Optional.of(version);
     }

@@ -6,7 +6,7 @@ import javax.swing.JMenuItem;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 
-/** The menu of projects that were opened last, made anew each time that it is shown. */
+/** The menu of projects that were opened last, made again each time that it is shown. */
 public final class RecentMenu {
     private RecentMenu() {}
 

@@ -17,7 +17,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.window.DirectoryLock;
 
 /**
- * Where a process keeps what is not saved yet, for the case that it is killed: a numbered folder of its own, held by a lock, below one that all processes
+ * Where a process keeps unsaved work in case it is killed: a numbered folder of its own, held by a lock, below one that all processes
  * share. What lies in a folder that nobody holds was left behind. Its methods may be called on any one thread at a time.
  */
 public final class RecoveryFolder implements AutoCloseable {
@@ -94,7 +94,7 @@ public final class RecoveryFolder implements AutoCloseable {
         return Optional.ofNullable(about.getProperty(FILE)).map(Path::of);
     }
 
-    /** Forgets what was left behind, once it is kept elsewhere or not wanted. */
+    /** Deletes the remaining work of a dead process, once it is kept elsewhere or given up. */
     public static void forget(UnsavedWork work) throws IOException {
         Files.deleteIfExists(work.project());
         Files.deleteIfExists(work.folder().resolve(ABOUT));

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * What is said about one thing.
+ * The help about one subject.
  *
  * @param title what people call it
  * @param kind what sort of thing it is, in one line
  * @param text what it does, in sentences
- * @param details its parts, each with what is said about it
+ * @param details its parts, each with its description
  */
 public record HelpTopic(String title, String kind, String text, List<Detail> details) {
     public HelpTopic {

@@ -16,7 +16,7 @@ import org.sami.ui.look.Spacing;
 import org.sami.ui.value.ValueField;
 import org.sami.ui.value.WrappedText;
 
-/** What stands below a field's choice: an editor or a choice of its value, or what is to be said. */
+/** The part below a field's choice: an editor or a choice of its value, or a remark. */
 final class FieldBelow extends JPanel {
     private static final String CHOOSE = "– choose –";
 

@@ -11,7 +11,7 @@ import org.sami.spn.edit.Fix;
 import org.sami.spn.finding.Finding;
 import org.sami.ui.value.WrappedText;
 
-/** The findings about what is selected, with a button for each fix that they offer beside them. */
+/** The findings about the selected elements, with a button next to them for each fix. */
 final class FindingRows extends JPanel {
     FindingRows(DreammContext context, List<Finding> findings) {
         super(new MigLayout(

@@ -49,7 +49,7 @@ final class PlanSection extends Form {
         text(
                 "About",
                 "plan-description",
-                "A few sentences for whoever chooses a plan",
+                "A few sentences for those who choose a plan",
                 plan.description(),
                 d -> context.apply(new ProjectEdit.DescribePlan(plan.id(), plan.name(), d, plan.notes())));
         Form tasks = section("plan-tasks", "Tasks");
@@ -71,7 +71,7 @@ final class PlanSection extends Form {
         JTextField name = new JTextField(task.name());
         name.setName("task-" + task.name());
         ProfileGuard.mark(name, "plan-task");
-        name.setToolTipText("Name of the task; renamed wherever it is spoken of");
+        name.setToolTipText("Name of the task; renamed everywhere it is used");
         giveWhenLeft(name, task.name(), n -> context.apply(new TaskEdit.RenameTask(plan.id(), task.name(), n)));
         row.add(name, "growx, pushx, wmin 0");
         row.add(new javax.swing.JLabel(task.taskClass()));
@@ -133,8 +133,7 @@ final class PlanSection extends Form {
             JTextField name = new JTextField(v.name());
             name.setName(prefix + v.name().substring(1));
             ProfileGuard.mark(name, of + "variable");
-            name.setToolTipText(
-                    "Name of the variable; renamed wherever it is spoken of. Type " + TypeNames.of(v.type()));
+            name.setToolTipText("Name of the variable; renamed everywhere it is used. Type " + TypeNames.of(v.type()));
             giveWhenLeft(name, v.name(), n -> context.apply(new RenameVariable(owner, v.name(), n)));
             row.add(name, "growx, pushx, wmin 0");
             row.add(new javax.swing.JLabel(TypeNames.of(v.type())), "wmin 0");

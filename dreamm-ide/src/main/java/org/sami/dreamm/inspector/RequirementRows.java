@@ -28,7 +28,7 @@ import org.sami.spn.wizard.SoundRequirements;
 import org.sami.ui.look.Spacing;
 
 /**
- * The requirements of one edge as rows of choices, read from left to right as they are said: "≥ 1 Generic", "Take All Relevant". The implied
+ * The requirements of one edge as rows of choices, read from left to right as in the language: "≥ 1 Generic", "Take All Relevant". The implied
  * generic token (thesis, Table 4) is one check box.
  *
  * @param <R> the requirement

@@ -14,7 +14,7 @@ import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 
 /**
- * What the author works at in a scrolled column: it stays where it is in the view while the rows around it are made anew. Components are
+ * What the author works at in a scrolled column: it stays where it is in the view while the rows around it are made again. Components are
  * known again by the names that lead to them.
  */
 final class ScrollAnchor {

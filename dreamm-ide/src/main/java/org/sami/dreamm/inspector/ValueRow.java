@@ -27,7 +27,7 @@ final class ValueRow extends JPanel {
      * An editor.
      *
      * @param value what it shows first
-     * @param given is told another value
+     * @param given receives the new value
      */
     ValueRow(ValueEditor editor, Optional<Value> value, Consumer<Value> given) {
         super(new BorderLayout());

@@ -9,7 +9,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Icons;
 import org.sami.ui.value.WrappedText;
 
-/** Begins deep checks and stops the one that runs; a label beside it says how that is doing. On the event thread. */
+/** Begins deep checks and stops the one that runs; a label next to it shows its progress. On the event thread. */
 final class DeepChecksBar extends JPanel {
     private static final String WORDS = "Search deeper";
 
@@ -45,7 +45,7 @@ final class DeepChecksBar extends JPanel {
         stop.setHideActionText(narrow);
     }
 
-    /** What the last search has found, or how the one that runs is doing; to be put beside the bar. Not visible where there was none. */
+    /** The result of the last search, or the progress of the running one; shown next to the bar. Not visible where there was none. */
     WrappedText status() {
         return status;
     }

@@ -12,7 +12,7 @@ import org.sami.spn.analysis.space.DeepResult;
 import org.sami.spn.analysis.space.SearchWatch;
 
 /**
- * Runs one deep check at a time beside the event thread, tells how far it is and stops it when it is told to. What it tells belongs to the
+ * Runs one deep check at a time off the event thread, reports its progress and stops it on request. Its reports belong to the
  * owner's thread.
  */
 public final class DeepSearch {

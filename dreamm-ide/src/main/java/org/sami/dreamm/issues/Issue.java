@@ -10,7 +10,7 @@ import org.sami.spn.model.TestCase;
 /**
  * One line of the issues view.
  *
- * @param number tells it from others that say the same
+ * @param number distinguishes it from others with the same text
  * @param witness a run that leads there, where a deep check found one
  * @param deep whether a deep check found it
  */

@@ -40,7 +40,7 @@ public final class IssueList {
     /**
      * The issues of a document.
      *
-     * @param offered which findings the author is told
+     * @param offered which findings the author sees
      */
     public IssueList(
             ProjectDocument document,

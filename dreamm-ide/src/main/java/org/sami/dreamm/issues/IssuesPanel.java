@@ -220,7 +220,7 @@ public final class IssuesPanel extends JPanel {
         super.doLayout();
     }
 
-    /** In a low panel what mends an issue stands beside the table, which keeps its rows. */
+    /** In a low panel the fixes of an issue are to the right of the table, which keeps its rows. */
     private void place(String side) {
         if (!side.equals(((BorderLayout) getLayout()).getConstraints(mending))) {
             fixColumns.setLayoutConstraints(side.equals(BorderLayout.EAST) ? FIXES_BESIDE : FIXES);

@@ -13,7 +13,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Project;
 
 /**
- * The findings about a document, checked beside the event thread after each change. While one version is checked, later ones wait and only the
+ * The findings about a document, checked off the event thread after each change. While one version is checked, later ones wait and only the
  * newest is checked next. Its findings belong to the owner's thread.
  */
 public final class LiveFindings {

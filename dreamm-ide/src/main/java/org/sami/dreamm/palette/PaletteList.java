@@ -193,7 +193,7 @@ public final class PaletteList extends JPanel implements Explained {
                         : new HelpTopic(item.label(), "Can be added to the plan", item.help(), List.of()));
     }
 
-    /** Has somebody told when another item is marked. */
+    /** Calls a listener when another item is marked. */
     void whenSelected(Runnable listener) {
         list.addListSelectionListener(e -> listener.run());
     }

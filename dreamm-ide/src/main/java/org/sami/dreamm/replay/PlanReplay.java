@@ -66,7 +66,7 @@ public final class PlanReplay {
         return journal;
     }
 
-    /** Goes to a moment, wherever it stood, and stops nowhere on the way. */
+    /** Goes to a moment from any other, without stopping on the way. */
     public Moment goTo(long millis) {
         journal.goTo(millis);
         return shown(Optional.empty());

@@ -41,7 +41,7 @@ import org.sami.ui.table.RowTable;
 
 /**
  * Opens a journal and shows it on the net of the open plan: missions that ran, a time line, where the plan differs from the session's. On the
- * event thread; moments are computed beside it.
+ * event thread; moments are computed on another thread.
  */
 public final class ReplayPanel extends JPanel {
     private static final int LOW = 180;
@@ -148,7 +148,7 @@ public final class ReplayPanel extends JPanel {
         }
     }
 
-    /** Opens a journal, beside the event thread; one that cannot be read is refused in the status line. */
+    /** Opens a journal, off the event thread; one that cannot be read is refused in the status line. */
     public void open(Path journal) {
         context.background()
                 .run(
@@ -192,7 +192,7 @@ public final class ReplayPanel extends JPanel {
         jumping = !player.playback().isPlaying();
     }
 
-    /** On the worker: while it plays, breakpoints stop it; whoever goes somewhere by hand is not stopped. */
+    /** On the worker: breakpoints stop it while it plays, but not when the user goes to a moment. */
     private void compute(PlanReplay of, long millis) {
         boolean plays =
                 !jumping && of.journal().entriesUntil(millis) > of.journal().taken();

@@ -46,7 +46,7 @@ public final class AuthorDirectory {
         return folder.resolve("arrangement" + suffix + ".xml");
     }
 
-    /** The folder in which each window keeps what is not saved yet. */
+    /** The folder in which each window keeps unsaved work. */
     public Path recovery() {
         return folder.resolve("unsaved");
     }

@@ -83,7 +83,7 @@ final class MissionTreeView extends JTree {
                 : Optional.empty();
     }
 
-    /** Lines are shortened to the width that is seen: they are measured anew when that changes. */
+    /** Lines are shortened to the width that is seen: they are measured again when that changes. */
     private void measureAnew() {
         firePropertyChange(CELL_RENDERER_PROPERTY, null, getCellRenderer());
     }

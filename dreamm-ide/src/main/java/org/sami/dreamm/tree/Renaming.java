@@ -24,7 +24,7 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.vocabulary.Reserved;
 
 /**
- * A name that the author may change, wherever it is spoken of.
+ * A name that the author can change, together with all references to it.
  *
  * @param title what is renamed, in words
  * @param fields what is asked, with the names as they are
@@ -44,7 +44,7 @@ record Renaming(String title, Map<String, String> fields, Function<List<String>,
         return fields;
     }
 
-    /** A plan: its name for people, and its id wherever it is run or referred to. */
+    /** A plan: its name for people, and its id in every reference to it. */
     static Renaming plan(Project project, Plan plan) {
         int uses = new Usages(project).ofPlan(plan.id()).size();
         return new Renaming("Rename plan, used in " + places(uses), names(plan.name(), plan.id()), given -> {
@@ -162,7 +162,7 @@ record Renaming(String title, Map<String, String> fields, Function<List<String>,
         });
     }
 
-    /** A task of a plan, wherever it is asked for, given to or by a parent. */
+    /** A task of a plan, in every request and in every mapping to or from a parent. */
     static Renaming task(Project project, String plan, String name) {
         int uses = new Usages(project).ofTask(plan, name).size();
         return new Renaming(

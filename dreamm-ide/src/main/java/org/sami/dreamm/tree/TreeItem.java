@@ -9,7 +9,7 @@ import java.util.Objects;
  * @param plan id of the plan that it is, or belongs to; empty text where it belongs to the project
  * @param id of the sub-mission, or name of the task or variable; empty text where it is none
  * @param title what it is called
- * @param detail what stands beside it in less weight; may be empty
+ * @param detail the lighter text next to it; may be empty
  * @param path the indices that lead to it in the project's mission tree; empty where it is no node of that
  */
 record TreeItem(

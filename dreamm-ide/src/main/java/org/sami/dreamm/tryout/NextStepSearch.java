@@ -48,9 +48,9 @@ public final class NextStepSearch {
     }
 
     /**
-     * Takes the next step of those whom the run plays; does nothing while one is looked for.
+     * Takes the next step of those that the run plays (operator, boats, services); does nothing while it searches for one.
      *
-     * @param then is told whether one was taken, at once or when it was found; never where the look is given up
+     * @param then receives whether one was taken, at once or when it was found; never where the look is given up
      */
     public void stepOn(Consumer<Boolean> then) {
         if (isLooking()) {

@@ -71,7 +71,7 @@ final class PlanRun {
         return line;
     }
 
-    /** The engine forgets the plans of missions that are over; their last firings are told by name all the same. */
+    /** The engine forgets the plans of missions that are over; their last firings are still shown by name. */
     private void notePlans() {
         stepper.view()
                 .missions()

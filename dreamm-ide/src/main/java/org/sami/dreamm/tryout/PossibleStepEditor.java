@@ -185,7 +185,7 @@ final class PossibleStepEditor {
         return panel;
     }
 
-    /** Whether the author has changed something here: it is not to be replaced then. */
+    /** Whether the author has changed something here: then it must not be replaced. */
     boolean isTouched() {
         return question.filter(QuestionEditor::isTouched).isPresent()
                 || values.values().stream().anyMatch(ValueEditor::isTouched);

@@ -28,7 +28,7 @@ import org.sami.spn.testcase.TestCaseRunner;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * The saved test cases of the open plan: what each came to when it was run last, and what of the plan they visit. They are run beside the
+ * The saved test cases of the open plan: the result of each case's last run, and the parts of the plan that they visit. They run off the
  * event thread; a plan that changes makes what was known of them old. On the document's thread.
  */
 public final class SavedCases {
@@ -166,7 +166,7 @@ public final class SavedCases {
     /**
      * The edit that keeps a run as a case of its plan, with what stands where at its end as what is expected.
      *
-     * @throws IllegalStateException if its steps cannot be said in a test case ({@link Stepper#whyNotATestCase})
+     * @throws IllegalStateException if a test case cannot express its steps ({@link Stepper#whyNotATestCase})
      */
     static Edit keeping(String plan, Stepper tried, String name) {
         Stepper end = tried.fork();
@@ -181,7 +181,7 @@ public final class SavedCases {
         return new ProjectEdit.SetTestCase(plan, name, Optional.of(end.testCase(name)));
     }
 
-    /** How a case is told in one line: with whom it begins, and how many steps it takes. */
+    /** One line about a case: its starting tokens and the number of its steps. */
     static String words(TestCase test) {
         long expected = test.steps().stream()
                 .filter(step -> step instanceof TestStep.ExpectTokens || step instanceof TestStep.ExpectEnded)

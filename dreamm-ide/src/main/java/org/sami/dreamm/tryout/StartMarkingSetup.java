@@ -27,7 +27,7 @@ public final class StartMarkingSetup {
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private String plan = "";
 
-    /** Begins anew where another plan is meant. */
+    /** Begins again where another plan is meant. */
     public void of(String planId) {
         if (!plan.equals(planId)) {
             plan = planId;

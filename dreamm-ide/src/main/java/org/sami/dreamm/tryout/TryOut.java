@@ -173,7 +173,7 @@ public final class TryOut {
         return true;
     }
 
-    /** Begins anew with the plan as it is now, and takes the same steps as far as they can be taken. */
+    /** Begins again with the plan as it is now, and takes the same steps as far as they can be taken. */
     public void restart(boolean withSteps) {
         run.ifPresent(was -> {
             String plan = was.plan();
@@ -220,7 +220,7 @@ public final class TryOut {
     }
 
     /**
-     * Takes the next step of those whom the run plays. They take turns; where all that is expected leads back to what was there, the message
+     * Takes the next step of those that the run plays. They take turns; where all that is expected leads back to what was there, the message
      * says that it goes round and what leads out, and that is taken.
      *
      * @return whether one was taken; where none was, the message says what is waited for

@@ -109,7 +109,7 @@ public final class TryOutCommands {
 
     private Optional<String> whyNoStep() {
         return tryOut.isOver()
-                ? Optional.of("the mission is over: Start begins anew, Back takes steps back")
+                ? Optional.of("the mission is over: Start begins again, Back takes steps back")
                 : whyIdle();
     }
 
@@ -157,7 +157,7 @@ public final class TryOutCommands {
                 .orElse(List.of());
     }
 
-    /** Says who is told when a run is started by a command. */
+    /** Calls a listener when a command starts a run. */
     public void whenStarted(Runnable listener) {
         started = listener;
     }

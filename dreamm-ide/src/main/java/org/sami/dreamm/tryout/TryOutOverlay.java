@@ -18,7 +18,7 @@ import org.sami.ui.net.NetMarking;
 
 /**
  * Puts the tokens of what is tried, or of the start marking that is put together, over the net of the open plan, with breakpoints and, where
- * that is wanted, what no saved case visits. On the event thread.
+ * requested, the parts that no saved case visits. On the event thread.
  */
 public final class TryOutOverlay {
     private final DreammContext context;

@@ -100,7 +100,7 @@ public final class TryOutPanel extends JPanel {
         tabs.setName("try-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
-        tabs.putClientProperty("JTabbedPane.minimumTabWidth", 40); // all four beside each other
+        tabs.putClientProperty("JTabbedPane.minimumTabWidth", 40); // all four side by side
         tabs.putClientProperty("JTabbedPane.tabInsets", new Insets(0, 8, 0, 8));
         tab("Steps", new StepsView(tryOut));
         tab("State", new StateView(context, tryOut));
@@ -160,7 +160,7 @@ public final class TryOutPanel extends JPanel {
         run.setIcon(Icons.normal(commands.isRunning() ? "pause" : "run-on"));
     }
 
-    /** What can happen stands beside the tabs, or, where both would have no room, is the first of them. */
+    /** The list of possible steps is next to the tabs, or the first of them where both would have no room. */
     private void arrange(boolean small) {
         boolean isTab = tabs.indexOfComponent(now) >= 0;
         if (small && !isTab) {

@@ -17,7 +17,7 @@ import org.sami.ui.dock.DockPanel;
 
 /** The panels of the window, and how they lie at first (thesis, Figure 5.1). Those that the profile hides are left out. */
 final class DreammPanels {
-    /** The net with what an author draws with beside it; what checks and runs it comes below it when it is opened. */
+    /** The net with the drawing tools next to it; panels that check and run it open below it. */
     private static final Arrangement ROOMY = Arrangement.of("model-view")
             .right("palette", "model-view", 0.263)
             .behind("mission-tree", "palette")
@@ -28,7 +28,7 @@ final class DreammPanels {
             .behind("comparison", "model-view")
             .folding("issues", "try-out", "replay", "comparison");
 
-    /** The net alone; each panel that is opened comes into one stack beside it. */
+    /** The net alone; panels open in one stack next to it. */
     private static final Arrangement COMPACT = besideOneStack(0.42);
 
     /** The same with more than half of the window for what is opened. */

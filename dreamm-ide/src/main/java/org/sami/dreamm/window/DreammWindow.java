@@ -43,7 +43,7 @@ public final class DreammWindow {
      * A window that is not shown yet.
      *
      * @param recovery where unsaved changes are kept, given up with the window
-     * @param ended is told when all is closed, with the exit code
+     * @param ended is called when all is closed, with the exit code
      */
     public DreammWindow(
             DreammContext context,
@@ -169,7 +169,7 @@ public final class DreammWindow {
         return files;
     }
 
-    /** Closes the window, once the author has saved, or given up, what is not saved. */
+    /** Closes the window, once the author has saved or given up unsaved work. */
     public void leave() {
         files.guard(this::end);
     }
@@ -180,7 +180,7 @@ public final class DreammWindow {
         ended.accept(0);
     }
 
-    /** Gives up a window that is not to be used. */
+    /** Discards a window that is not used. */
     public void discard() {
         files.close();
         keys.close();

@@ -58,7 +58,7 @@ public final class Additions {
      * Additions to the plan that is open in an editor.
      *
      * @param wires from where the fields of added events are read where the author says nothing
-     * @param apply makes an edit, and tells the author what came of it
+     * @param apply makes an edit and reports the result to the author
      */
     public Additions(
             ProjectDocument document,
@@ -315,12 +315,12 @@ public final class Additions {
                 .map(OutputEventSpec::id);
     }
 
-    /** Adds somebody who is told the ids of the vertices that {@link #add} added, and of those that it selected. */
+    /** Adds a listener that receives the ids of the vertices that {@link #add} added, and of those that it selected. */
     public void addAddedListener(Consumer<Set<String>> listener) {
         addedListeners.add(Objects.requireNonNull(listener, "listener"));
     }
 
-    /** Adds somebody who is told when something was added, or the document is another. */
+    /** Adds a listener that is notified when something was added, or the document is another. */
     public void addListener(Runnable listener) {
         listeners.add(Objects.requireNonNull(listener, "listener"));
     }
