@@ -42,7 +42,7 @@ final class WindowStart {
     /**
      * Opens them.
      *
-     * @param ended is told when the window was closed and all with it
+     * @param ended is called when the window was closed and all with it
      */
     static OperatorWindow open(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         return openUnlessLeft(options, data, ended)
@@ -88,7 +88,7 @@ final class WindowStart {
     /**
      * Opens a replay.
      *
-     * @param ended is told when the window was closed
+     * @param ended is called when the window was closed
      */
     static ReplayWindow openReplay(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         ReplayedJournal journal = ReplayedJournal.open(options.replay().orElseThrow());

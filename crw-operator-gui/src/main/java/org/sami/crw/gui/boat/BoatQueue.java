@@ -23,7 +23,7 @@ final class BoatQueue {
     private Optional<String> shown = Optional.empty();
 
     /**
-     * A line of the queue: its turn, what is wanted and by whom, how it stands.
+     * A line of the queue: its turn, the command and its mission, its state.
      *
      * @param command id of a command that can be cancelled; empty for a line that is none, or is over
      */

@@ -41,7 +41,7 @@ public final class BoatWords {
         };
     }
 
-    /** What it does, or why it stands, without its name, which stands beside or above it wherever this is read. */
+    /** What it does, or why it does not move, without its name, which is next to or above this text everywhere. */
     public static String state(BoatSnapshot boat) {
         String mark = switch (trouble(boat)) {
             case 3 -> "▲ ";
@@ -53,7 +53,7 @@ public final class BoatWords {
         return mark + (text.startsWith(name) ? text.substring(name.length()) : text);
     }
 
-    /** The same without how far it is on its path, which stands beside it, and without the numbers of missions. */
+    /** The same without its progress on the path, which is shown next to it, and without the numbers of missions. */
     static String brief(BoatSnapshot boat) {
         boolean isAddress = boat.boat().contains(":"); // of which the column of names has no room for the middle
         if (boat.why().cause() == BoatExplanation.Cause.NEVER_ANSWERED && isAddress) {

@@ -30,7 +30,7 @@ final class ByHandPanel extends JPanel {
         refresh();
     }
 
-    /** In a low panel the stick is no higher than the view on it, whatever the text beside it needs. */
+    /** In a low panel the stick is no higher than the view on it, whatever height the text next to it needs. */
     void setLow(boolean low) {
         ((MigLayout) getLayout()).setComponentConstraints(stick, low ? LOW_STICK : STICK);
         revalidate();
@@ -45,7 +45,7 @@ final class ByHandPanel extends JPanel {
                         + "two seconds without this window it stops by itself.")
                 .or(() -> teleoperation.whyNot().map(why -> "Nothing is driven: " + why + "."))
                 .orElse(
-                        "Drag the stick, or begin with the button and use the arrow keys. Missions are told, and what they want of the "
+                        "Drag the stick, or begin with the button and use the arrow keys. Missions are notified, and what they want of the "
                                 + "boat waits until it is given back.");
         if (!words.equals(text.getText())) {
             text.setText(words);

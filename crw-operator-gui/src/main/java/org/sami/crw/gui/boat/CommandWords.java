@@ -37,7 +37,7 @@ public final class CommandWords {
         return what(entry.command()) + (entry.points() > 1 ? " (" + entry.visited() + " of them done)" : "");
     }
 
-    /** What is to be done, for whom, how urgent it is, and whether the mission keeps the boat afterwards. */
+    /** The command, its mission, its priority, and whether the mission keeps the boat afterwards. */
     static String full(Entry entry, MissionTitles titles) {
         BoatCommand command = entry.command();
         return what(command) + (command.mission() == Ids.NONE ? "" : ", " + titles.words(command.mission())) + ", "

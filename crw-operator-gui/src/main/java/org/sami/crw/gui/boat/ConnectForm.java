@@ -145,7 +145,7 @@ public final class ConnectForm extends JPanel {
         refresh();
     }
 
-    /** A boat answered, or the address is refused: also said at the top, for this form may be closed by then. */
+    /** A boat answered, or the address is refused: also shown at the top, because this form may be closed by then. */
     private void told(ConnectAttempt one) {
         if (one.state() == State.REFUSED) {
             context.notices().refused(one.words());

@@ -29,7 +29,7 @@ final class StickView extends JPanel {
     private double thrust;
     private double rudder;
 
-    /** Is told how the stick stands. */
+    /** Calls a listener with the position of the stick. */
     interface Deflection {
         /** Up is positive thrust, right is positive rudder; -1 to 1 each. */
         void stands(double thrust, double rudder);

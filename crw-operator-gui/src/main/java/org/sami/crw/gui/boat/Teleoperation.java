@@ -14,8 +14,8 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.ui.command.Command;
 
 /**
- * Drives one boat by the arrow keys, or by a stick on the screen: up and down are thrust, left and right the rudder. Missions are told that the boat is in a person's hands;
- * the same command or Escape gives it back. While no key and no stick is held the boat is told to stand; without this window it stops by itself.
+ * Drives one boat by the arrow keys, or by a stick on the screen: up and down are thrust, left and right the rudder. Missions are notified that a person drives the boat;
+ * the same command or Escape gives it back. While no key and no stick is held the boat is commanded to stop; without this window it stops by itself.
  */
 final class Teleoperation {
     private static final int PERIOD_MS = 200; // the boat stops two seconds after the last
@@ -50,7 +50,7 @@ final class Teleoperation {
         return command;
     }
 
-    /** Is told when driving begins or ends. */
+    /** Calls a listener when driving begins or ends. */
     void addListener(Runnable listener) {
         listeners.add(listener);
     }

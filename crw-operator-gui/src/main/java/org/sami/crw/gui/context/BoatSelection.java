@@ -43,7 +43,7 @@ public final class BoatSelection {
         return boats.contains(boat);
     }
 
-    /** Is told when others are selected. */
+    /** Calls a listener when others are selected. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
     }

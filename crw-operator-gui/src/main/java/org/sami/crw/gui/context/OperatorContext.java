@@ -18,7 +18,7 @@ import org.sami.ui.window.Notices;
  * @param shown the session that runs, or the replay of one
  * @param marks of the boats, the same in all panels
  * @param boats which are selected
- * @param notices what the strip at the top tells
+ * @param notices the notices in the strip at the top
  */
 public record OperatorContext(
         ShownSession shown, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {

@@ -23,8 +23,8 @@ final class AnswerGiving {
     /**
      * Nothing is given yet.
      *
-     * @param given is told when an answer was taken
-     * @param changed is told when something else is so
+     * @param given is called when an answer was taken
+     * @param changed is called when something else is so
      */
     AnswerGiving(DecisionActions actions, Runnable given, Runnable changed) {
         this.actions = actions;
@@ -32,7 +32,7 @@ final class AnswerGiving {
         this.changed = changed;
     }
 
-    /** Another decision is shown, or something else is filled in: what was said of the answer, or was pressed, is about another one. */
+    /** Another decision is shown, or something else is filled in: earlier judgements and presses belong to another answer. */
     void forget() {
         refusal = "";
         pressed = false;

@@ -2,7 +2,7 @@ package org.sami.crw.gui.decision;
 
 import java.util.List;
 
-/** Boats that are chosen for an answer, wherever that is done. On the event thread. */
+/** The boats chosen for an answer, on the map or in the panel. On the event thread. */
 public interface BoatPick {
     /** Those that are offered. */
     List<String> offered();

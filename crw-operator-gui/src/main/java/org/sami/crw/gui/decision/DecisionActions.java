@@ -18,7 +18,7 @@ interface DecisionActions {
     /** Why nothing can be answered here, as in a replay; empty where it can. */
     Optional<String> whyNotAct();
 
-    /** What is to be said of what is filled in of an answer. */
+    /** The judgement of the answer as it is filled in. */
     CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft);
 
     /** The operator has turned to a decision: no attention is drawn to it any longer. */

@@ -67,7 +67,7 @@ final class DecisionCommands {
         return stopTimer;
     }
 
-    /** Asks all anew whether they can be run. */
+    /** Asks all again whether they can be run. */
     void refresh() {
         List.of(answer, refuse, draw, later, earlier, stopTimer, focus).forEach(Command::refresh);
     }

@@ -14,7 +14,7 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.value.WrappedText;
 
-/** What is asked, by whom, since when, and what autonomy will answer and when; its timer can be stopped there. */
+/** The question, who asks it, since when, and what autonomy will answer and when; its timer can be stopped here. */
 final class DecisionHeader extends JPanel {
     private final JLabel age = new JLabel(" ");
     private final JLabel asker = new JLabel(" ");

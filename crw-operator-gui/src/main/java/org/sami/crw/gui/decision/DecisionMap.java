@@ -71,19 +71,19 @@ public interface DecisionMap {
     /**
      * Gives the operator a pen for a sketch, until it is put down.
      *
-     * @param ended is told when it was put down on the map
+     * @param ended is called when it was put down on the map
      */
     void draw(GeoSketch sketch, Consumer<PenEnd> ended);
 
     /** Lets clicks and boxes on the map choose boats for the answer, likewise. */
     void pick(BoatPick boats, Consumer<PenEnd> ended);
 
-    /** Puts the pen down; nobody is told. Does nothing where none is out. */
+    /** Puts the pen down without a notification. Does nothing where none is out. */
     void putDown();
 
     /** Brings the keyboard's focus to the map. */
     void focus();
 
-    /** Says a line on the map whenever nothing else is said there; empty for none. */
+    /** Shows a line on the map while no other is shown there; empty for none. */
     void say(String words);
 }

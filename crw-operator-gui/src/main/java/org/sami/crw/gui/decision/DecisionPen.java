@@ -30,7 +30,7 @@ final class DecisionPen {
     /**
      * A pen that nobody has.
      *
-     * @param ended is told when it was put down on the map
+     * @param ended is called when it was put down on the map
      */
     DecisionPen(DecisionMap map, Consumer<PenEnd> ended) {
         this.map = map;
@@ -83,7 +83,7 @@ final class DecisionPen {
         return held.filter(view::equals).isPresent();
     }
 
-    /** Takes it up because the operator wishes so. */
+    /** Takes it up on the operator's request. */
     void takeUp(DecisionView view) {
         down.remove(view.decision().id());
         lay();
@@ -122,7 +122,7 @@ final class DecisionPen {
         ended.accept(end);
     }
 
-    /** Takes it from whoever has it; it is out again as soon as that may be. */
+    /** Takes it from its present user; it is out again as soon as that is possible. */
     void lay() {
         held = Optional.empty();
         map.putDown();

@@ -33,7 +33,7 @@ final class DecisionView {
     /**
      * A decision with nothing filled in but what it proposes.
      *
-     * @param rejudged is told when something else is to be said of what is filled in
+     * @param rejudged is called when the judgement of the entries changes
      */
     DecisionView(
             DecisionPresentation decision,
@@ -83,7 +83,7 @@ final class DecisionView {
                 .toList();
     }
 
-    /** What is to be said of what is filled in. */
+    /** The judgement of the entries. */
     JudgedDraft judged() {
         return judged;
     }

@@ -10,7 +10,7 @@ import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 
-/** What is said of a decision beside its question: who asks, for how long it has waited, what autonomy will do. */
+/** The text of a decision besides its question: who asks, for how long it has waited, what autonomy will do. */
 final class DecisionWords {
     private static final long SECOND = 1000;
     private static final long MINUTE = 60;

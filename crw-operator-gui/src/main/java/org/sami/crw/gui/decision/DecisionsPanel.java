@@ -32,7 +32,7 @@ import org.sami.ui.value.WrappedText;
 
 /**
  * What waits for the operator: the most urgent decision in full, with the components that are chosen for it, and the others as a list. Digits
- * choose options, Enter gives the answer that is filled in, Escape leaves. Why an answer would be refused stands beside the button
+ * choose options, Enter gives the answer that is filled in, Escape leaves. The reason why an answer would be refused is next to the button
  * before it is given. On the event thread.
  */
 public final class DecisionsPanel extends JPanel {
@@ -139,7 +139,7 @@ public final class DecisionsPanel extends JPanel {
         return scrolled;
     }
 
-    /** Where the panel is so low that what is asked would have no room, who asks is said in a tooltip, and why there is no answer yet in one line. */
+    /** Where the panel is too low for the question, the asking mission is in a tooltip, and the reason why there is no answer yet in one line. */
     @Override
     public void doLayout() {
         boolean low = getHeight() < Look.px(waiting.isVisible() ? LOW_WITH_QUEUE : LOW);
@@ -264,7 +264,7 @@ public final class DecisionsPanel extends JPanel {
         }
     }
 
-    /** Something else is to be said of what is filled in; an answer that waited for it is given, unless something is to be minded first. */
+    /** The judgement of the entries has changed; an answer that waited for it is given, unless there is a warning first. */
     private void rejudged(DecisionView view) {
         if (current.filter(view::equals).isEmpty()) {
             return;

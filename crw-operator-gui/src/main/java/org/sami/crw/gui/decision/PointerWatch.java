@@ -9,7 +9,7 @@ import java.awt.event.MouseEvent;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 
-/** Tells when the pointer goes down anywhere in a component, and when it is lifted, wherever that is. Listens only while it is shown. */
+/** Reports when the pointer goes down anywhere in a component, and when it is lifted, anywhere. Listens only while it is shown. */
 final class PointerWatch implements AWTEventListener {
     private final JComponent watched;
     private final Runnable down;

@@ -7,7 +7,7 @@ import org.sami.spn.protocol.Priority;
 /**
  * A decision that waits, in one line.
  *
- * @param question what is asked, and about whom where it is about few boats; urgent ones with a mark before it
+ * @param question the question, with the boats where it is about few; urgent ones with a mark before it
  * @param mission who asks: mission and plan
  * @param age how long it has waited
  * @param left how long autonomy leaves to the operator

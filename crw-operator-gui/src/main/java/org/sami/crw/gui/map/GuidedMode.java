@@ -57,17 +57,17 @@ final class GuidedMode {
         return boat + (isStopped(boat) ? " is to " + command.infinitive() : " " + command.does());
     }
 
-    /** What is said besides of a boat that is stopped: it has what it is to do, and does not move. */
+    /** The additional text for a stopped boat: it has its command and does not move. */
     private String before(String boat) {
         return isStopped(boat) ? "; it is stopped, and nothing moves before the release" : "";
     }
 
-    /** Takes back what the operator wanted of the selected boats: they go on with what missions want. */
+    /** Withdraws the operator's commands from the selected boats: they continue with those of missions. */
     void giveBack() {
         each(boat -> byHand().giveBack(boat).thenApply(given -> boat + " goes on with what missions want"));
     }
 
-    /** Has something done by each selected boat, and tells together what came of it: one line has room for one notice. */
+    /** Gives a command to each selected boat, and reports the results in one notice, because the line has room for one. */
     private void each(Function<String, CompletionStage<String>> done) {
         List<String> boats = selected().stream().map(BoatSnapshot::boat).toList();
         List<String> told = new ArrayList<>();
@@ -103,7 +103,7 @@ final class GuidedMode {
                 .toList();
     }
 
-    /** Whom it concerns and what waits meanwhile, in one line; said before it is done. */
+    /** The boats that it concerns and the commands that wait meanwhile, in one line; shown beforehand. */
     String consequence() {
         List<String> boats = context.boats().boats();
         List<Long> missions = selected().stream()

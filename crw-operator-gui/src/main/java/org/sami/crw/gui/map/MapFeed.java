@@ -108,7 +108,7 @@ final class MapFeed {
                 .toList());
     }
 
-    /** The points of a list are told apart by their numbers; its first has the name as well. */
+    /** The points of a list are distinguished by their numbers; its first has the name as well. */
     static List<PointLayer.MapPoint> points(List<ShownPlace> places) {
         Map<String, Integer> counts = new HashMap<>();
         List<PointLayer.MapPoint> points = new ArrayList<>();
@@ -182,7 +182,7 @@ final class MapFeed {
         return silence.orElse(Math.max(0, now - boat.poseAtMillis()));
     }
 
-    /** Its charge, if it has told that, and its speed. */
+    /** Its charge, if it has reported one, and its speed. */
     private static String state(ShownBoat boat) {
         String speed = boat.isCarried() ? BoatWords.drift(boat.speedMps()) : BoatWords.speed(boat.speedMps());
         return boat.batteryPercent().isPresent()

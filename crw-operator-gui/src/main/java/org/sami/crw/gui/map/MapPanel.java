@@ -277,7 +277,7 @@ public final class MapPanel extends JPanel {
         }
     }
 
-    /** Says whom a command concerns and what waits meanwhile, before it is given. */
+    /** Shows which boats a command concerns and what waits meanwhile, before it is given. */
     private void tellConsequence() {
         boolean none = context.boats().boats().isEmpty();
         String text = none

@@ -86,7 +86,7 @@ final class MapPen {
         told.ifPresent(one -> one.accept(end));
     }
 
-    /** Puts it down; nobody is told. */
+    /** Puts it down without a notification. */
     void putDown() {
         boolean drawing = out.isPresent() && pick.isEmpty();
         out = Optional.empty();
@@ -97,7 +97,7 @@ final class MapPen {
         refresh();
     }
 
-    /** Puts it down because the operator wishes so. Gives whether it was out. */
+    /** Puts it down on the operator's request. Returns whether it was out. */
     boolean escape() {
         boolean was = out.isPresent();
         if (was) {

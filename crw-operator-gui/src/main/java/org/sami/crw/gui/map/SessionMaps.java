@@ -8,7 +8,7 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.ui.map.MapView;
 import org.sami.ui.value.MapMaker;
 
-/** Makes maps of the session beside the main one, such as a decision's own: they show the same, and look anew each second while they are seen. */
+/** Makes further maps of the session, such as a decision's own: they show the same as the main one and refresh each second while they are visible. */
 public final class SessionMaps implements MapMaker {
     private static final int REFRESH_MS = 1000;
 

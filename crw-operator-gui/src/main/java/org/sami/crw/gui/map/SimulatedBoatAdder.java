@@ -12,7 +12,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.command.Command;
 
-/** Adds simulated boats to the session, one at a time: to try a plan with more boats, or beside real ones. On the event thread. */
+/** Adds simulated boats to the session, one at a time: to try a plan with more boats, or together with real ones. On the event thread. */
 final class SimulatedBoatAdder {
     private static final double APART_M = 10;
 
@@ -59,7 +59,7 @@ final class SimulatedBoatAdder {
         context.tell(added, name + " is added in the middle of the map");
     }
 
-    /** The place that is wanted, or east of it the first at which no boat lies or was added: boats on one spot are in each other's way. */
+    /** The requested place, or the first one east of it without a boat: boats on one spot are in each other's way. */
     private GeoPoint free(GeoPoint wanted) {
         List<GeoPoint> lying = new ArrayList<>(awaited.values());
         context.models().fleet().snapshot().stream()

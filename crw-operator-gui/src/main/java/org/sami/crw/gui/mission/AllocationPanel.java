@@ -99,7 +99,7 @@ public final class AllocationPanel extends JPanel {
     }
 
     /**
-     * A low panel has its button beside the table, and the strip says what a task that is dragged there would change: words that came below the table would move
+     * A low panel has its button next to the table, and the strip shows what dropping a task would change: text below the table would move
      * rows under the pointer.
      */
     @Override
@@ -193,7 +193,7 @@ public final class AllocationPanel extends JPanel {
         context.tell(context.session().moveTask(preview.task(), preview.to()), preview.words());
     }
 
-    /** The menu of whom the chosen task can be given to; each entry says what it changes. */
+    /** The menu of boats that can get the chosen task; each entry says what it changes. */
     JPopupMenu menu() {
         JPopupMenu menu = new JPopupMenu();
         menu.setName("allocation-menu");

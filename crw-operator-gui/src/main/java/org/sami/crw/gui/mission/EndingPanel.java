@@ -43,9 +43,9 @@ final class EndingPanel extends JPanel {
     /**
      * Nothing is proposed.
      *
-     * @param end is told true to abort, false to complete
+     * @param end receives true for an abort, false for a completion
      * @param focusBack gives the focus to the mission
-     * @param changed is told when something is proposed, or no longer
+     * @param changed is called when something is proposed, or no longer
      */
     EndingPanel(CommandRegistry commands, Consumer<Boolean> end, Runnable focusBack, Runnable changed) {
         super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 3", "[grow,fill][][]"));
@@ -99,7 +99,7 @@ final class EndingPanel extends JPanel {
         write();
     }
 
-    /** Where the heading would wrap beside the buttons, the mission's name leads the lines below it. */
+    /** Where the heading would wrap next to the buttons, the mission's name leads the lines below it. */
     @Override
     public void doLayout() {
         boolean narrowNow = getWidth() < Look.px(NARROW);

@@ -127,7 +127,7 @@ final class GlobalsPanel extends JPanel {
         return WidthTrackingPanel.fromLeastHeight(new SidesPanel(table, one));
     }
 
-    /** Asks the engine anew; at most one question is under way. */
+    /** Asks the engine again; at most one question is under way. */
     void reload() {
         if (!asking) {
             asking = true;
@@ -216,7 +216,7 @@ final class GlobalsPanel extends JPanel {
         refreshCommands();
     }
 
-    /** What is to be said of a value before it is set; in a replay nothing is set. */
+    /** The judgement of a value before it is set; in a replay nothing is set. */
     private JudgedDraft judged(VariableSpec global, ValueEditor editor) {
         return new JudgedDraft(
                 () -> editor.isTouched()

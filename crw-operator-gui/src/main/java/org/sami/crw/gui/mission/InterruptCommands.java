@@ -42,7 +42,7 @@ final class InterruptCommands {
                                         : Optional.of("no interrupt asks which boats it is for"))));
     }
 
-    /** Says anew which command presses what; adds those that have no key. */
+    /** Says again which command presses what; adds those that have no key. */
     void show() {
         while (commands.size() < places.count()) {
             commands.add(context.commands().add(added(commands.size())));

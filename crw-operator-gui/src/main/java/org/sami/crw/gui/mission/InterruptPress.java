@@ -17,14 +17,14 @@ final class InterruptPress {
     private final List<Runnable> listeners = new ArrayList<>();
     private Optional<Proposed> proposed = Optional.empty();
 
-    /** What is to be confirmed, and for whom. */
+    /** The interrupt to confirm, and its boats. */
     record Proposed(InterruptChoice choice, List<String> boats) {}
 
     InterruptPress(OperatorContext context) {
         this.context = context;
     }
 
-    /** Is told when something is to be confirmed, or no longer. */
+    /** Calls a listener when a confirmation is due, or no longer. */
     void addListener(Runnable listener) {
         listeners.add(listener);
     }

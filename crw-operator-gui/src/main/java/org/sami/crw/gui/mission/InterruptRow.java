@@ -11,7 +11,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Spacing;
 
-/** The button of one interrupt of one mission, and beside it the one that withdraws it while it asks which boats it is for. */
+/** The button of one interrupt of one mission, and next to it the one that withdraws it while it asks for its boats. */
 final class InterruptRow extends JPanel {
     private static final int MOST_NAMED = 2; // the tooltip has all of them
 

@@ -16,7 +16,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 
-/** What a mission does, and the buttons that end it: a line above its parts, or, where the panel is low, icons beside their tabs. */
+/** What a mission does, and the buttons that end it: a line above its parts, or, where the panel is low, icons next to their tabs. */
 final class MissionHead {
     private static final List<String> ENDING = List.of("mission-complete", "mission-abort");
     private static final String CLOSING = "mission-close";
@@ -76,7 +76,7 @@ final class MissionHead {
         return icons.isVisible();
     }
 
-    /** Says beside the tabs of a low panel that it cannot go on; the whole of it is in the tooltip. */
+    /** Shows next to the tabs of a low panel that it cannot go on; the tooltip has the whole text. */
     void showStuck(Optional<StuckMission> stuck) {
         brief.setText(stuck.map(one -> "Stuck: " + one.what()).orElse(""));
         brief.setToolTipText(

@@ -116,7 +116,7 @@ final class MissionNet extends JPanel {
         }
     }
 
-    /** Is told when {@link #needsMenu} may have changed. */
+    /** Calls a listener when {@link #needsMenu} may have changed. */
     void onNeedOfMenu(Runnable listener) {
         menuListener = listener;
     }

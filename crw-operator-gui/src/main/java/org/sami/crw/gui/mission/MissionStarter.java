@@ -84,7 +84,7 @@ public final class MissionStarter {
             return BorderFactory.createEmptyBorder(0, inset, inset, inset);
         });
         sheet.open(new Sheet("mission-values-window", "Start " + plan.title(), form)
-                .over(over) // beside the map, which shows what is entered
+                .over(over) // next to the map, which shows the entries
                 .whenClosed(() -> preview.accept(List.of())));
     }
 

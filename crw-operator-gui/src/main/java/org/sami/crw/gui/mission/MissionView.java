@@ -50,7 +50,7 @@ final class MissionView extends JPanel {
     /** A line of a table: what, and what is so. */
     private record Line(String what, String text, boolean wrong) {}
 
-    /** @param proposed is told when an end is proposed, or no longer */
+    /** @param proposed is called when an end is proposed, or no longer */
     MissionView(OperatorContext context, MissionSnapshot first, MissionsSnapshot all, Runnable proposed) {
         super(new BorderLayout());
         this.context = context;
@@ -118,7 +118,7 @@ final class MissionView extends JPanel {
                 });
     }
 
-    /** Says anew what the proposed end will do, as boats go on meanwhile. */
+    /** Says again what the proposed end will do, as boats go on meanwhile. */
     void refreshEnding() {
         if (ending.proposed().isPresent()) {
             OperatorModels models = context.models();
@@ -202,7 +202,7 @@ final class MissionView extends JPanel {
     public void doLayout() {
         boolean low = getHeight() < Look.px(LOW);
         head.setLow(low);
-        stuckBar.setVisible(isStuck() && !low); // else beside the tabs
+        stuckBar.setVisible(isStuck() && !low); // else next to the tabs
         super.doLayout();
     }
 

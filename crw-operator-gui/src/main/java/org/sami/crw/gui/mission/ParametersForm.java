@@ -54,7 +54,7 @@ final class ParametersForm extends JPanel {
      *
      * @param names the parameters that are offered, those that are not locked
      * @param last the values of the last time, by name
-     * @param judge says what is to be said of values, by name, before the mission starts with them; on the event thread
+     * @param judge judges values, by name, before the mission starts with them; on the event thread
      * @param changed is given the values that are ticked and complete, after each change
      * @param started is given the values, by name
      */
@@ -147,7 +147,7 @@ final class ParametersForm extends JPanel {
         }
     }
 
-    /** Starts with what is judged; with what is not judged yet once it is, unless something is to be minded. */
+    /** Starts with judged values; with unjudged ones once they are judged, unless there is a warning. */
     private void press() {
         if (judged.isCurrent()) {
             started.accept(values());

@@ -28,7 +28,7 @@ final class PhaseFollower implements HostListener {
     /**
      * Follows no mission yet.
      *
-     * @param changed is told of a mission that has gone on, on the event thread
+     * @param changed receives of a mission that has gone on, on the event thread
      */
     PhaseFollower(Vocabulary vocabulary, LongConsumer changed) {
         this.vocabulary = vocabulary;

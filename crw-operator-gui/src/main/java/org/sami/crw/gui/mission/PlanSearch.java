@@ -15,7 +15,7 @@ import org.sami.ui.look.Spacing;
 final class PlanSearch extends JTextField {
     private static final int NARROW = 88;
     private static final int WIDE = 220;
-    private static final int BUTTONS = 400; // what stands beside it has so much room first
+    private static final int BUTTONS = 400; // this width is first given to what is next to it
 
     /**
      * A field over a text that other fields may show as well.

@@ -120,7 +120,7 @@ public final class PlansPanel extends JPanel {
     }
 
     /**
-     * Where buttons above the table would leave it too few rows, they stand beside it: in a column below the search; without it,
+     * Where buttons above the table would leave it too few rows, they are next to it: in a column below the search; without it,
      * and then in a row, where the panel is lower still. In a row the second shows its words where they leave the table half of the width.
      */
     @Override

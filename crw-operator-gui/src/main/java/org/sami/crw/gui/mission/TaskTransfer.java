@@ -13,7 +13,7 @@ import javax.swing.TransferHandler;
 import org.sami.crw.operator.mission.TaskMovePreview;
 import org.sami.spn.value.TaskId;
 
-/** Lets a task be dragged within the table of tasks; what a drop would change is said while it is dragged. */
+/** Lets a task be dragged within the table of tasks; the change by a drop is shown while it is dragged. */
 final class TaskTransfer extends TransferHandler {
     private final transient IntFunction<Optional<TaskId>> taskAt;
     private final transient BiFunction<TaskId, Integer, Optional<TaskMovePreview>> previewTo;
@@ -26,7 +26,7 @@ final class TaskTransfer extends TransferHandler {
      *
      * @param taskAt the task of a row
      * @param previewTo what dropping a task on a row would change; empty where nothing
-     * @param say is told what a drop would change now; empty when nothing is dragged any longer
+     * @param say receives what a drop would change now; empty when nothing is dragged any longer
      * @param give does it
      */
     TaskTransfer(

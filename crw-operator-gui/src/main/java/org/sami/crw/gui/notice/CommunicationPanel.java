@@ -25,7 +25,7 @@ import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
 /**
- * The Communication Frame (thesis 5.2.1, 6.3.4): how each boat stands in the missions, the worst first, and its link beside it. A boat is red
+ * The Communication Frame (thesis 5.2.1, 6.3.4): how each boat stands in the missions, the worst first, and its link next to it. A boat is red
  * where it is severe in any mission, yellow where it is a warning in any, else green; a word and a shape say the same.
  */
 public final class CommunicationPanel extends JPanel {

@@ -1,2 +1,2 @@
-/** What the operator is told and need not answer: messages and alarms. */
+/** News for the operator that needs no answer: messages and alarms. */
 package org.sami.crw.gui.notice;

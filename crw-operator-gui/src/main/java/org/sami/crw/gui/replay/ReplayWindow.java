@@ -74,7 +74,7 @@ public final class ReplayWindow {
      * A window that is not shown yet.
      *
      * @param data is closed with the window
-     * @param ended is told when all is closed
+     * @param ended is called when all is closed
      */
     public ReplayWindow(ReplayedJournal journal, DataDirectory data, WindowSettings settings, IntConsumer ended) {
         this.data = data;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.sami.spn.protocol.Priority;
 
 /**
- * How an alarm sounds, by its severity: told apart by rhythm as well as by pitch, so that they are known in wind and by ears that hear no high
+ * How an alarm sounds, by its severity: distinguished by rhythm as well as by pitch, so that they are known in wind and by ears that hear no high
  * tones. Made by computing, from no file.
  */
 public enum AlarmTone {

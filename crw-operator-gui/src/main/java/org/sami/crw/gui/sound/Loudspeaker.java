@@ -41,7 +41,7 @@ public final class Loudspeaker implements AutoCloseable {
     /**
      * The loudspeaker; nothing is opened before the first tone.
      *
-     * @param silent is told once, on any thread, why nothing can be heard
+     * @param silent receives once, on any thread, why nothing can be heard
      */
     public Loudspeaker(Consumer<String> silent) {
         this(AudioSystem::getSourceDataLine, silent);

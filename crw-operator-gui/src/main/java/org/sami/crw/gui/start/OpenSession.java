@@ -79,7 +79,7 @@ final class OpenSession {
         Optional<Path> newest = newest();
         Path aside = setAside();
         if (newest.isPresent()) {
-            write(newest.get()); // it stays on offer until it is finished, or a session begins anew
+            write(newest.get()); // it stays on offer until it is finished, or a session begins again
         }
         return new Told(
                 newest,

@@ -56,9 +56,9 @@ public final class OperatorCommand implements Callable<Integer> {
             names = "--conditions",
             paramLabel = "NAME",
             description =
-                    "How simulated boats fare, and boats that do not say it: calm, field or rough; ways keep as far off "
-                            + "what is not to be entered (default: calm for simulated boats, else field; of a session "
-                            + "that is gone on with, what it had).")
+                    "The water of simulated boats, and the errors of boats that do not report theirs: calm, field "
+                            + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, "
+                            + "else field; of a session that is resumed, its own).")
     private NamedConditions conditions;
 
     @Option(
@@ -75,7 +75,7 @@ public final class OperatorCommand implements Callable<Integer> {
             names = "--resume",
             negatable = true,
             description =
-                    "Go on with the session that was not finished, or (--no-resume) begin anew, without being asked.")
+                    "Go on with the session that was not finished, or (--no-resume) begin a new one, without being asked.")
     private Boolean resume;
 
     @Option(

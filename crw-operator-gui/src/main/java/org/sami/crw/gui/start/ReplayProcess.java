@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.sami.ui.look.Look;
 
-/** Starts a replay beside a session: in a process of its own, so that nothing in it slows the session down (docs/decisions/0250). */
+/** Starts a replay during a session: in a process of its own, so that nothing in it slows the session down (docs/decisions/0250). */
 public final class ReplayProcess {
     /** The program of the windows, which stands above this package. */
     private static final String PROGRAM = "org.sami.crw.gui.OperatorGui";
@@ -20,7 +20,7 @@ public final class ReplayProcess {
      * Starts it, in the theme and scale in force, with the options of Java that this process has: so it starts from the same archive of classes.
      *
      * @param folder the data directory of the session's window
-     * @param problem is told in one line why the process has ended with a fault, such as that the file is no journal; on a thread of its own
+     * @param problem receives in one line why the process has ended with a fault, such as that the file is no journal; on a thread of its own
      * @throws IOException if this machine starts no process
      */
     public static void start(Path journal, Path folder, Consumer<String> problem) throws IOException {

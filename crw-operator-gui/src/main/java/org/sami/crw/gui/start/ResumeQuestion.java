@@ -30,7 +30,7 @@ public final class ResumeQuestion {
         panel.add(text, "span, wmin 60, gapbottom 8");
         JButton goOn = button("resume-go-on", "Go on with it", true);
         panel.add(goOn, "split 2, hmin 40");
-        panel.add(button("resume-begin-anew", "Begin anew", false), "hmin 40");
+        panel.add(button("resume-begin-anew", "Begin a new one", false), "hmin 40");
         panel.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
         panel.getActionMap()
                 .put("leave", new Command("resume-leave", "Leave it on offer", () -> give(Optional.empty())));

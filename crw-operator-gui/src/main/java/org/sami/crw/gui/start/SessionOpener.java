@@ -27,7 +27,7 @@ import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 
-/** Opens the session of a window: with the built-in fleet or with real boats, anew or where an earlier window's ended. */
+/** Opens the session of a window: with the built-in fleet or with real boats, again or where an earlier window's ended. */
 public final class SessionOpener {
     private static final String DOMAIN = "/org/sami/domain/crw";
     private static final String BEACH = DOMAIN + "/deployments/katara-beach.json";

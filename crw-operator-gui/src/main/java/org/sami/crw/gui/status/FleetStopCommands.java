@@ -77,7 +77,7 @@ public final class FleetStopCommands {
     private void stopAll() {
         pressed = true;
         releasing = false;
-        context.tell(context.session().fleet().stopAll(), "Fleet stop: every boat is told to stop its motors");
+        context.tell(context.session().fleet().stopAll(), "Fleet stop: stop sent to every boat");
         refresh();
     }
 

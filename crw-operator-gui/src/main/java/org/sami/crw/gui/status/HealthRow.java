@@ -18,7 +18,7 @@ import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.TooltipLines;
 
 /**
- * The row below the strip: the worst fault that lasts, since when, what to do, and how many there are besides. What to do stands beside what is wrong, or below
+ * The row below the strip: the worst fault that lasts, since when, what to do, and how many there are besides. The remedy is next to the fault, or below
  * it where one line has no room for both. The row is always there and equally high, so that nothing moves when a fault comes or goes; pressing it shows all
  * faults with their details. On the event thread.
  */

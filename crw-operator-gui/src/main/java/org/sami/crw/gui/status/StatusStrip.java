@@ -200,7 +200,7 @@ public final class StatusStrip extends JPanel {
         confirm.setVisible(fleetStop.isStopped() && fleetStop.isReleasing());
     }
 
-    /** On a narrow window a number beside the icon says it; the tooltip has the words. */
+    /** On a narrow window a number next to the icon shows it; the tooltip has the words. */
     private static void say(JLabel label, String words, String brief) {
         label.setText(brief.isEmpty() ? words : brief);
         label.setToolTipText(words);

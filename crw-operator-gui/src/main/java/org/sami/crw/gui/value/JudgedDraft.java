@@ -7,7 +7,7 @@ import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.judgement.Judgement;
 
 /**
- * What is to be said of an answer, or of other values, as they are filled in now: judged beside the event thread, one draft at a time, and anew every few seconds, as boats move. On the
+ * The judgement of an answer, or of other values, as they are filled in now: made off the event thread, one draft at a time, and again every few seconds, as boats move. On the
  * event thread.
  */
 public final class JudgedDraft {
@@ -27,7 +27,7 @@ public final class JudgedDraft {
      *
      * @param draft what is filled in now
      * @param judge judges; its results arrive on the event thread
-     * @param changed is told when something else is to be said
+     * @param changed is called when the judgement changes
      */
     public JudgedDraft(
             Supplier<DraftAnswer> draft, Function<DraftAnswer, CompletionStage<Judgement>> judge, Runnable changed) {
@@ -59,12 +59,12 @@ public final class JudgedDraft {
         });
     }
 
-    /** Whether what is said is about what is filled in now. */
+    /** Whether the judgement is of the present entries. */
     public boolean isCurrent() {
         return draft.get().equals(answered);
     }
 
-    /** What was said last; of what was filled in meanwhile nothing is said yet. */
+    /** The last judgement; later entries are not judged yet. */
     public Judgement judgement() {
         return judgement;
     }

@@ -5,7 +5,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.Look;
 
-/** A list and what is chosen in it: beside one another, or one below the other where the panel is narrow. */
+/** A list and what is chosen in it: side by side, or one below the other where the panel is narrow. */
 public final class SidesPanel extends JPanel {
     private static final int ROOM = 520;
     private static final String LAYOUT = "novisualpadding, insets 0, gap 0, fill";

@@ -59,7 +59,7 @@ final class ClosingForm extends JPanel {
         add(
                 choice(
                         "closing-go-on",
-                        "Close; boats go on with what they were told last",
+                        "Close; boats continue with their last commands",
                         "play",
                         chosen,
                         BoatsAtEnd.GO_ON),

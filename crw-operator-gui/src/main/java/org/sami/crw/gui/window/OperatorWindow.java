@@ -57,7 +57,7 @@ public final class OperatorWindow {
      *
      * @param project file of the project with which the session began; empty = it came with the program
      * @param data is closed with the window, as the session is
-     * @param ended is told when all is closed: 0, or 4 where something could not be, the session had broken or missions stood still for its journal
+     * @param ended is called when all is closed: 0, or 4 where something could not be, the session had broken or missions stood still for its journal
      */
     public OperatorWindow(
             Session session, Optional<Path> project, DataDirectory data, WindowSettings settings, IntConsumer ended) {
@@ -125,7 +125,7 @@ public final class OperatorWindow {
                                 data.arrangement().getFileName().toString(),
                                 Priority.LOW,
                                 "The file of the arrangement of panels is damaged",
-                                "The panels lie as at first; arrange them anew")
+                                "The panels lie as at first; arrange them again")
                         .withDetails(trouble));
     }
 
@@ -178,9 +178,9 @@ public final class OperatorWindow {
     }
 
     /**
-     * Closes the window, and then, beside the event thread, the session; the process ends with it.
+     * Closes the window, and then, off the event thread, the session; the process ends with it.
      *
-     * @param boats what they are told
+     * @param boats what the boats do then
      */
     public void end(BoatsAtEnd boats) {
         refresh.stop();
