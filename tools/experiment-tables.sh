@@ -1,13 +1,13 @@
 #!/bin/sh
 # Runs experiments of docs/experiments.md anew and puts their tables into the page, each with the date and the commit:
-#     ./gradlew :crw-sim:installDist && tools/experiment-tables.sh
+#     ./gradlew :crw-cli:installDist && tools/experiment-tables.sh
 # Usage: experiment-tables.sh [NAME...]   (library, separation: docs/experiments/NAME.runs; both unless told. SEEDS=1..2 for fewer seeds)
 set -eu
 cd "$(dirname "$0")/.."
 page=docs/experiments.md
-crw=crw-sim/build/install/crw/bin/crw
+crw=crw-cli/build/install/crw/bin/crw
 if [ ! -x "$crw" ]; then
-    echo "experiment-tables: $crw is not there; make it: ./gradlew :crw-sim:installDist" >&2
+    echo "experiment-tables: $crw is not there; make it: ./gradlew :crw-cli:installDist" >&2
     exit 2
 fi
 [ $# -gt 0 ] || set -- library separation

@@ -1,13 +1,13 @@
 #!/bin/sh
 # Runs the missions that the pages of docs/plans quote anew, and puts what they print into the pages:
-#     ./gradlew :crw-sim:installDist && tools/quoted-runs.sh
+#     ./gradlew :crw-cli:installDist && tools/quoted-runs.sh
 # Usage: quoted-runs.sh [PAGE...]   (docs/plans/clv.md; all pages unless told)
 # A page's answers.json is its JSON block of that format. Lines that differ from run to run or machine to machine are left out, long ones are cut.
 set -eu
 cd "$(dirname "$0")/.."
-bin=$PWD/crw-sim/build/install/crw/bin
+bin=$PWD/crw-cli/build/install/crw/bin
 if [ ! -x "$bin/crw" ]; then
-    echo "quoted-runs: $bin/crw is not there; make it: ./gradlew :crw-sim:installDist" >&2
+    echo "quoted-runs: $bin/crw is not there; make it: ./gradlew :crw-cli:installDist" >&2
     exit 2
 fi
 [ $# -gt 0 ] || set -- docs/plans/*.md

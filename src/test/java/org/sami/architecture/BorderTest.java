@@ -34,7 +34,16 @@ class BorderTest {
     @ParameterizedTest
     @EnumSource(
             value = SamiModule.class,
-            names = {"SPN_CORE", "BOAT_LINK", "BOAT_SERVER", "CRW_DOMAIN"})
+            names = {
+                "SPN_LANGUAGE",
+                "SPN_CORE",
+                "SPN_AUTHORING",
+                "BOAT_LINK",
+                "BOAT_SERVER",
+                "CRW_SERVICES",
+                "CRW_DOMAIN",
+                "CRW_SESSION"
+            })
     void hasNoWindows(SamiModule module) {
         noClasses()
                 .should()
@@ -46,7 +55,7 @@ class BorderTest {
     /** The lock rule (docs/threads.md): a window may call every public method of a model on its event thread. */
     @Test
     void modelsCallNothingThatWaits() {
-        JavaClasses classes = SamiModule.CRW_DOMAIN.classes();
+        JavaClasses classes = SamiModule.CRW_SESSION.classes();
         assertThat(classes.that(resideInAPackage("org.sami.crw.operator..")).size())
                 .as("classes seen among the models")
                 .isGreaterThan(20);
@@ -77,18 +86,24 @@ class BorderTest {
                 .check(classes);
     }
 
-    @Test
-    void simulatorDrawsPicturesButOpensNoWindow() {
+    @ParameterizedTest
+    @EnumSource(
+            value = SamiModule.class,
+            names = {"NET_PICTURE", "CRW_REPORT", "CRW_SIM", "CRW_CLI"})
+    void simulatorAndCommandDrawPicturesButOpenNoWindow(SamiModule module) {
         noClasses()
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage("javax.swing..", "java.awt.event..")
-                .check(SamiModule.CRW_SIM.classes());
+                .check(module.classes());
     }
 
-    @Test
-    void languageHasNoBoatInItsNames() {
-        JavaClasses classes = SamiModule.SPN_CORE.classes();
+    @ParameterizedTest
+    @EnumSource(
+            value = SamiModule.class,
+            names = {"SPN_LANGUAGE", "SPN_CORE", "SPN_AUTHORING"})
+    void languageHasNoBoatInItsNames(SamiModule module) {
+        JavaClasses classes = module.classes();
 
         List<String> boatish = classes.stream()
                 .map(javaClass -> javaClass.getName())

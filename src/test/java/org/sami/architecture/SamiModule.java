@@ -20,44 +20,138 @@ import java.util.stream.Stream;
  * package of the boats domain; ARCHITECTURE.md shows the same map in words.
  */
 enum SamiModule {
-    SPN_CORE("spn-core", 720, List.of("org.sami.spn.."), List.of()),
+    /** Values, vocabulary, plans, their JSON, and what is said of them: checks and repairs. */
+    SPN_LANGUAGE(
+            "spn-language",
+            430,
+            List.of(
+                    "org.sami.spn.analysis..",
+                    "org.sami.spn.component..",
+                    "org.sami.spn.edit..",
+                    "org.sami.spn.finding..",
+                    "org.sami.spn.flow..",
+                    "org.sami.spn.json..",
+                    "org.sami.spn.model..",
+                    "org.sami.spn.naming..",
+                    "org.sami.spn.phase..",
+                    "org.sami.spn.protocol..",
+                    "org.sami.spn.sequence..",
+                    "org.sami.spn.value..",
+                    "org.sami.spn.vocabulary.."),
+            List.of()),
+    /** The engine, its host and journal. Who embeds it gets no library of layouts and no wizard. */
+    SPN_CORE(
+            "spn-core",
+            190,
+            List.of(
+                    "org.sami.spn.engine..",
+                    "org.sami.spn.host..",
+                    "org.sami.spn.journal..",
+                    "org.sami.spn.replay..",
+                    "org.sami.spn.sqlite..",
+                    "org.sami.spn.stepping..",
+                    "org.sami.spn.testcase.."),
+            List.of(SPN_LANGUAGE)),
+    /** What helps to write plans. */
+    SPN_AUTHORING(
+            "spn-authoring",
+            160,
+            List.of(
+                    "org.sami.spn.drawing..",
+                    "org.sami.spn.geotext..",
+                    "org.sami.spn.legacy..",
+                    "org.sami.spn.pattern..",
+                    "org.sami.spn.statespace..",
+                    "org.sami.spn.wiring..",
+                    "org.sami.spn.wizard.."),
+            List.of(SPN_CORE, SPN_LANGUAGE)),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 50, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    /** Planning over values: no engine and no boat. */
+    CRW_SERVICES("crw-services", 105, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(
             "crw-domain",
-            530,
+            285,
             List.of(
+                    "org.sami.crw.area..",
                     "org.sami.crw.decision..",
-                    "org.sami.crw.event..",
                     "org.sami.crw.fleet..",
                     "org.sami.crw.handler..",
-                    "org.sami.crw.judgement..",
+                    "org.sami.crw.manipulation..",
                     "org.sami.crw.markup..",
-                    "org.sami.crw.operator..",
+                    "org.sami.crw.message..",
                     "org.sami.crw.proxy..",
-                    "org.sami.crw.replay..",
-                    "org.sami.crw.service..",
-                    "org.sami.crw.session..",
                     "org.sami.crw.task.."),
-            List.of(SPN_CORE, BOAT_LINK)),
+            List.of(CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+    CRW_SESSION(
+            "crw-session",
+            215,
+            List.of(
+                    "org.sami.crw.judgement..",
+                    "org.sami.crw.operator..",
+                    "org.sami.crw.replay..",
+                    "org.sami.crw.session.."),
+            List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */
-    NET_PICTURE("net-picture", 8, List.of("org.sami.palette..", "org.sami.picture.."), List.of(SPN_CORE)),
+    NET_PICTURE(
+            "net-picture",
+            8,
+            List.of("org.sami.palette..", "org.sami.picture.."),
+            List.of(SPN_AUTHORING, SPN_LANGUAGE)),
+    /** Reports of runs and logs of boats. Of the boat server it uses the geometry of its local frame. */
+    CRW_REPORT(
+            "crw-report",
+            100,
+            List.of("org.sami.crw.log..", "org.sami.crw.report.."),
+            List.of(CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, NET_PICTURE, BOAT_SERVER, SPN_CORE, SPN_LANGUAGE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
-            300,
+            150,
             List.of("org.sami.crw.sim.."),
-            List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, NET_PICTURE, SPN_CORE)),
+            List.of(CRW_REPORT, CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, BOAT_SERVER, BOAT_LINK, SPN_CORE, SPN_LANGUAGE)),
+    /** The command crw. */
+    CRW_CLI(
+            "crw-cli",
+            105,
+            List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
+            List.of(
+                    CRW_SIM,
+                    CRW_REPORT,
+                    CRW_SESSION,
+                    CRW_DOMAIN,
+                    CRW_SERVICES,
+                    NET_PICTURE,
+                    BOAT_SERVER,
+                    BOAT_LINK,
+                    SPN_AUTHORING,
+                    SPN_CORE,
+                    SPN_LANGUAGE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */
-    UI_KIT("ui-kit", 265, List.of("org.sami.ui.."), List.of(NET_PICTURE, SPN_CORE)),
+    UI_KIT("ui-kit", 265, List.of("org.sami.ui.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
-    DREAMM_IDE("dreamm-ide", 225, List.of("org.sami.dreamm.."), List.of(UI_KIT, NET_PICTURE, SPN_CORE)),
-    /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
+    DREAMM_IDE(
+            "dreamm-ide",
+            225,
+            List.of("org.sami.dreamm.."),
+            List.of(UI_KIT, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
+    /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
             140,
             List.of("org.sami.crw.gui.."),
-            List.of(UI_KIT, NET_PICTURE, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
+            List.of(
+                    UI_KIT,
+                    NET_PICTURE,
+                    CRW_CLI,
+                    CRW_SIM,
+                    CRW_SESSION,
+                    CRW_DOMAIN,
+                    CRW_SERVICES,
+                    BOAT_LINK,
+                    SPN_AUTHORING,
+                    SPN_CORE,
+                    SPN_LANGUAGE));
 
     /** Reading a module's classes takes seconds, and most tests ask for all modules. */
     private static final Map<SamiModule, JavaClasses> IMPORTED = new ConcurrentHashMap<>();

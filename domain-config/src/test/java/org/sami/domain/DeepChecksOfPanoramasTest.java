@@ -7,11 +7,6 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.sami.spn.analysis.space.DeepCheck;
-import org.sami.spn.analysis.space.DeepFinding;
-import org.sami.spn.analysis.space.DeepRequest;
-import org.sami.spn.analysis.space.DeepResult;
-import org.sami.spn.analysis.space.SearchWatch;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -22,6 +17,11 @@ import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TokenKind;
+import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepFinding;
+import org.sami.spn.statespace.DeepRequest;
+import org.sami.spn.statespace.DeepResult;
+import org.sami.spn.statespace.SearchWatch;
 import org.sami.spn.stepping.Stepper;
 
 /** Panoramas by robot, asynchronous and synchronous, as authors draw them: the right ones have no finding, each wrong one has its own. */

@@ -6,13 +6,13 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.sami.spn.analysis.space.DeepCheck;
-import org.sami.spn.analysis.space.DeepRequest;
-import org.sami.spn.analysis.space.DeepResult;
-import org.sami.spn.analysis.space.SearchWatch;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepRequest;
+import org.sami.spn.statespace.DeepResult;
+import org.sami.spn.statespace.SearchWatch;
 
 /** Deep checks run on every plan that ships and find nothing wrong: each of these plans was read and run. */
 class DeepChecksOfShippedPlansTest {

@@ -35,18 +35,18 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
+import org.sami.spn.sequence.AuthoringLibrary;
+import org.sami.spn.sequence.EventCategory;
+import org.sami.spn.sequence.Sequence;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.AddVertex;
-import org.sami.spn.wizard.AuthoringLibrary;
 import org.sami.spn.wizard.ComputeRequirements;
-import org.sami.spn.wizard.EventCategory;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.NextEvents;
 import org.sami.spn.wizard.PlanChange;
 import org.sami.spn.wizard.RemoveWithRequirements;
-import org.sami.spn.wizard.Sequence;
 
 /**
  * The event wizard and the computation of requirements (thesis 5.1.1), with the sequences of the boats. The thesis calls some of their events

@@ -29,6 +29,9 @@ import org.sami.spn.model.WaitFor;
 import org.sami.spn.pattern.PatternSpot;
 import org.sami.spn.pattern.Patterns;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.sequence.AuthoringLibrary;
+import org.sami.spn.sequence.Gathering;
+import org.sami.spn.sequence.Sequence;
 import org.sami.spn.testing.PlayedTeam;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.MapValue;
@@ -36,11 +39,8 @@ import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.wizard.AddEvent;
-import org.sami.spn.wizard.AuthoringLibrary;
 import org.sami.spn.wizard.ChangeWaiting;
 import org.sami.spn.wizard.EventTarget;
-import org.sami.spn.wizard.Gathering;
-import org.sami.spn.wizard.Sequence;
 
 /** The three ways in which a plan goes on where boats answer one by one: drawn without an error, and run as their names say. */
 class GatheringTest {

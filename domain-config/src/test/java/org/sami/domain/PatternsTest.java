@@ -37,6 +37,8 @@ import org.sami.spn.pattern.Patterns;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.sequence.AuthoringLibrary;
+import org.sami.spn.sequence.Gathering;
 import org.sami.spn.testing.PlayedTasks;
 import org.sami.spn.testing.PlayedTeam;
 import org.sami.spn.value.DurationValue;
@@ -48,9 +50,7 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.wizard.AddEvent;
-import org.sami.spn.wizard.AuthoringLibrary;
 import org.sami.spn.wizard.EventTarget;
-import org.sami.spn.wizard.Gathering;
 
 /** Each pattern draws a plan that passes all checks and that runs as the pattern says, and is one step to undo. */
 class PatternsTest {

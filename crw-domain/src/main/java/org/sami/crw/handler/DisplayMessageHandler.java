@@ -1,11 +1,11 @@
 package org.sami.crw.handler;
 
 import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.manipulation.ManipulationLimit;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MarkupReader;
-import org.sami.crw.operator.manipulation.ManipulationLimit;
-import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.MessageSink;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;

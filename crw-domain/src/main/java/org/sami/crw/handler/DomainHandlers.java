@@ -44,7 +44,7 @@ import org.sami.crw.handler.planning.PathHandler;
 import org.sami.crw.handler.subscription.AreaSubscriptions;
 import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.handler.subscription.MeasurementHandler;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;

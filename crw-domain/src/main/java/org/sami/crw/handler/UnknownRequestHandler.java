@@ -1,8 +1,8 @@
 package org.sami.crw.handler;
 
 import org.sami.crw.handler.activation.ActivationFields;
-import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.MessageSink;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.handler.planning.ServiceThreads;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.Interruption;

@@ -13,7 +13,7 @@ import org.sami.crw.decision.OfferedOption;
 import org.sami.crw.markup.Attention;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.OperatorLogEntry;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;

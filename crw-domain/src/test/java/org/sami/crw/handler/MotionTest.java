@@ -10,7 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.TrackingError;
 import org.sami.crw.event.PathOption;
 import org.sami.crw.event.ProxyMaps;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Input;

@@ -13,7 +13,7 @@ import org.sami.boat.link.TrackingError;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.EventNames;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Input;

@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Gains;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Occurrence;

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.assertj.core.groups.Tuple;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;

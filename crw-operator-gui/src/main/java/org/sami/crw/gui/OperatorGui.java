@@ -1,8 +1,8 @@
 package org.sami.crw.gui;
 
 import java.util.Arrays;
+import org.sami.crw.cli.Crw;
 import org.sami.crw.gui.start.OperatorCommand;
-import org.sami.crw.sim.cli.Crw;
 import org.sami.ui.window.WindowDisplay;
 import picocli.CommandLine;
 

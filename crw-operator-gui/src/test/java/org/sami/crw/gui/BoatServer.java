@@ -5,8 +5,8 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.sami.crw.cli.Crw;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.sim.cli.Crw;
 import org.sami.spn.testing.JavaProcess;
 
 /** A simulated boat's server as a process of its own, with the boat's log in a folder; it can be killed and started again at its address. */

@@ -35,7 +35,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.session.Session;
 import org.sami.palette.Theme;
 import org.sami.spn.journal.JournalReader;

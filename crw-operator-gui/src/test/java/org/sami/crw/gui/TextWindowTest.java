@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.palette.Theme;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.WindowRobot;

@@ -13,12 +13,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.spn.analysis.PlanChecks;
-import org.sami.spn.analysis.space.DeepCheck;
-import org.sami.spn.analysis.space.DeepFinding;
-import org.sami.spn.analysis.space.DeepRequest;
-import org.sami.spn.analysis.space.SearchWatch;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Project;
+import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepFinding;
+import org.sami.spn.statespace.DeepRequest;
+import org.sami.spn.statespace.SearchWatch;
 
 /** Mistakes of authors, sixty and more: each is found by name at the right element, and none where a plan is right. */
 class AuthorMistakesTest {

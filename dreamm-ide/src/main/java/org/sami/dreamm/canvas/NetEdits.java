@@ -24,7 +24,7 @@ import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.Plan;
-import org.sami.spn.wizard.AuthoringLibrary;
+import org.sami.spn.sequence.AuthoringLibrary;
 import org.sami.spn.wizard.RemoveWithRequirements;
 import org.sami.ui.net.NetScene;
 

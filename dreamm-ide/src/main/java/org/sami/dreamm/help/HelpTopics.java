@@ -15,13 +15,13 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
+import org.sami.spn.sequence.AuthoringLibrary;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.spn.wizard.AuthoringLibrary;
 import org.sami.ui.value.ValueField;
 import org.sami.ui.value.ValueSummary;
 

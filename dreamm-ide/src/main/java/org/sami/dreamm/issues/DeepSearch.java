@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.sami.spn.analysis.space.DeepCheck;
-import org.sami.spn.analysis.space.DeepRequest;
-import org.sami.spn.analysis.space.DeepResult;
-import org.sami.spn.analysis.space.SearchWatch;
+import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepRequest;
+import org.sami.spn.statespace.DeepResult;
+import org.sami.spn.statespace.SearchWatch;
 
 /**
  * Runs one deep check at a time off the event thread, reports its progress and stops it on request. Its reports belong to the

@@ -8,9 +8,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.KeyStroke;
 import org.sami.dreamm.context.DreammContext;
-import org.sami.spn.analysis.space.DeepCheck;
-import org.sami.spn.analysis.space.DeepRequest;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepRequest;
 import org.sami.ui.command.Command;
 
 /** What can be done with issues: go through them, show, mend, play, and search deeper. */

@@ -8,8 +8,8 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.sequence.EventCategory;
 import org.sami.spn.vocabulary.EventType;
-import org.sami.spn.wizard.EventCategory;
 
 /** What a palette offers: blank vertices, the events of the domain, the project's plans as sub-missions, roles. Knows no Swing. */
 final class PaletteGroups {

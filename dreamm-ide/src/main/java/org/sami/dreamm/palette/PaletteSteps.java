@@ -11,10 +11,10 @@ import org.sami.spn.edit.Edit;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
+import org.sami.spn.sequence.Sequence;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.NextEvents;
-import org.sami.spn.wizard.Sequence;
 
 /** What can come next at a vertex: what its events can cause, by the vocabulary, and what usually follows them, by the domain's sequences. */
 public final class PaletteSteps implements AppendChoices {

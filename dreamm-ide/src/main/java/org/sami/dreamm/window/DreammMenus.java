@@ -5,7 +5,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentMenu;
-import org.sami.spn.analysis.space.DeepCheck;
+import org.sami.spn.statespace.DeepCheck;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;

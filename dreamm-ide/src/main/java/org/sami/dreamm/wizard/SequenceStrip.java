@@ -16,12 +16,12 @@ import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FreshIds;
+import org.sami.spn.sequence.Sequence;
 import org.sami.spn.wiring.DataSource;
 import org.sami.spn.wiring.Wires;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.PlanChange;
-import org.sami.spn.wizard.Sequence;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.value.WrappedText;
 

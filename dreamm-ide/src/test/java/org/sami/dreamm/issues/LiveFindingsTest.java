@@ -10,8 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.spn.analysis.PlanChecks;
-import org.sami.spn.analysis.space.DeepCheck;
-import org.sami.spn.analysis.space.DeepRequest;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.VertexEdit;
@@ -21,6 +19,8 @@ import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Project;
+import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
 

@@ -1,7 +1,7 @@
 package org.sami.crw.handler.activation;
 
 import java.util.List;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Priority;

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.activation.ActivationMessages;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.reach.WayDanger;

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.sami.crw.handler.activation.ActivationMessages;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.host.HandlerContext;

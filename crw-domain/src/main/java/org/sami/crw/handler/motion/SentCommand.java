@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.OptionalAnswer;
-import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

@@ -16,7 +16,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.sami.crw.handler.activation.ActivationMessages;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;

@@ -14,7 +14,7 @@ import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.Restrictions;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.handler.motion.NearPlaces;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;

@@ -22,7 +22,7 @@ import org.sami.crw.handler.motion.ExecutePathHandler;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
 import org.sami.crw.handler.motion.PathProgress;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.crw.service.coverage.Coverage;

@@ -17,7 +17,7 @@ import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.Markups;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.motion.BoatErrors;
-import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.path.PathAnswer;
 import org.sami.crw.service.path.PathProblem;

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.markup.MapRelevance;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 

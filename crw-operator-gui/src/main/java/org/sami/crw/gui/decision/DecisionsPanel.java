@@ -17,7 +17,7 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.value.JudgementView;
 import org.sami.crw.judgement.Judgement;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;

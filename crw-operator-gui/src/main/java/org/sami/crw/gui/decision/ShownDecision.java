@@ -3,7 +3,7 @@ package org.sami.crw.gui.decision;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 
 /**
  * Which decision is shown in full: the most urgent one, unless the operator browses or has begun to answer. What is shown is never

@@ -8,7 +8,7 @@ import java.util.function.LongConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.ListSelectionModel;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;

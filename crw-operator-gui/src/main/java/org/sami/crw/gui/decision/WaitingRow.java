@@ -1,7 +1,7 @@
 package org.sami.crw.gui.decision;
 
 import org.sami.crw.decision.DecisionPresentation;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.protocol.Priority;
 
 /**

@@ -25,7 +25,7 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorPanels;
 import org.sami.crw.gui.window.WindowMenus;
 import org.sami.crw.operator.DecisionQueue;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.replay.Replay;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.palette.IdentityMarks;

@@ -7,7 +7,7 @@ import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentType;

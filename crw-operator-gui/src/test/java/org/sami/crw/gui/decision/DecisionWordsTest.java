@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.decision.Asker;
 import org.sami.crw.decision.DecisionPresentation;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;

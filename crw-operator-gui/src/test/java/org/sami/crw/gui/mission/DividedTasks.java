@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.session.Session;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;

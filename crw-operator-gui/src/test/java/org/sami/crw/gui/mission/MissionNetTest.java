@@ -7,7 +7,7 @@ import static org.sami.crw.gui.SessionWorld.until;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;

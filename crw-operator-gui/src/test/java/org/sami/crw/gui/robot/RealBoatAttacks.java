@@ -18,7 +18,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Welcome;
-import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.protocol.Answer;
 

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.sami.crw.sim.report.Approach;
-import org.sami.crw.sim.report.BoatResult;
-import org.sami.crw.sim.report.Exploration;
-import org.sami.crw.sim.report.LocationResult;
-import org.sami.crw.sim.report.NoGoDepth;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.report.Approach;
+import org.sami.crw.report.BoatResult;
+import org.sami.crw.report.Exploration;
+import org.sami.crw.report.LocationResult;
+import org.sami.crw.report.NoGoDepth;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
 
 /**
  * What came of one run of an experiment. Lengths are metres, areas square metres, measured on where boats truly were.

@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
-import org.sami.crw.sim.report.ReportWords;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.file.CsvRow;
+import org.sami.crw.report.ReportWords;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.file.CsvRow;
 
 /** What came of an experiment: for people a line for each case and conditions, for programs one for each run. */
 public final class ExperimentTable {

@@ -3,8 +3,8 @@ package org.sami.crw.sim.run;
 import java.util.List;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.decision.OperatorDefaults;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.report.LinkResult;
+import org.sami.crw.report.RunOutcome;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.ReportFolds;
 

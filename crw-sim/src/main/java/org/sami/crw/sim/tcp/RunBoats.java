@@ -3,8 +3,8 @@ package org.sami.crw.sim.tcp;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.report.LinkResult;
 import org.sami.crw.session.FleetHistory;
-import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.run.record.BoatState;
 
 /** The boats of a session as a run's report has them. Safe for use by several threads. */

@@ -9,11 +9,11 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
-import org.sami.crw.sim.report.BoatResult;
-import org.sami.crw.sim.report.FiringResult;
-import org.sami.crw.sim.report.LocationResult;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.report.BoatResult;
+import org.sami.crw.report.FiringResult;
+import org.sami.crw.report.LocationResult;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
 

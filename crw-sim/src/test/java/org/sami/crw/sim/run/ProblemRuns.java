@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.OptionalLong;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
-import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;

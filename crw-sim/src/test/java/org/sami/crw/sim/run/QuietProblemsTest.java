@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFileReader;
-import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.ReportText;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.report.NoteResult;
+import org.sami.crw.report.ReportText;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 

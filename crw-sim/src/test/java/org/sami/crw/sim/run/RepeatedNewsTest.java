@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 

@@ -3,12 +3,12 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.sami.crw.sim.report.OperatorAction;
-import org.sami.crw.sim.report.OperatorPart;
-import org.sami.crw.sim.report.PhaseResult;
-import org.sami.crw.sim.report.PhasesPart;
-import org.sami.crw.sim.report.ReportText;
-import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.report.OperatorAction;
+import org.sami.crw.report.OperatorPart;
+import org.sami.crw.report.PhaseResult;
+import org.sami.crw.report.PhasesPart;
+import org.sami.crw.report.ReportText;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.RunPlan;
 
 /** The phase chart and the operator's log of a run, in its report. */

@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatCommands.End;
-import org.sami.crw.sim.report.DecisionResult;
-import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.report.DecisionResult;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.RunPlan;
 
 /** The operator's models of a run in process show what they would show over TCP. */

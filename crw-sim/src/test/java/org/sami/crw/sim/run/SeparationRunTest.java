@@ -7,12 +7,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.report.LocationResult;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.SimulatedHull;
-import org.sami.crw.sim.report.LocationResult;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 

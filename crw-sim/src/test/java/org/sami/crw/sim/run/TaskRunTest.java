@@ -11,12 +11,12 @@ import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.sim.report.ReportText;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.RunReport;
-import org.sami.crw.sim.report.TaskResult;
-import org.sami.crw.sim.report.file.ReportFolder;
-import org.sami.crw.sim.report.file.ReportJson;
+import org.sami.crw.report.ReportText;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
+import org.sami.crw.report.TaskResult;
+import org.sami.crw.report.file.ReportFolder;
+import org.sami.crw.report.file.ReportJson;
 import org.sami.crw.sim.run.settings.RunPlan;
 
 /** A plan of tasks on simulated boats, and what is reported of the tasks. */

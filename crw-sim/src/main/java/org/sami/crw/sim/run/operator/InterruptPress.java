@@ -2,7 +2,7 @@ package org.sami.crw.sim.run.operator;
 
 import java.util.List;
 import java.util.OptionalLong;
-import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.report.InterruptResult;
 import org.sami.crw.sim.run.settings.PlannedInterrupt;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;

@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.report.NoteResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;

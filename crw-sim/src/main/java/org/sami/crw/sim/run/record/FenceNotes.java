@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
-import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.report.NoteResult;
 import org.sami.spn.protocol.Ids;
 
 /**

@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.report.BoatResult;
 
 /**
  * Where boats were in a run: by what they reported and, of simulated ones, truly.

@@ -2,8 +2,8 @@ package org.sami.crw.sim.run.record;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.sami.crw.report.NoteResult;
 import org.sami.crw.session.SessionNote;
-import org.sami.crw.sim.report.NoteResult;
 
 /** What the operator was told. Safe for use by several threads. */
 public final class NoteFold implements ReportFold {

@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.List;
 import java.util.Locale;
 import org.sami.crw.operator.OperatorLogEntry;
-import org.sami.crw.sim.report.OperatorAction;
+import org.sami.crw.report.OperatorAction;
 import org.sami.spn.value.GeoPoint;
 
 /** The operator's log as a report has it. */

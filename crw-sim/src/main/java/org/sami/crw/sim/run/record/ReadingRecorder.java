@@ -1,11 +1,11 @@
 package org.sami.crw.sim.run.record;
 
 import java.util.List;
+import org.sami.crw.report.NoteResult;
+import org.sami.crw.report.ReadingResult;
+import org.sami.crw.report.RowFormats;
+import org.sami.crw.report.SpooledList;
 import org.sami.crw.session.SensorValue;
-import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.ReadingResult;
-import org.sami.crw.sim.report.RowFormats;
-import org.sami.crw.sim.report.SpooledList;
 
 /**
  * Notes down what the base is told of the boats' sensors: the first {@link #MOST} readings, which lie in a file. Readings are

@@ -6,19 +6,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.crw.operator.mission.Wait;
-import org.sami.crw.sim.report.BoatResult;
-import org.sami.crw.sim.report.DecisionResult;
-import org.sami.crw.sim.report.FiringResult;
-import org.sami.crw.sim.report.InterruptResult;
-import org.sami.crw.sim.report.LocationResult;
-import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.ReadingResult;
-import org.sami.crw.sim.report.ReportPart;
-import org.sami.crw.sim.report.RunHeader;
-import org.sami.crw.sim.report.RunMap;
-import org.sami.crw.sim.report.RunReport;
-import org.sami.crw.sim.report.RunResult;
-import org.sami.crw.sim.report.TaskResult;
+import org.sami.crw.report.BoatResult;
+import org.sami.crw.report.DecisionResult;
+import org.sami.crw.report.FiringResult;
+import org.sami.crw.report.InterruptResult;
+import org.sami.crw.report.LocationResult;
+import org.sami.crw.report.NoteResult;
+import org.sami.crw.report.ReadingResult;
+import org.sami.crw.report.ReportPart;
+import org.sami.crw.report.RunHeader;
+import org.sami.crw.report.RunMap;
+import org.sami.crw.report.RunReport;
+import org.sami.crw.report.RunResult;
+import org.sami.crw.report.TaskResult;
 
 /** A report while its folds put their parts into it. A part that no fold puts there is empty. For one thread. */
 public final class ReportDraft {

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.function.Function;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.report.LinkResult;
+import org.sami.crw.report.RunOutcome;
 
 /**
  * How a run stood when its report was made.

@@ -2,9 +2,9 @@ package org.sami.crw.sim.run.record;
 
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
-import org.sami.crw.sim.report.MapPoint;
-import org.sami.crw.sim.report.RunHeader;
-import org.sami.crw.sim.report.RunPlace;
+import org.sami.crw.report.MapPoint;
+import org.sami.crw.report.RunHeader;
+import org.sami.crw.report.RunPlace;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.model.Project;

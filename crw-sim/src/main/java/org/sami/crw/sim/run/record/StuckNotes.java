@@ -9,7 +9,7 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.health.HealthEntry;
 import org.sami.crw.operator.health.HealthKind;
-import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.report.NoteResult;
 
 /** Takes down when a mission could not go on by itself, why, and when it went on. Told on the models' thread, read on any. */
 final class StuckNotes implements ReportFold {

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.handler.activation.EventNames;
-import org.sami.crw.sim.report.TaskResult;
+import org.sami.crw.report.TaskResult;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Project;

@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.sami.boat.server.vehicle.PlaneMath;
-import org.sami.crw.sim.report.BoatResult;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.TrackPoint;
+import org.sami.crw.report.BoatResult;
+import org.sami.crw.report.LinkResult;
+import org.sami.crw.report.NoteResult;
+import org.sami.crw.report.TrackPoint;
 
 /**
  * Notes down where boats are: a point a second while they move, none while they lie still. A boat that goes on a straight line

@@ -6,7 +6,7 @@ import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
 import org.sami.boat.server.vehicle.PlaneMath;
-import org.sami.crw.sim.report.TrackPoint;
+import org.sami.crw.report.TrackPoint;
 
 /**
  * Leaves points out of a track. Whoever goes on a straight line at a steady speed between two points that stay is at every moment at

@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.report.BoatResult;
 
 /**
  * Of simulated boats the tracks are how they truly went. What they reported is something else where their positions are not exact, and is

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.boat.server.vehicle.PlaneMath;
-import org.sami.crw.sim.report.LocationResult;
-import org.sami.crw.sim.report.LocationResult.Truth;
-import org.sami.crw.sim.report.LocationResult.Visit;
+import org.sami.crw.report.LocationResult;
+import org.sami.crw.report.LocationResult.Truth;
+import org.sami.crw.report.LocationResult.Visit;
 
 /**
  * Watches how near simulated boats truly come to the locations of a run, whatever they take for their positions. Between two looks a boat

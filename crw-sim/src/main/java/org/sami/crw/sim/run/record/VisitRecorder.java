@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.SharedDefaults;
-import org.sami.crw.sim.report.LocationResult;
-import org.sami.crw.sim.report.LocationResult.Visit;
+import org.sami.crw.report.LocationResult;
+import org.sami.crw.report.LocationResult.Visit;
 
 /**
  * Takes down which locations boats report to have visited: by their word that they were there, or, behind TCP, by their reported position

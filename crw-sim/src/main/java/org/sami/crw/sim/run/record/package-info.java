@@ -3,6 +3,6 @@
  * and the hash of the run. Each is a {@link org.sami.crw.sim.run.record.ReportFold};
  * {@link org.sami.crw.sim.run.record.ReportFolds} is the list of them and makes the report.
  *
- * <p>Does not belong here: the records of the report and how they look ({@code org.sami.crw.sim.report}).
+ * <p>Does not belong here: the records of the report and how they look ({@code org.sami.crw.report}).
  */
 package org.sami.crw.sim.run.record;

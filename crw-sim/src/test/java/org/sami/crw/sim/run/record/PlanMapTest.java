@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.report.Exploration;
+import org.sami.crw.report.MapArea;
+import org.sami.crw.report.MapSpot;
+import org.sami.crw.report.NoGoDepth;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
 import org.sami.crw.service.Geodesy;
-import org.sami.crw.sim.report.Exploration;
-import org.sami.crw.sim.report.MapArea;
-import org.sami.crw.sim.report.MapSpot;
-import org.sami.crw.sim.report.NoGoDepth;
-import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.TestRuns;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -143,7 +143,7 @@ class PlanMapTest {
         return ringM2(area.outline()) - holes;
     }
 
-    private static double ringM2(List<org.sami.crw.sim.report.MapPoint> ring) {
+    private static double ringM2(List<org.sami.crw.report.MapPoint> ring) {
         double twice = 0;
         for (int i = 0; i < ring.size(); i++) {
             var a = ring.get(i);

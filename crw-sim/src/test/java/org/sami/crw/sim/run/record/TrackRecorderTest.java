@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.TrackPoint;
+import org.sami.crw.report.LinkResult;
+import org.sami.crw.report.TrackPoint;
 
 class TrackRecorderTest {
     private static final LinkResult LINK = new LinkResult("in-process", "b", 0, 0, LinkResult.Uploads.NONE, "");

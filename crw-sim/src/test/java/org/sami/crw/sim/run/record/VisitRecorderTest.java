@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.report.LocationResult;
 
 /** Which visit of a location counts. */
 class VisitRecorderTest {

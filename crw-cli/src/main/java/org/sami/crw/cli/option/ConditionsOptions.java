@@ -1,0 +1,133 @@
+package org.sami.crw.cli.option;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.hull.SensorSetting;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+
+/** The options that say what the simulated water is like, and what boats measure in it. */
+public final class ConditionsOptions {
+    @Option(
+            names = "--conditions",
+            paramLabel = "NAME",
+            description =
+                    "What the water and the instruments are like: calm, field (a lake on an ordinary day, noise as "
+                            + "measured), rough; the options below change single things of it (default: calm). Of boats "
+                            + "that are connected: what is planned with for those that do not say it (default: field).")
+    private NamedConditions named;
+
+    @Option(
+            names = "--gps-noise",
+            paramLabel = "METRES",
+            description =
+                    "Standard deviation of the position that a boat knows, 0 to 100 (default: that of --conditions).")
+    private Double gpsNoiseM;
+
+    @Option(
+            names = "--gps-jumps",
+            paramLabel = "METRES",
+            description = "How far that position jumps at most, every half minute or so, 0 to 100 (default: likewise).")
+    private Double gpsJumpM;
+
+    @Option(
+            names = "--compass-noise",
+            paramLabel = "DEGREES",
+            description = "Standard deviation of the heading that a boat knows, 0 to 90 (default: likewise).")
+    private Double compassNoiseDeg;
+
+    @Option(
+            names = "--current",
+            paramLabel = "MPS@DEG",
+            converter = Flows.class,
+            description = "How fast the water flows, and where to: 0.3@90 is 0.3 m/s eastward (default: likewise).")
+    private Flow current;
+
+    @Option(
+            names = "--wind",
+            paramLabel = "MPS@DEG",
+            converter = Flows.class,
+            description =
+                    "How fast the wind blows, and where from: 5@270 is 5 m/s from the west, in gusts; it pushes a "
+                            + "hull with 3 %% of its speed (default: likewise).")
+    private Flow wind;
+
+    @Option(
+            names = "--sensor",
+            paramLabel = "KIND[@HZ]",
+            split = ",",
+            converter = Sensors.class,
+            description =
+                    "What boats measure, and how often a second if not once: temperature, conductivity, oxygen, ph. "
+                            + "May be given several times.")
+    private List<SensorSetting> sensors = new ArrayList<>();
+
+    @Option(
+            names = "--discharge-interval",
+            paramLabel = "SECONDS",
+            defaultValue = "600",
+            description =
+                    "For how long what a metre costs a boat's battery stays the same, before it is drawn anew within "
+                            + "10 %% of the mean; 0 = ten times a second (default ${DEFAULT-VALUE}).")
+    private double dischargeIntervalS;
+
+    /**
+     * What they say.
+     *
+     * @throws IllegalArgumentException if it makes no sense
+     */
+    public Conditions conditions() {
+        Conditions all = (named == null ? NamedConditions.calm : named).conditions();
+        return new Conditions(
+                gpsNoiseM == null ? all.gpsNoiseM() : gpsNoiseM,
+                gpsJumpM == null ? all.gpsJumpM() : gpsJumpM,
+                compassNoiseDeg == null ? all.compassNoiseDeg() : compassNoiseDeg,
+                current == null ? all.current() : current,
+                wind == null ? all.wind() : wind,
+                sensors,
+                dischargeIntervalS);
+    }
+
+    /**
+     * What they say of boats that have their own water: what is planned with for those that do not say how they fare in it.
+     *
+     * @throws UsageFault for an option that is about the water or the instruments themselves
+     */
+    Conditions stated() {
+        NamedConditions stated = named == null ? NamedConditions.field : named;
+        Conditions alone = (named == null ? NamedConditions.calm : named).conditions();
+        if (!conditions().equals(alone)) {
+            throw new UsageFault(
+                    "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");
+        }
+        return stated.conditions();
+    }
+
+    private static <T> T read(Function<String, T> reader, String text) {
+        try {
+            return reader.apply(text);
+        } catch (IllegalArgumentException e) {
+            throw new TypeConversionException(e.getMessage());
+        }
+    }
+
+    private static final class Flows implements ITypeConverter<Flow> {
+        @Override
+        public Flow convert(String text) {
+            return read(Flow::parse, text);
+        }
+    }
+
+    private static final class Sensors implements ITypeConverter<SensorSetting> {
+        @Override
+        public SensorSetting convert(String text) {
+            return read(SensorSetting::parse, text);
+        }
+    }
+}

@@ -1,0 +1,228 @@
+package org.sami.crw.cli.option;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.PlannedMission;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Site;
+import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.FileTooLargeException;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPoint;
+import picocli.CommandLine.Option;
+
+/** The options that decide a mission and its fleet, whatever its seed, its water and its speed are. */
+public final class MissionOptions {
+    private static final int DEFAULT_BOATS = 3;
+
+    @Option(
+            names = "--boats",
+            paramLabel = "N",
+            description = "How many boats, named boat1, boat2, ...; 1 to 250 (default 3).")
+    private Integer boats;
+
+    @Option(
+            names = "--locations",
+            paramLabel = "N",
+            defaultValue = "12",
+            description = "How many locations the simulated operator gives; 1 to 10000 (default ${DEFAULT-VALUE}).")
+    private int locations;
+
+    @Option(
+            names = "--area",
+            paramLabel = "METRES",
+            defaultValue = "600",
+            description = "Side of the square in which they lie; 10 to 20000 (default ${DEFAULT-VALUE}).")
+    private double areaM;
+
+    @Option(
+            names = "--at",
+            paramLabel = "LAT,LON",
+            converter = PositionConverter.class,
+            description =
+                    "Where its centre lies, in degrees (default 45.7,10.72; with --connect the middle of the boats). "
+                            + "Nothing else moves it.")
+    private GeoPoint centre;
+
+    @Option(
+            names = "--quay",
+            paramLabel = "LAT,LON",
+            converter = PositionConverter.class,
+            description =
+                    "Where the boats of this process lie at the start and get full batteries, the middle of their "
+                            + "line (default 20 m south of the square).")
+    private GeoPoint quay;
+
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            converter = SecondsConverter.class,
+            description = "Stop after so much simulated time, whether or not the mission is over (default one day).")
+    private Long limitMillis;
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            description =
+                    "A value for what the plan would ask at its start: a field (event.field, or field where that is "
+                            + "unique) or a variable (@name). May be given several times. 'crw plans' names them.")
+    private Map<String, String> parameters = new LinkedHashMap<>();
+
+    @Option(
+            names = "--answer-after",
+            paramLabel = "SECONDS",
+            defaultValue = "5",
+            converter = SecondsConverter.class,
+            description = "Simulated seconds after which the simulated operator answers (default ${DEFAULT-VALUE}).")
+    private long answerAfterMillis;
+
+    @Option(
+            names = "--answers",
+            paramLabel = "FILE",
+            description =
+                    "What the simulated operator answers (JSON; see docs/answers-file.md). Without it: all boats, "
+                            + "drawn locations, the first option, yes, and default values.")
+    private Path answers;
+
+    @Option(
+            names = "--interrupt",
+            paramLabel = "NAME[:BOAT]@SECONDS",
+            description = "Press an interrupt so many simulated seconds after the mission's start; BOAT is a boat's "
+                    + "name or counts from 1. One that nobody can take is pressed again until somebody does. With "
+                    + "'battery' for SECONDS it is pressed for each boat whose battery turns critical. May be given "
+                    + "several times. 'crw plans' names a plan's interrupts.")
+    private List<String> interrupts = new ArrayList<>();
+
+    @Option(
+            names = "--also",
+            paramLabel = "PLAN[@SECONDS]",
+            description = "Start a mission of another plan of the project as well, or of the same once more, so many "
+                    + "simulated seconds after the first (default 0). It asks the simulated operator for what it "
+                    + "needs. The run is over when all missions are. May be given several times.")
+    private List<String> also = new ArrayList<>();
+
+    @Option(
+            names = "--battery",
+            paramLabel = "PERCENT[,PERCENT...]",
+            description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
+    private String battery;
+
+    /** What decides a run beside these options. */
+    public record Rest(long seed, Conditions water, Speed speed, List<BoatAddress> addresses) {}
+
+    /**
+     * The settings of a run.
+     *
+     * @param plan its id
+     * @param folder that the answers file is looked for in
+     * @throws UsageFault if they make no sense
+     */
+    public RunSettings settings(String plan, String mission, Rest rest, Path folder) {
+        int count = rest.addresses().isEmpty()
+                ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS)
+                : rest.addresses().size();
+        within("--boats", count, 1, RunSettings.Fleet.MOST_BOATS);
+        within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
+        within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
+        try {
+            return new RunSettings(
+                    plan,
+                    mission,
+                    new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site()),
+                    rest.speed(),
+                    Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
+                    parameters,
+                    answerAfterMillis,
+                    answersText(folder),
+                    rest.addresses(),
+                    interrupts,
+                    also);
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault(e.getMessage());
+        }
+    }
+
+    /**
+     * The plans of all missions of a run.
+     *
+     * @param first the plan that it is named after
+     * @throws UsageFault if the project has no such plan, or a time makes no sense
+     */
+    public List<Plan> plans(Plan first, Project project) {
+        List<Plan> plans = new ArrayList<>(List.of(first));
+        try {
+            also.forEach(more -> plans.add(PlannedMission.parse(more, project).plan()));
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--also: " + e.getMessage());
+        }
+        return plans;
+    }
+
+    private Site site() {
+        return new Site(Optional.ofNullable(centre), Optional.ofNullable(quay));
+    }
+
+    private InitialCharges charges() {
+        return battery == null ? InitialCharges.FULL : InitialCharges.parse(battery);
+    }
+
+    /** Whether the number of boats was given. */
+    boolean hasBoats() {
+        return boats != null;
+    }
+
+    /** Whether it was given where the boats lie. */
+    boolean hasQuay() {
+        return quay != null;
+    }
+
+    public static void within(String option, double value, double least, double most) {
+        if (!(value >= least && value <= most)) {
+            throw new UsageFault(option + " is " + number(least) + " to " + number(most) + ", not " + number(value));
+        }
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
+    }
+
+    /** The answers file as it was named; the option's name where there is none. */
+    public String answersFile() {
+        return answers == null ? "--answers" : answers.toString();
+    }
+
+    /**
+     * Where the answers file is.
+     *
+     * @param folder that it is looked for in
+     */
+    public Optional<Path> answersPath(Path folder) {
+        return Optional.ofNullable(answers)
+                .map(file -> folder.resolve(file).toAbsolutePath().normalize());
+    }
+
+    private String answersText(Path folder) {
+        if (answers == null) {
+            return "";
+        }
+        try {
+            return BoundedFile.text(folder.resolve(answers), BoundedFile.DATA_BYTES);
+        } catch (FileTooLargeException e) {
+            throw new UsageFault("--answers: " + e.getMessage());
+        } catch (IOException e) {
+            throw new UsageFault("--answers: cannot read " + answers);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+package org.sami.crw.cli.option;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The options that decide a run. */
+public final class RunOptions {
+    private static final Speed DEFAULT_SPEED = new Speed(20);
+
+    @Mixin
+    private MissionOptions options;
+
+    @Option(
+            names = "--connect",
+            paramLabel = "HOST:PORT,...",
+            description =
+                    "Instead of boats in this process those whose servers listen there, over TCP and in real time "
+                            + "('crw boat'). The area lies around them.")
+    private String connect;
+
+    @Option(
+            names = "--connect-within",
+            paramLabel = "SECONDS",
+            defaultValue = "30",
+            converter = SecondsConverter.class,
+            description = "How long such boats may take to answer at the start (default ${DEFAULT-VALUE}).")
+    private long connectWithinMillis;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description =
+                    "Where chance comes from; equal seeds give equal runs at any speed (default ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "X|max",
+            converter = SpeedConverter.class,
+            description = "Simulated seconds in one second; 1 is real time, max waits for nothing "
+                    + "(default 20; with --connect 1, and nothing else).")
+    private Speed speed;
+
+    @Mixin
+    private ConditionsOptions conditions;
+
+    public RunSettings settings(String plan, String mission) {
+        List<BoatAddress> addresses = addresses(connect);
+        Speed usual = addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL;
+        return options.settings(
+                plan,
+                mission,
+                new MissionOptions.Rest(
+                        seed,
+                        water(!addresses.isEmpty()),
+                        Optional.ofNullable(speed).orElse(usual),
+                        addresses),
+                Path.of(""));
+    }
+
+    private Conditions water(boolean isConnected) {
+        try {
+            return isConnected ? conditions.stated() : conditions.conditions();
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault(e.getMessage());
+        }
+    }
+
+    /**
+     * The plans of all missions of the run.
+     *
+     * @param first the plan that it is named after
+     * @throws UsageFault if the project has no such plan, or a time makes no sense
+     */
+    public List<Plan> plans(Plan first, Project project) {
+        return options.plans(first, project);
+    }
+
+    /** How long boats behind TCP may take to answer at the start. */
+    public long connectWithinMillis() {
+        return connectWithinMillis;
+    }
+
+    private List<BoatAddress> addresses(String text) {
+        List<BoatAddress> addresses = addressesOf(text);
+        if (!addresses.isEmpty() && options.hasBoats()) {
+            throw new UsageFault("--boats and --connect exclude each other: the boats are those that are connected");
+        }
+        if (!addresses.isEmpty() && options.hasQuay()) {
+            throw new UsageFault("with --connect the boats lie where they were started: see 'crw boat --help'");
+        }
+        if (!addresses.isEmpty() && speed != null && !speed.equals(Speed.REAL)) {
+            throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);
+        }
+        return addresses;
+    }
+
+    /** Reads {@code --connect}; none for an option that was not given. */
+    public static List<BoatAddress> addressesOf(String text) {
+        if (text == null) {
+            return List.of();
+        }
+        try {
+            List<BoatAddress> addresses = BoatAddress.parseAll(text);
+            MissionOptions.within("--connect: the number of boats", addresses.size(), 1, RunSettings.Fleet.MOST_BOATS);
+            return addresses;
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--connect: " + e.getMessage());
+        }
+    }
+
+    /** The answers file as it was named; the option's name where there is none. */
+    public String answersFile() {
+        return options.answersFile();
+    }
+
+    /** Where the answers file is; empty where none is named. */
+    public Optional<Path> answersPath() {
+        return options.answersPath(Path.of(""));
+    }
+}

@@ -1,0 +1,125 @@
+package org.sami.crw.cli.plan;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.spn.component.ComponentChoice;
+import org.sami.spn.component.Interaction;
+import org.sami.spn.component.Interactions;
+import org.sami.spn.component.MarkupOption;
+import org.sami.spn.component.Purpose;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.NearMatches;
+import org.sami.spn.value.TypeNames;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.MarkupType;
+import org.sami.spn.vocabulary.Vocabulary;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw components}: with what windows show or ask an event's values, and why (thesis 5.2.4). */
+@Command(
+        name = "components",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Says with which components windows ask the operator what an event asks, or show what it tells, and why.",
+            "Of each component it says how it does with the type and the markup. Without an event or type, lists the components."
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw components",
+            "  crw components OperatorSelectBoatList --markup Sort.method=ALPHABETICAL --markup Filter",
+            "  crw components --type \"map<proxy,path>\" --markup RelevantInformation",
+            "  crw components --type area --create"
+        })
+public final class ComponentsCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "EVENT", arity = "0..1", description = "An event type, by name or other name.")
+    private String event;
+
+    @Option(
+            names = "--type",
+            paramLabel = "TYPE",
+            description = "A type of values instead of an event: point, list<point>, map<proxy,path>, Allocation.")
+    private String type;
+
+    @Option(names = "--create", description = "With --type: the operator gives such a value; else one is shown.")
+    private boolean create;
+
+    @Option(
+            names = "--markup",
+            paramLabel = "MARKUP",
+            description = "A markup that the event carries: Sort, Sort.method or Sort.method=ALPHABETICAL. Repeatable.")
+    private List<String> markups = new ArrayList<>();
+
+    @Override
+    public Integer call() {
+        if (event != null && type != null) {
+            throw new UsageFault("an event or --type, not both");
+        }
+        if (create && type == null) {
+            throw new UsageFault("--create says something only with --type");
+        }
+        DomainLibrary library = PlanSource.library();
+        PrintWriter out = spec.commandLine().getOut();
+        if (event == null && type == null) {
+            if (!markups.isEmpty()) {
+                throw new UsageFault("--markup says something only with an event or --type");
+            }
+            library.components().components().forEach(component -> out.print(ComponentText.of(component)));
+            library.components().widgets().forEach(widget -> out.print(ComponentText.of(widget)));
+        } else {
+            Vocabulary vocabulary = library.vocabulary();
+            ComponentChoice choice = new ComponentChoice(library.components(), vocabulary.types());
+            out.print(new ComponentText(choice).of(event == null ? type : event, interaction(vocabulary)));
+        }
+        out.flush();
+        return ExitCode.OK;
+    }
+
+    private Interaction interaction(Vocabulary vocabulary) {
+        List<MarkupOption> wanted =
+                markups.stream().map(text -> markup(vocabulary, text)).toList();
+        if (type != null) {
+            ValueType value = TypeNames.parse(type)
+                    .orElseThrow(() -> new UsageFault("'" + type + "' is no type; types are such as "
+                            + String.join(", ", TypeNames.builtIn()) + ", list<point>, map<proxy,path>"));
+            return new Interaction(
+                    create ? Purpose.CREATE : Purpose.SELECT, Map.of(Interactions.ANSWER, value), wanted);
+        }
+        EventType found = vocabulary
+                .event(event)
+                .orElseThrow(() -> VocabularyText.nothing("event", event, NearMatches.ofEvents(vocabulary, event)));
+        Optional<Interaction> interaction = new Interactions(vocabulary).of(found, List.of());
+        return interaction
+                .map(asked -> new Interaction(asked.purpose(), asked.values(), wanted))
+                .orElseThrow(() -> new UsageFault(found.name()
+                        + (found.decision().isPresent()
+                                ? " asks for variables of the plan; name their types with --type"
+                                : " tells nothing that could be shown")));
+    }
+
+    private static MarkupOption markup(Vocabulary vocabulary, String text) {
+        MarkupOption option = MarkupOption.parse(text)
+                .orElseThrow(() -> new UsageFault(
+                        "--markup '" + text + "' is not such as Sort, Sort.method or Sort.method=ALPHABETICAL"));
+        String name = vocabulary.markup(option.markup()).map(MarkupType::name).orElse(option.markup());
+        MarkupOption named = new MarkupOption(name, option.option(), option.value());
+        named.unknownIn(vocabulary).ifPresent(words -> {
+            throw new UsageFault("--markup " + text + ": " + words);
+        });
+        return named;
+    }
+}

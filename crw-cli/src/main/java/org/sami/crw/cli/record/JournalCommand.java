@@ -1,0 +1,143 @@
+package org.sami.crw.cli.record;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.FindingsText;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.EngineState;
+import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalPlans;
+import org.sami.spn.journal.JournalReader;
+import org.sami.spn.json.GlobalsFile;
+import org.sami.spn.json.ProtocolJson;
+import org.sami.spn.json.Reading;
+import org.sami.spn.json.ValueJson;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw journal}: what a session knew after any entry of its journal. Changes nothing, also beside a running writer. */
+@Command(
+        name = "journal",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        description =
+                "Shows the state of a session after any entry of its journal: missions with their tokens, open decisions, "
+                        + "interrupts, and why each transition of a marked place cannot fire. Or saves the values that "
+                        + "global variables had then to a project's file.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:shown, or saved",
+            "1:the project cannot be read, or gives a global another type; nothing was saved",
+            "2:wrong usage, or there is no such file",
+            "4:the journal cannot be read"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw journal clv.journal",
+            "  crw journal clv.journal --at 5",
+            "  crw journal clv.journal --entries",
+            "  crw journal clv.journal --save-globals lake.json"
+        })
+public final class JournalCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "JOURNAL", description = "A file that 'crw run --journal' wrote.")
+    private Path file;
+
+    @Option(
+            names = "--at",
+            paramLabel = "ENTRY",
+            description = "After which entry; 0 is before the first (default: the last).")
+    private Long at;
+
+    @Option(names = "--entries", description = "List the entries instead, one line each.")
+    private boolean entries;
+
+    @Option(
+            names = "--save-globals",
+            paramLabel = "PROJECT",
+            description =
+                    "Make the values that global variables had after that entry the initial values in this project's file, "
+                            + "and list what changes.")
+    private Path saveGlobals;
+
+    @Override
+    public Integer call() throws IOException {
+        if (!Files.isRegularFile(file)) {
+            throw new UsageFault("there is no journal " + file);
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        try (JournalReader journal = JournalReader.open(file)) {
+            long last = journal.lastIndex();
+            long index = at == null ? last : at;
+            if (index < 0 || index > last) {
+                throw new UsageFault("--at is 0 to " + last + ", the last entry of " + file + ", not " + index);
+            }
+            journal.recovery()
+                    .damage()
+                    .ifPresent(damage -> spec.commandLine().getErr().println("crw: " + damage));
+            if (entries && saveGlobals != null) {
+                throw new UsageFault("--entries lists, --save-globals saves: give one of them");
+            }
+            if (entries) {
+                journal.entries(1, index, entry -> out.println(line(entry)));
+            } else {
+                Engine engine = JournalPlans.engine(file, journal.header());
+                EngineState state = journal.stateAt(index, engine);
+                if (saveGlobals != null) {
+                    return save(engine.view(state).globals(), engine.vocabulary());
+                }
+                out.printf("entry %d of %d, after %s%n", index, last, StateText.time(state.nowMillis()));
+                new StateText(engine.view(state)).print(out);
+            }
+        }
+        out.flush();
+        spec.commandLine().getErr().flush();
+        return ExitCode.OK;
+    }
+
+    private int save(Map<String, Value> globals, Vocabulary vocabulary) throws IOException {
+        PrintWriter out = spec.commandLine().getOut();
+        Reading<List<GlobalsFile.Change>> saved = new GlobalsFile(vocabulary).save(globals, saveGlobals);
+        FindingsText.print(spec.commandLine().getErr(), saveGlobals.toString(), saved.findings());
+        saved.result().ifPresent(changes -> {
+            changes.forEach(change -> out.printf(
+                    "%s: %s, before %s%n",
+                    change.name(),
+                    text(change.after(), change, vocabulary),
+                    change.before()
+                            .map(before -> text(before, change, vocabulary))
+                            .orElse("without a value")));
+            out.printf("%d of %d globals changed in %s%n", changes.size(), globals.size(), saveGlobals);
+        });
+        out.flush();
+        spec.commandLine().getErr().flush();
+        return saved.result().isPresent() ? ExitCode.OK : ExitCode.FINDINGS;
+    }
+
+    private static String text(Value value, GlobalsFile.Change change, Vocabulary vocabulary) {
+        return ValueJson.write(value, change.type(), vocabulary.types()).toString();
+    }
+
+    /** The document of a loaded project is long, and named by its SHA-256 instead. */
+    private static String line(JournalEntry entry) {
+        String input = entry.input() instanceof Input.LoadProject load
+                ? "{\"input\":\"load-project\",\"sha256\":\"" + load.sha256() + "\"}"
+                : ProtocolJson.inputText(entry.input());
+        return entry.index() + "  " + StateText.time(entry.atMillis()) + "  " + input;
+    }
+}

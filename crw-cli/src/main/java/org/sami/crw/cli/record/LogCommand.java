@@ -1,0 +1,86 @@
+package org.sami.crw.cli.record;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.OutputOptions;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.log.LogConversion;
+import org.sami.crw.log.LogSummary;
+import org.sami.crw.log.LogSummaryJson;
+import org.sami.crw.log.LogSummaryText;
+import org.sami.crw.log.NotALogException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw log}: what an old boat's log holds, with a picture of its track. */
+@Command(
+        name = "log",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        description =
+                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and tells what it holds: the "
+                        + "track, sensor readings, commands, and every line that could not be read.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:read; lines that could not be are counted and named",
+            "1:the file is no log of a boat",
+            "2:wrong usage, or there is no such file",
+            "4:the file cannot be read, or the report cannot be written"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {"  crw log airboat_20130807_063622.txt", "  crw log airboat_20130807_063622.txt --report out"})
+public final class LogCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE", description = "The log.")
+    private Path file;
+
+    @Option(
+            names = "--report",
+            paramLabel = "DIR",
+            description = "Write summary.json, tracks.csv, track.geojson, readings.csv, commands.csv, problems.csv and "
+                    + "map.png into this folder.")
+    private Path folder;
+
+    @Option(names = "--json", description = "Print the summary as one JSON object, and nothing else there.")
+    private boolean json;
+
+    @Override
+    public Integer call() throws IOException {
+        if (!Files.isRegularFile(file)) {
+            throw new UsageFault("there is no log " + file);
+        }
+        PrintWriter err = spec.commandLine().getErr();
+        LogSummary summary;
+        try {
+            summary = folder == null ? LogConversion.summary(file) : LogConversion.report(file, reportFolder());
+        } catch (NotALogException e) {
+            err.println("crw: " + file + " " + e.getMessage());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        if (folder != null) {
+            boolean drawn = Files.exists(folder.resolve("map.png"));
+            err.println("report written to " + folder
+                    + (drawn ? ", picture " + folder.resolve("map.png") : "; no picture, for it has no position"));
+            err.flush();
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        out.print(json ? LogSummaryJson.text(summary) : LogSummaryText.text(summary));
+        out.flush();
+        return ExitCode.OK;
+    }
+
+    private Path reportFolder() {
+        OutputOptions.toFolder(folder).prepare(spec.commandLine().getErr());
+        return folder;
+    }
+}

@@ -1,0 +1,259 @@
+package org.sami.crw.cli.run;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.cli.option.ConditionsOptions;
+import org.sami.crw.cli.option.PositionConverter;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.StopOnInterrupt;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.crw.sim.hull.HullConfig;
+import org.sami.spn.value.GeoPoint;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code crw boat}: one simulated boat that is reached over TCP, until it is told to stop. */
+@Command(
+        name = "boat",
+        mixinStandardHelpOptions = true,
+        description =
+                "Is one simulated boat: its server listens on a TCP port of this machine, its hull moves in real time. "
+                        + "Runs until Ctrl-C or a signal ends it.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:its standard input has ended (--while-input)",
+            "2:wrong usage",
+            "4:its port or its log cannot be had",
+            "130:stopped by Ctrl-C",
+            "143:stopped by a signal"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw boat --port 5001 --name anna --at 45.4,10.9",
+            "  crw boat --port 5001 --name anna --at 45.4,10.9 --log boats   go on with its log after a restart",
+            "  crw boat --port 5001 --name anna --at 45.4,10.9 --gps-noise 1 --current 0.3@90 --sensor temperature"
+        })
+public final class BoatServerCommand implements Callable<Integer> {
+    private static final int MAX_PORT = 65_535;
+    private static final double MOST_TOP_SPEED_MPS = 20;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--port",
+            required = true,
+            paramLabel = "P",
+            description = "The port that it listens on; 0 takes a free one, which is printed.")
+    private int port;
+
+    @Option(
+            names = "--name",
+            required = true,
+            paramLabel = "NAME",
+            description = "The boat's name, unique in the fleet.")
+    private String name;
+
+    @Option(
+            names = "--at",
+            required = true,
+            paramLabel = "LAT,LON",
+            converter = PositionConverter.class,
+            description = "Where it lies at the start, in degrees (WGS 84).")
+    private GeoPoint at;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description = "Where chance comes from (default ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(
+            names = "--battery",
+            paramLabel = "PERCENT",
+            defaultValue = "100",
+            description = "Charge at the start (default ${DEFAULT-VALUE}).")
+    private double batteryPercent;
+
+    @Option(
+            names = "--top-speed",
+            paramLabel = "MPS",
+            defaultValue = "" + BoatDefaults.FULL_THRUST_SPEED_MPS,
+            description = "Speed at full thrust in still water (default ${DEFAULT-VALUE}).")
+    private double topSpeedMps;
+
+    @Mixin
+    private ConditionsOptions conditions;
+
+    @Option(
+            names = "--field-seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description = "What there is to be measured; boats with the same one measure the same water "
+                    + "(default ${DEFAULT-VALUE}).")
+    private long fieldSeed;
+
+    @Option(
+            names = "--lost-link",
+            paramLabel = "ACTION",
+            defaultValue = "hold",
+            description = "What it does when the link to its commander is lost, until a command sets something else: "
+                    + "hold, return, continue, drift (default ${DEFAULT-VALUE}).")
+    private LostLinkAction lostLink;
+
+    @Option(
+            names = "--log",
+            paramLabel = "DIR",
+            description =
+                    "A folder for its log, NAME.log. One that is there already is taken up again: the boat knows what "
+                            + "it has executed, and does not move before it is told to.")
+    private Path log;
+
+    @Option(
+            names = "--bind",
+            paramLabel = "ADDRESS",
+            description = "The address that it listens on (default: loopback, so that nothing leaves this machine). "
+                    + "Whoever reaches it can command the boat.")
+    private InetAddress bind = InetAddress.getLoopbackAddress();
+
+    @Option(
+            names = "--while-input",
+            description =
+                    "End when the standard input ends: for programs that start boats and take them along when they end "
+                            + "in whatever way.")
+    private boolean whileInput;
+
+    @Override
+    public Integer call() throws IOException {
+        BoatSettings settings = settings();
+        PrintWriter out = spec.commandLine().getOut();
+        try (StopOnInterrupt stop = new StopOnInterrupt();
+                BoatOnTcp boat = new BoatOnTcp(settings, SteadyClock.ofThisMachine(), new Console())) {
+            InetSocketAddress address = boat.address();
+            out.printf("%s listens on %s:%d%n", name, address.getAddress().getHostAddress(), address.getPort());
+            if (boat.restored() > 0) {
+                out.printf("%s goes on with its log: %d commands; it does not move%n", name, boat.restored());
+            }
+            out.flush();
+            warnOfDamage(boat.unreadLogLines());
+            warnOfStrangers(address);
+            if (whileInput) {
+                awaitEndOfInput();
+            } else {
+                new CountDownLatch(1).await(); // until somebody stops the process
+            }
+        } catch (InterruptedException e) {
+            out.printf("%s stops%n", name);
+            out.flush();
+        }
+        return ExitCode.OK;
+    }
+
+    /** The wait for input cannot be interrupted: a thread of its own has it. */
+    private static void awaitEndOfInput() throws InterruptedException {
+        CountDownLatch ended = new CountDownLatch(1);
+        Thread reader = new Thread(
+                () -> {
+                    try {
+                        System.in.transferTo(OutputStream.nullOutputStream());
+                    } catch (IOException e) {
+                        // whoever held it is gone
+                    } finally {
+                        ended.countDown();
+                    }
+                },
+                "input");
+        reader.setDaemon(true);
+        reader.start();
+        ended.await();
+    }
+
+    private void warnOfDamage(int lines) {
+        if (lines > 0) {
+            new Console()
+                    .say("its log has " + lines + (lines == 1 ? " damaged line" : " damaged lines")
+                            + ": what stood there is forgotten, a fleet stop perhaps too");
+        }
+    }
+
+    private void warnOfStrangers(InetSocketAddress address) {
+        if (!address.getAddress().isLoopbackAddress()) {
+            new Console()
+                    .say("anybody who reaches " + address.getAddress().getHostAddress() + ":" + address.getPort()
+                            + " can command it, as nothing asks who that is; without --bind only this machine can");
+        }
+    }
+
+    private BoatSettings settings() {
+        if (port < 0 || port > MAX_PORT) {
+            throw new ParameterException(spec.commandLine(), "--port: " + port + " is not in 0 to " + MAX_PORT);
+        }
+        try {
+            return new BoatSettings(
+                    name,
+                    new InetSocketAddress(bind, port),
+                    at,
+                    seed,
+                    batteryPercent,
+                    hull(),
+                    conditions.conditions(),
+                    fieldSeed,
+                    lostLink,
+                    Optional.ofNullable(log));
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+    }
+
+    private HullConfig hull() {
+        if (!(topSpeedMps <= MOST_TOP_SPEED_MPS)) {
+            throw new IllegalArgumentException(
+                    "the top speed is at most " + MOST_TOP_SPEED_MPS + " m/s, not " + topSpeedMps);
+        }
+        return HullConfig.DEFAULT.withTopSpeedMps(topSpeedMps);
+    }
+
+    /** Says on standard error who comes and goes. */
+    private final class Console implements TcpServerListener {
+        private final PrintWriter err = spec.commandLine().getErr();
+
+        @Override
+        public void connected(String client) {
+            say(client + " has connected");
+        }
+
+        @Override
+        public void closed(String client, String why) {
+            say(client + " is gone: " + why);
+        }
+
+        @Override
+        public void failed(String what, Throwable cause) {
+            say(what + ": " + cause);
+        }
+
+        private void say(String text) {
+            synchronized (err) {
+                err.println(name + ": " + text);
+                err.flush();
+            }
+        }
+    }
+}

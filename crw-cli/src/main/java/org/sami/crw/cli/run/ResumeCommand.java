@@ -1,0 +1,101 @@
+package org.sami.crw.cli.run;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.OutputOptions;
+import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.RunOptions;
+import org.sami.crw.cli.option.SecondsConverter;
+import org.sami.crw.cli.option.SpeedConverter;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw resume}: goes on with a run whose process ended. */
+@Command(
+        name = "resume",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        description =
+                "Goes on with a run that has a journal, from where its process ended. The plan and all settings are the "
+                        + "journal's; its end is the same as if the run had never been interrupted.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the mission ended",
+            "2:wrong usage, or a file that cannot be read",
+            "3:the mission was aborted",
+            "4:the mission or the program failed, or the run cannot be taken up again",
+            "5:the mission was still running when the run was stopped (--for, Ctrl-C)",
+            "6:the mission ended, with problems that are named"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {"  crw resume visit.journal", "  crw resume visit.journal --speed max --json"})
+public final class ResumeCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "JOURNAL", description = "The file that 'crw run --journal' wrote.")
+    private Path journal;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "X|max",
+            converter = SpeedConverter.class,
+            description = "Another speed than the recorded one.")
+    private Speed speed;
+
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            converter = SecondsConverter.class,
+            description = "Stop after so much simulated time since the start of the run. Without it the recorded --for "
+                    + "holds, unless the run came to it already: then it goes on to its end.")
+    private Long limitMillis;
+
+    @Option(
+            names = "--connect",
+            paramLabel = "HOST:PORT,...",
+            description =
+                    "Where the boats' servers listen now, if not where the run found them. For runs with --connect only.")
+    private String connect;
+
+    @Option(
+            names = "--connect-within",
+            paramLabel = "SECONDS",
+            defaultValue = "30",
+            converter = SecondsConverter.class,
+            description = "How long such boats may take to answer (default ${DEFAULT-VALUE}). The run goes on without "
+                    + "those that do not, until they are there; not without all.")
+    private long connectWithinMillis;
+
+    @Mixin
+    private OutputOptions output;
+
+    @Override
+    public Integer call() throws Exception {
+        return new Execution(spec.commandLine(), PlanSource.library(), output, connectWithinMillis)
+                .resume(journal, this::changed);
+    }
+
+    private RunSettings changed(RunSettings recorded) {
+        List<BoatAddress> addresses = RunOptions.addressesOf(connect);
+        if (!addresses.isEmpty() && !recorded.isConnected()) {
+            throw new UsageFault("--connect: the boats of this run are in its own process");
+        }
+        if (recorded.isConnected() && speed != null && !speed.equals(Speed.REAL)) {
+            throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);
+        }
+        RunSettings other = addresses.isEmpty() ? recorded : recorded.connectedTo(addresses);
+        other = speed == null ? other : other.withSpeed(speed);
+        return limitMillis == null ? other : other.withLimit(OptionalLong.of(limitMillis));
+    }
+}

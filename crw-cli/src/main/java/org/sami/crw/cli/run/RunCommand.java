@@ -1,0 +1,114 @@
+package org.sami.crw.cli.run;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.OutputOptions;
+import org.sami.crw.cli.option.PlanOption;
+import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.RunOptions;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.FindingsText;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Plan;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw run}: one mission on simulated boats. */
+@Command(
+        name = "run",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        description =
+                "Runs a plan on simulated boats with a simulated operator, and reports how it went. Progress goes to "
+                        + "standard error, the report to standard output.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the mission ended",
+            "1:the plan or the answers file has errors; nothing was run",
+            "2:wrong usage, or a file that cannot be read",
+            "3:the mission was aborted",
+            "4:the mission or the program failed, or boats do not answer (--connect)",
+            "5:the mission was still running when the run was stopped (--for, Ctrl-C)",
+            "6:the mission ended, with problems that are named"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw run clv",
+            "  crw run clv --boats 5 --locations 30 --speed max --report out",
+            "  crw run clv --connect 127.0.0.1:5001,127.0.0.1:5002 --area 60 --locations 6",
+            "  crw run my-project.json --plan search --also watch@60",
+            "  crw run station-keep --set watch-time.duration=60s --speed max",
+            "  crw run my-project.json --plan search --journal search.journal --json"
+        })
+public final class RunCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "PLAN|FILE",
+            description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
+    private String name;
+
+    /** Warns of what a mission does although it was disabled for trying (decision 0434). */
+    private static final String DISABLED = "W-DISABLED";
+
+    @Mixin
+    private PlanOption planOption = new PlanOption();
+
+    @Mixin
+    private RunOptions options;
+
+    @Option(
+            names = "--journal",
+            paramLabel = "FILE",
+            description = "Write a journal, so that 'crw resume FILE' can go on if this process dies.")
+    private Path journal;
+
+    @Mixin
+    private OutputOptions output;
+
+    @Override
+    public Integer call() throws Exception {
+        PrintWriter err = spec.commandLine().getErr();
+        DomainLibrary library = PlanSource.library();
+        PlanSource source = PlanSource.find(name, library);
+        if (source.project().isEmpty()) {
+            FindingsText.print(err, name, source.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        Plan plan = source.choose(planOption.name());
+        List<Finding> concerning =
+                source.concerning(options.plans(plan, source.project().get()));
+        if (concerning.stream().anyMatch(Finding::isError)) {
+            FindingsText.print(err, name, concerning);
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        FindingsText.print(
+                err,
+                name,
+                concerning.stream().filter(f -> f.code().equals(DISABLED)).toList());
+        err.flush();
+        RunSettings settings = options.settings(plan.id(), plan.title());
+        Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
+        if (answers.hasErrors()) {
+            FindingsText.print(err, options.answersFile(), answers.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
+                .answersFrom(options.answersPath())
+                .runNew(source, plan, settings, journal);
+    }
+}

@@ -1,0 +1,65 @@
+package org.sami.crw.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Plans of another domain than the boats', named or as a folder, are checked, tested, drawn and shown with its words. */
+class DomainOptionTest {
+    private static final String FOLDER = "../domain-config/src/main/resources/org/sami/domain/uav";
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void domainThatShipsIsNamed() throws Exception {
+        Path svg = folder.resolve("search.svg");
+
+        assertThat(CommandResult.crw("check", "--domain", "uav").out()).isEqualTo("uav: 0 errors, 0 warnings\n");
+        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 5 passed, 0 failed");
+        assertThat(CommandResult.crw("phases", "--domain", "uav", "search", "--choose", "Nothing seen")
+                        .out())
+                .contains("Search: Target seen | Nothing seen (shown) | It is lost")
+                .doesNotContain("[Confirm target]");
+        assertThat(CommandResult.crw("draw", "--domain", "uav", "search", "--svg", svg.toString())
+                        .exitCode())
+                .isZero();
+        assertThat(Files.readString(svg)).contains("Operator chooses");
+    }
+
+    @Test
+    void domainOfAFolderIsTakenFromThere() {
+        CommandResult tested = CommandResult.crw("test", "--domain", FOLDER, "search");
+        CommandResult shown = CommandResult.crw("phases", "--domain", FOLDER, "search");
+
+        assertThat(tested.exitCode()).as(tested.err()).isZero();
+        assertThat(shown.out()).contains("Task assignment").contains("then Task execution");
+    }
+
+    @Test
+    void unknownDomainIsAMistakeInUsage() {
+        for (String command : new String[] {"check", "test", "phases"}) {
+            CommandResult ran = CommandResult.crw(command, "--domain", "uavs", "search");
+
+            assertThat(ran.exitCode()).isEqualTo(2);
+            assertThat(ran.err()).contains("--domain: there is no folder 'uavs', nor does such a domain come with crw");
+        }
+    }
+
+    @Test
+    void domainWithMistakesIsToldByEachCommand() throws Exception {
+        Files.writeString(
+                folder.resolve("domain.json"),
+                "{\"formatVersion\": 1, \"domain\": \"kite\", \"files\": [\"no.json\"]}");
+
+        for (String command : new String[] {"test", "phases"}) {
+            CommandResult ran = CommandResult.crw(command, "--domain", folder.toString(), "search");
+
+            assertThat(ran.exitCode()).isEqualTo(1);
+            assertThat(ran.err()).contains("no.json");
+        }
+    }
+}

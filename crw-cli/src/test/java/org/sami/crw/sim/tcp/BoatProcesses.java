@@ -1,0 +1,143 @@
+package org.sami.crw.sim.tcp;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
+import org.sami.boat.server.log.LogLines;
+import org.sami.boat.server.log.LoggedCommand;
+import org.sami.crw.cli.CrwProcess;
+
+/** Boats as processes of their own, side by side at a quay, with logs. All end with the fleet. */
+final class BoatProcesses implements AutoCloseable {
+    private static final double LAT_DEG = 45.4;
+    private static final double LON_DEG = 10.9;
+    private static final double APART_DEG = 1e-4;
+    private static final int FIRST_PORT = 20_000;
+    private static final int PORTS = 10_000;
+    private static final AtomicInteger NEXT_PORT = new AtomicInteger(
+            (int) (ProcessHandle.current().pid() % 500 * 20)); // tests in other processes begin elsewhere
+
+    private final Path folder;
+    private final Map<String, Boat> boats = new LinkedHashMap<>();
+
+    /** Where a boat's server listens, and where the boat lies at its start. */
+    private record Boat(CrwProcess process, int port, double lonDeg) {}
+
+    /** A fleet that keeps logs and what is said in a folder. */
+    BoatProcesses(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Starts boats; they answer when this returns. */
+    BoatProcesses with(String... names) throws IOException {
+        Map<String, CrwProcess> starting = new LinkedHashMap<>();
+        for (String name : names) {
+            starting.put(name, start(name, freePort(), lonDeg(starting.size()), folder));
+        }
+        for (Map.Entry<String, CrwProcess> one : starting.entrySet()) {
+            int port = Integer.parseInt(one.getValue().awaitOut(one.getKey() + " listens on 127.0.0.1:"));
+            boats.put(one.getKey(), new Boat(one.getValue(), port, lonDeg(boats.size())));
+        }
+        return this;
+    }
+
+    /** Below those that the system gives to outgoing connections, one of which might have it when the boat is started again. */
+    private static int freePort() throws IOException {
+        while (true) {
+            int port = FIRST_PORT + NEXT_PORT.getAndIncrement() % PORTS;
+            if (isFree(port)) {
+                return port;
+            }
+        }
+    }
+
+    private static boolean isFree(int port) throws IOException {
+        try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+            return socket.isBound();
+        } catch (BindException taken) {
+            return false;
+        }
+    }
+
+    private static double lonDeg(int number) {
+        return LON_DEG + number * APART_DEG;
+    }
+
+    private CrwProcess start(String name, int port, double lonDeg, Path logs) throws IOException {
+        return CrwProcess.start(
+                Files.createDirectories(folder.resolve("said")),
+                List.of(
+                        "boat",
+                        "--port",
+                        "" + port,
+                        "--name",
+                        name,
+                        "--at",
+                        LAT_DEG + "," + lonDeg,
+                        "--sensor",
+                        "temperature",
+                        "--log",
+                        logs.toString()));
+    }
+
+    /** The addresses, as {@code --connect} takes them. */
+    String addresses() {
+        return boats.values().stream().map(boat -> "127.0.0.1:" + boat.port).collect(Collectors.joining(","));
+    }
+
+    int port(String name) {
+        return boats.get(name).port;
+    }
+
+    static double latDeg() {
+        return LAT_DEG;
+    }
+
+    double lonDeg(String name) {
+        return boats.get(name).lonDeg;
+    }
+
+    /** Ends a boat as {@code kill -9} does. */
+    void kill(String name) throws InterruptedException {
+        boats.get(name).process.kill();
+    }
+
+    /** Starts a boat again, at its port and its quay. {@code logs} is where it looks for its state. */
+    void startAgain(String name, Path logs) throws IOException {
+        Boat before = boats.get(name);
+        CrwProcess process = start(name, before.port, before.lonDeg, logs);
+        process.awaitOut(name + " listens on 127.0.0.1:");
+        boats.put(name, new Boat(process, before.port, before.lonDeg));
+    }
+
+    /** What a boat has executed or refused, by its own log. */
+    List<LoggedCommand> log(String name) {
+        List<LoggedCommand> entries = new ArrayList<>();
+        try {
+            LogLines.read(folder.resolve(name + ".log"), entries::add);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return entries;
+    }
+
+    /** The ids of these commands. */
+    List<String> commandIds(String name) {
+        return log(name).stream().map(entry -> entry.command().commandId()).toList();
+    }
+
+    @Override
+    public void close() {
+        boats.values().forEach(boat -> boat.process.close());
+    }
+}

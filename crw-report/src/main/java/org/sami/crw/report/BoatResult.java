@@ -1,0 +1,22 @@
+package org.sami.crw.report;
+
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * What one boat did.
+ *
+ * @param link how base and boat were joined
+ * @param distanceM metres travelled
+ * @param batteryPercent charge left, 0 to 100
+ * @param recharges how often its battery was changed
+ * @param track where it was, oldest first; the first point is its start
+ */
+public record BoatResult(
+        String id, LinkResult link, double distanceM, double batteryPercent, int recharges, List<TrackPoint> track) {
+    public BoatResult {
+        Objects.requireNonNull(id, "id");
+        Objects.requireNonNull(link, "link");
+        track = List.copyOf(track);
+    }
+}

@@ -1,0 +1,32 @@
+package org.sami.crw.report;
+
+import java.util.Objects;
+
+/**
+ * What was run.
+ *
+ * @param plan id of the plan
+ * @param planName the plan's name for people
+ * @param planHash SHA-256, in hexadecimal digits, of the plan as it was run
+ * @param mission name of the mission
+ * @param speed "max", or how many simulated seconds pass in one second
+ * @param areaM side of the square in which locations lie, in metres
+ */
+public record RunHeader(
+        String plan,
+        String planName,
+        String planHash,
+        String mission,
+        long seed,
+        String speed,
+        double areaM,
+        RunPlace place) {
+    public RunHeader {
+        Objects.requireNonNull(planHash, "planHash");
+        Objects.requireNonNull(place, "place");
+        Objects.requireNonNull(plan, "plan");
+        Objects.requireNonNull(planName, "planName");
+        Objects.requireNonNull(mission, "mission");
+        Objects.requireNonNull(speed, "speed");
+    }
+}

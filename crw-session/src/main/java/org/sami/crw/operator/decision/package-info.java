@@ -1,0 +1,2 @@
+/** What waits for an answer in the decision queue, and how listeners learn of it. Not here: how a question is worded ({@code org.sami.crw.decision}). */
+package org.sami.crw.operator.decision;

@@ -1,0 +1,181 @@
+package org.sami.crw.session;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import org.sami.boat.link.SharedDefaults;
+import org.sami.crw.area.OperatingArea;
+import org.sami.crw.handler.activation.PlanAreas;
+import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.message.MessageSink;
+import org.sami.crw.message.OperatorMessage;
+import org.sami.crw.operator.OperatorLog;
+import org.sami.crw.operator.OperatorLogEntry.Kind;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What an operator wants of boats without a plan (docs/session.md). It comes before what missions want, which waits and goes on
+ * afterwards; the latest wish replaces the one before. Methods may be called from any thread and return at once; what comes of them arrives on the
+ * front's executor, a refusal as a {@link RefusedException}.
+ */
+public final class ByHand {
+
+    private final Fleet fleet;
+    private final EngineHost host;
+    private final CrwServices services;
+    private final OperatorLog log;
+    private final MessageSink messages;
+    private final LongSupplier nowMillis;
+    private final Replies replies;
+    private final Executor computing;
+    private final AtomicLong wishes = new AtomicLong();
+    private final Map<String, String> latest = new ConcurrentHashMap<>(); // the command of the latest wish, by boat
+
+    /**
+     * Sends boats of a fleet.
+     *
+     * @param computing finds ways
+     */
+    ByHand(Fleet fleet, SessionParts parts, CrwServices services, Executor computing) {
+        this.fleet = fleet;
+        this.services = services;
+        this.computing = computing;
+        host = parts.host;
+        log = parts.models.log();
+        messages = parts.messages;
+        nowMillis = parts.scheduler::nowMs;
+        replies = parts.replies;
+    }
+
+    private record Limits(WayLimits way, OperatingArea area) {}
+
+    private record Found(FollowPath command, WayByHand way) {}
+
+    /**
+     * Has a boat go to a point, around the project's no-go areas and what the missions avoid in which it takes part; in the fence, unless it is outside
+     * or is sent there. Refused where the point lies in such an area, or where there is no way around: nothing is sent then. A message tells what is to
+     * be feared on the way, if anything is.
+     */
+    public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
+        String command = wish(boat);
+        return onBoat(boat, this::start)
+                .thenCombine(
+                        replies.of(host.query(view -> limits(boat, view))),
+                        (start, limits) -> replies.on(computing, () -> {
+                            FollowPath path = WayByHand.command(command, start, point, limits.way());
+                            return new Found(
+                                    path,
+                                    WayByHand.of(start, path, limits.area().fence()));
+                        }))
+                .thenCompose(Function.identity())
+                .thenCompose(found -> tell(boat, words(boat, point), proxy -> {
+                            if (command.equals(latest.get(boat))) {
+                                proxy.commands().withdraw(Ids.NONE);
+                                proxy.commands().submit(found.command());
+                                found.way().doubts().forEach(doubt -> tellOf(boat, doubt));
+                            }
+                        })
+                        .thenApply(sent -> found.way()));
+    }
+
+    /** Has a boat keep the place where it is, until it is given back. */
+    public CompletionStage<Void> hold(String boat) {
+        String command = wish(boat);
+        return tell(boat, "has " + boat + " hold its place", proxy -> {
+            GeoPoint here = start(proxy).at().at();
+            proxy.commands().withdraw(Ids.NONE);
+            proxy.commands()
+                    .submit(new KeepStation(
+                            command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
+        });
+    }
+
+    /** Takes back what the operator wanted of a boat: it goes on with what missions want. */
+    public CompletionStage<Void> giveBack(String boat) {
+        wish(boat);
+        return tell(
+                boat,
+                "let " + boat + " go on with its missions",
+                proxy -> proxy.commands().withdraw(Ids.NONE));
+    }
+
+    /** Notes that there is a later wish for a boat. Gives the id of its command: the session's time goes on where an earlier process ended. */
+    private String wish(String boat) {
+        String command = "guided-" + nowMillis.getAsLong() + "-" + wishes.incrementAndGet() + "-" + boat;
+        latest.put(boat, command);
+        return command;
+    }
+
+    private WayByHand.Start start(BoatProxy boat) {
+        BoatStart at = BoatStart.of(boat, services)
+                .orElseThrow(() -> new RefusedException(boat.boatId() + " has not said where it is"));
+        OptionalDouble percent = boat.status().battery().map(BatteryState::percent).stream()
+                .mapToDouble(Double::doubleValue)
+                .findFirst();
+        return new WayByHand.Start(boat.boatId(), at, percent, boat.home());
+    }
+
+    private static Limits limits(String boat, EngineView view) {
+        Set<GeoArea> avoid = new LinkedHashSet<>(PlanAreas.avoided(Ids.NONE, view));
+        for (MissionView mission : view.missions()) {
+            boolean takesPart =
+                    mission.marking().values().stream().anyMatch(tokens -> tokens.contains(new Token.Proxy(boat)));
+            if (takesPart) {
+                avoid.addAll(PlanAreas.avoided(mission.id(), view));
+            }
+        }
+        OperatingArea area = OperatingArea.of(view);
+        return new Limits(new WayLimits(List.copyOf(avoid), area.fence()), area);
+    }
+
+    private static String words(String boat, GeoPoint point) {
+        return String.format(Locale.ROOT, "sent %s to %.5f,%.5f", boat, point.latDeg(), point.lonDeg());
+    }
+
+    private void tellOf(String boat, String doubt) {
+        String words = doubt.startsWith(boat + " ") ? doubt : boat + " " + doubt;
+        messages.tell(new OperatorMessage(
+                nowMillis.getAsLong(),
+                Ids.NONE,
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                words,
+                List.of(boat),
+                ""));
+    }
+
+    private CompletionStage<Void> tell(String boat, String done, Consumer<BoatProxy> what) {
+        return onBoat(boat, proxy -> {
+            what.accept(proxy);
+            log.add(Kind.BOAT, done, boat);
+            return null;
+        });
+    }
+
+    private <T> CompletionStage<T> onBoat(String boat, Function<BoatProxy, T> what) {
+        return fleet.ask(boats -> what.apply(
+                boats.find(boat).orElseThrow(() -> new RefusedException("there is no boat '" + boat + "'"))));
+    }
+}

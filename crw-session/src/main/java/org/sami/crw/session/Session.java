@@ -1,0 +1,514 @@
+package org.sami.crw.session;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.sami.crw.area.OperatingArea;
+import org.sami.crw.decision.DoubtedPaths;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.judgement.DraftAnswer;
+import org.sami.crw.judgement.Judgement;
+import org.sami.crw.operator.OperatorLogEntry;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.service.water.Water;
+import org.sami.crw.task.TaskMove;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.host.Registration;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/**
+ * Runs plans on boats: the engine's host, the domain, the links to boats, the journal and the operator's models together. A window, a
+ * console, {@code crw run} and a test use it alike (docs/session.md).
+ *
+ * <p>It opens with no boat and no mission, at the state to which its journal came. Listeners and operators are added, and boats may be
+ * connected, before {@link #begin}; from then on any number of missions run, and boats come and go.
+ *
+ * <p>Methods may be called from any thread and return at once, but where said. What comes of them arrives on the front's executor: a
+ * value, or a {@link RefusedException} that says why not. Neither the engine's nor the fleet's thread ever waits for who is told.
+ */
+public final class Session implements AutoCloseable {
+    private static final long FAREWELL_MS = 3000;
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
+    private final SessionSetup setup;
+    private final SessionParts parts;
+    private final AtomicBoolean boatsWanted = new AtomicBoolean();
+    private final AtomicBoolean begun = new AtomicBoolean();
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private final Fleet fleet;
+    private final ByHand byHand;
+    private final SessionProject project;
+    private final JudgedAnswers answers;
+
+    private Session(SessionSetup setup) throws IOException {
+        this.setup = setup;
+        parts = new SessionParts(setup);
+        fleet = new Fleet(
+                parts.connector,
+                parts.boats,
+                parts.replies,
+                parts.settings,
+                parts.history,
+                parts.remembered,
+                parts.models.fleetStop(),
+                parts.models.log(),
+                parts.models.missions()::title,
+                this::noteBegin);
+        byHand = new ByHand(fleet, parts, setup.services(), parts.drawing);
+        project = new SessionProject(parts);
+        answers = new JudgedAnswers(fleet, parts, setup.services());
+    }
+
+    /**
+     * Opens a session. Nothing happens in it before {@link #begin}.
+     *
+     * @throws IOException if its journal cannot be read
+     */
+    public static Session open(SessionSetup setup) throws IOException {
+        return new Session(setup);
+    }
+
+    /** Before the first link is made it is noted that this process has come: what was lost then is no loss of this one. */
+    private void noteBegin() {
+        if (boatsWanted.compareAndSet(false, true)) {
+            parts.telemetry.begun();
+            parts.history.begunAnew();
+        }
+    }
+
+    /**
+     * Begins: delivers again what was open when an earlier process ended, and takes inputs in.
+     *
+     * @throws IllegalStateException if it has begun
+     */
+    public void begin() {
+        if (!begun.compareAndSet(false, true)) {
+            throw new IllegalStateException("the session has begun already");
+        }
+        noteBegin();
+        parts.begin();
+    }
+
+    /**
+     * Connects again to the boats that the journal knows, as far as they were not disconnected; what missions want of them waits until
+     * they answer. Boats that an earlier process simulated are launched again where they were last; they count as started anew. To be
+     * called once, before {@link #begin}. Gives their ids.
+     *
+     * @throws IOException if the journal cannot be read
+     */
+    public List<String> reconnect() throws IOException {
+        return reconnect(Set.of());
+    }
+
+    /** As {@link #reconnect()}, leaving out addresses to which the caller connects, or which hold no longer. */
+    public List<String> reconnect(Set<BoatAddress> except) throws IOException {
+        return fleet.reconnect(except, Set.of(), parts.lastPositions(), parts.messages::notice);
+    }
+
+    /** As {@link #reconnect()}, leaving out boats that have other addresses now, to which the caller connects; by their ids. */
+    public List<String> reconnectWithout(Set<String> boats) throws IOException {
+        return fleet.reconnect(Set.of(), boats, parts.lastPositions(), parts.messages::notice);
+    }
+
+    /**
+     * Where earlier processes of the session saw each boat last, by its id; for boats that are simulated anew. Reads the journal.
+     *
+     * @throws IOException if the journal cannot be read
+     */
+    public Map<String, GeoPoint> lastPositions() throws IOException {
+        return parts.lastPositions();
+    }
+
+    /**
+     * Lets a listener, and after it the models and the operators, hear what happened in earlier processes; before {@link #begin}, on the calling thread.
+     *
+     * @throws IOException if the journal cannot be read
+     */
+    public void replay(HostListener listener) throws IOException {
+        parts.replay(listener);
+    }
+
+    // ---- missions
+
+    /**
+     * Starts a mission.
+     *
+     * @param plan its id
+     * @param name of the mission, for people
+     * @param parameters start values by {@code eventId.field} or {@code field}, and variables by {@code @name}; the plan asks for missing ones
+     * @return the mission's id
+     */
+    public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
+        return parts.posted.post(new Input.StartMission(plan, name, parameters), Session::started);
+    }
+
+    private static long started(List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.MissionStarted mission && mission.parent() == Ids.NONE) {
+                return mission.mission();
+            }
+        }
+        throw new RefusedException("the mission did not start");
+    }
+
+    /** Aborts a mission: its boats stop doing what it asked. */
+    public CompletionStage<Void> abort(long mission) {
+        return post(new Input.AbortMission(mission));
+    }
+
+    /** Aborts all missions. */
+    public CompletionStage<Void> abortAll() {
+        return post(new Input.AbortMission(Ids.NONE));
+    }
+
+    /** Completes a mission. */
+    public CompletionStage<Void> complete(long mission) {
+        return post(new Input.CompleteMission(mission));
+    }
+
+    /**
+     * Presses an interrupt.
+     *
+     * @param mission that offers it, or {@link Ids#NONE} for every mission that does
+     * @param boats whom it is about; empty for a general one, or where they are to be chosen
+     */
+    public CompletionStage<Void> press(String interrupt, long mission, List<String> boats) {
+        return post(new Input.Interrupt(mission, interrupt, boats));
+    }
+
+    /**
+     * Answers a decision. The first answer counts; a later one is refused.
+     *
+     * @param by name of the operator, which the others are told
+     */
+    public CompletionStage<Void> answer(long decision, Answer answer, String by) {
+        Input.AnswerDecision input = new Input.AnswerDecision(decision, answer, Answerer.OPERATOR);
+        parts.operators.answers(input, by);
+        return parts.posted.post(input, effects -> answered(decision, effects));
+    }
+
+    /** Stops the timer of a decision: autonomy does not answer it any longer. Refused where no timer runs. */
+    public CompletionStage<Void> hold(long decision) {
+        return post(new Input.HoldDecision(decision));
+    }
+
+    private static Void answered(long decision, List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.DecisionClosed closed && closed.decision() == decision) {
+                return null;
+            }
+        }
+        throw new RefusedException("the question stays open: the answer names nobody");
+    }
+
+    /**
+     * Asks once more of boats and services what failed for a mission that cannot go on ({@link org.sami.crw.operator.mission.StuckMission}). Refused where
+     * nothing has failed that can be asked again.
+     */
+    public CompletionStage<Void> sendAgain(long mission) {
+        return ask(view -> parts.models.stuck().takeAgain(mission)).thenAccept(again -> {
+            if (again.isEmpty()) {
+                throw new RefusedException("nothing has failed in mission " + mission + " that can be sent again");
+            }
+            again.forEach(parts.host::redeliver);
+            parts.models
+                    .log()
+                    .add(
+                            OperatorLogEntry.Kind.MISSION,
+                            "sent again what failed in mission " + mission,
+                            mission,
+                            List.of());
+        });
+    }
+
+    /** Writes a variable as a mission would; {@link Ids#NONE} writes a global one. */
+    public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
+        return post(new Input.SetVariable(mission, variable, value));
+    }
+
+    /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */
+    public CompletionStage<Void> drop(String boat, long mission) {
+        return post(new Input.ProxyDropped(boat, mission));
+    }
+
+    /** Takes a boat out of all missions and disconnects it. When it is connected again, it joins as a new one. */
+    public CompletionStage<Void> drop(String boat) {
+        return drop(boat, Ids.NONE)
+                .thenCompose(dropped -> fleet.disconnect(boat))
+                .thenAccept(known -> {});
+    }
+
+    // ---- what operators do beside missions
+
+    /**
+     * Gives a task to another boat, or to nobody. Refused where the task is not of a running mission or is complete, or where the boat
+     * takes no part in the mission.
+     */
+    public CompletionStage<Void> moveTask(TaskId task, Optional<String> boat) {
+        return ask(view -> TaskMove.refusal(task, boat, view)).thenCompose(refusal -> {
+            if (refusal.isPresent()) {
+                return CompletableFuture.failedFuture(new RefusedException(refusal.get()));
+            }
+            return post(new Input.AllocateTasks(Map.of(task, boat)))
+                    .thenAccept(moved -> parts.models
+                            .log()
+                            .add(
+                                    OperatorLogEntry.Kind.TASK,
+                                    "moved task " + task.name() + " to " + boat.orElse("nobody"),
+                                    task.mission(),
+                                    boat.stream().toList()));
+        });
+    }
+
+    /** Sets the area in which boats are to stay, instead of the project's. One that is no simple polygon is refused. */
+    public CompletionStage<Void> setFence(GeoArea area) {
+        try {
+            Water.of(area.outline().get(0), List.of(), Optional.of(area));
+        } catch (IllegalArgumentException crossed) {
+            return CompletableFuture.failedFuture(new RefusedException(crossed.getMessage()));
+        }
+        return fence(
+                OperatingArea.remember(area), "set the fence: " + area.outline().size() + " corners");
+    }
+
+    /** Takes the fence away: boats may go everywhere but into no-go areas. */
+    public CompletionStage<Void> removeFence() {
+        return fence(OperatingArea.rememberNone(), "took the fence away");
+    }
+
+    /** The project's fence counts again ({@link OperatingArea}). */
+    public CompletionStage<Void> useProjectFence() {
+        return fence(OperatingArea.rememberProject(), "took the project's fence");
+    }
+
+    private CompletionStage<Void> fence(Input input, String words) {
+        return post(input).thenAccept(done -> parts.models.log().add(OperatorLogEntry.Kind.FENCE, words));
+    }
+
+    /** Writes something down in the operator's log, maybe about a place. */
+    public void note(String text, Optional<GeoPoint> position) {
+        parts.models.log().note(text, position);
+    }
+
+    private CompletionStage<Void> post(Input input) {
+        return parts.posted.post(input, effects -> null);
+    }
+
+    /** The plans that missions start from, and what global variables hold at first. */
+    public SessionProject project() {
+        return project;
+    }
+
+    // ---- boats, operators, listeners, models
+
+    /** The boats. */
+    public Fleet fleet() {
+        return fleet;
+    }
+
+    /** What an operator wants of boats without a plan. */
+    public ByHand byHand() {
+        return byHand;
+    }
+
+    /** What lies before the operator; belongs to the front's executor. */
+    public OperatorModels models() {
+        return parts.models;
+    }
+
+    /** Adds an operator, who is asked what waits and what will. For the engine's thread, or before {@link #begin}. */
+    public Registration addOperator(SessionOperator operator) {
+        return parts.operators.add(operator);
+    }
+
+    /** Adds a listener to the engine's steps, told on the engine's thread; must be quick. */
+    public Registration addListener(HostListener listener) {
+        return parts.host.addListener(listener);
+    }
+
+    /**
+     * Subscribes to all that happens to boats, links, commands and tasks, through a serial executor, such as a window's event thread.
+     * The fleet never waits for the subscriber.
+     */
+    public Registration subscribe(Executor executor, Consumer<? super FleetEvent> subscriber) {
+        return parts.events.subscribe(executor, subscriber);
+    }
+
+    /** Adds a listener to what the session notes. */
+    public Registration addListener(SessionListener listener) {
+        return parts.messages.add(listener);
+    }
+
+    /** Asks the engine's state. */
+    public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
+        return parts.replies.of(parts.host.query(question));
+    }
+
+    /**
+     * Finds the way on which a boat would go along a path for a mission now: from where it is, with the turns around what the mission's plan and the
+     * project avoid. Empty for a boat of which it is not known where it is.
+     */
+    public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
+        CompletionStage<Optional<BoatStart>> start =
+                fleet().ask(boats -> boats.find(boat).flatMap(proxy -> BoatStart.of(proxy, setup.services())));
+        CompletionStage<WayLimits> limits = ask(view -> WayLimits.of(mission, view));
+        return start.thenCombineAsync(limits, (from, water) -> from.map(one -> one.way(path, water)), parts.drawing)
+                .thenApplyAsync(found -> found, parts.front);
+    }
+
+    /** Judges what is filled in of an answer, as things stand now: what of it cannot be, what boats are not to enter, and what it takes. */
+    public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
+        return answers.judge(decision, draft);
+    }
+
+    /**
+     * Judges values with which a mission of a plan is to start, as answers are.
+     *
+     * @param values by the names of parameters, as {@link #start} takes them
+     */
+    public CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
+        return answers.judgeStart(plan, values);
+    }
+
+    /** Judges a value that a global is to have: what of it cannot be, and where boats are not to enter. */
+    public CompletionStage<Judgement> judgeGlobal(String name, Value value) {
+        return answers.judgeGlobal(name, value);
+    }
+
+    /**
+     * The paths of the boats that wait for the answer to a decision about their ways; empty where it is about something else, or is answered.
+     */
+    public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
+        return ask(view -> view.subject(decision.id()))
+                .thenCompose(about ->
+                        fleet().ask(boats -> about.flatMap(one -> parts.domain.doubtedPaths(decision.type(), one))));
+    }
+
+    /** Whether a service computes for a mission now, so that commands or answers are to come. */
+    public boolean isComputing() {
+        return parts.domain.isComputing();
+    }
+
+    /**
+     * Says on the engine's thread, a little later, of which boats missions want something, now or when nothing keeps them any longer. What
+     * was asked of boats before has reached their proxies by then.
+     */
+    public void whoIsWanted(Consumer<Set<String>> then) {
+        parts.whoIsWanted(then);
+    }
+
+    /** The caller writes down where boats were; else the session does. */
+    public void leavePosesToCaller() {
+        parts.poses.stop();
+    }
+
+    /** What the session notes beside the engine's inputs. */
+    public SessionTelemetry telemetry() {
+        return parts.telemetry;
+    }
+
+    /** What the session was opened with. */
+    public SessionSetup setup() {
+        return setup;
+    }
+
+    /**
+     * The engine's host: for programs that post inputs of their own, and that ask at once. {@link EngineHost#ask} is not for a window's
+     * event thread.
+     */
+    public EngineHost host() {
+        return parts.host;
+    }
+
+    /** The session's time; its actions run on the engine's thread. */
+    public Scheduler scheduler() {
+        return parts.scheduler;
+    }
+
+    /** What becomes of it when its engine, its journal or a thread fails. */
+    public SessionFaults faults() {
+        return parts.faults;
+    }
+
+    /** Has something done on the engine's thread. */
+    public void execute(Runnable work) {
+        parts.executor.execute(work);
+    }
+
+    // ---- the end
+
+    /**
+     * The engine takes up no further work: what it does now is the last. From any thread, also the engine's. The stage completes on the
+     * engine's thread, when that is done.
+     */
+    public CompletionStage<Void> halt() {
+        return parts.halt();
+    }
+
+    /** Leaves the boats stopped ({@link #leave(BoatsAtEnd)}). */
+    public List<String> leave() {
+        return leave(BoatsAtEnd.STOP);
+    }
+
+    /**
+     * Sends the boats their last commands and waits until they execute them, 3 s at most. Afterwards this session commands no boat and records
+     * nothing about boats. Blocks: not for a thread of the session's own, nor a window's event thread.
+     *
+     * @return the boats that have not confirmed it, in words
+     */
+    public List<String> leave(BoatsAtEnd end) {
+        parts.domain.close();
+        EndCommands commands = new EndCommands(end);
+        parts.onFleet(boats -> {
+            parts.monitor.look(boats);
+            commands.tell(boats);
+            return null;
+        });
+        long latest = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
+        while (!parts.onFleet(commands::isDone) && System.nanoTime() < latest) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+        List<String> others = parts.onFleet(commands::others);
+        parts.onFleet(boats -> {
+            parts.poses.flush(parts.scheduler.nowMs());
+            return null;
+        });
+        parts.listenNoLonger();
+        return others;
+    }
+
+    /**
+     * Ends the session: links, threads, host and journal are closed, results that are open fail. Boats go on with what they were told
+     * until they notice that the link is lost. Blocks for a few seconds at most; not for a thread of the session's own.
+     */
+    @Override
+    public void close() throws IOException {
+        if (closed.compareAndSet(false, true)) {
+            parts.close();
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package org.sami.crw.session;
+
+import java.util.function.Consumer;
+import org.sami.crw.message.MessageSink;
+import org.sami.crw.message.OperatorMessage;
+import org.sami.spn.host.ListenerList;
+import org.sami.spn.host.Registration;
+import org.sami.spn.protocol.Ids;
+
+/** Notes in the journal what the operator is told, and passes it on. Safe for use by several threads. */
+final class SessionMessages implements MessageSink {
+    private final SessionTelemetry telemetry;
+    private final MessageSink models;
+    private final ListenerList<SessionListener> listeners = new ListenerList<>();
+    private volatile boolean closed;
+
+    SessionMessages(SessionTelemetry telemetry, MessageSink models) {
+        this.telemetry = telemetry;
+        this.models = models;
+    }
+
+    Registration add(SessionListener listener) {
+        return listeners.add(listener);
+    }
+
+    /** Tells all listeners something. */
+    void each(Consumer<SessionListener> news) {
+        listeners.each(news);
+    }
+
+    /** Takes nothing more: what becomes of links now is the session's own doing. */
+    void close() {
+        closed = true;
+    }
+
+    @Override
+    public void tell(OperatorMessage message) {
+        if (!closed) {
+            note(() -> telemetry.message(message), SessionNote.of(message));
+            models.tell(message);
+        }
+    }
+
+    /** Tells something about a link. */
+    void ofLink(long atMillis, String text) {
+        if (!closed) {
+            SessionNote note = new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, text);
+            note(() -> telemetry.message(note), note);
+        }
+    }
+
+    private synchronized void note(Runnable written, SessionNote note) {
+        written.run();
+        listeners.each(listener -> listener.onNote(note));
+    }
+
+    /** Shows something that need not be kept. */
+    void notice(String text) {
+        listeners.each(listener -> listener.onNotice(text));
+    }
+}

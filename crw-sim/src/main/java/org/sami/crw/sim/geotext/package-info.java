@@ -1,2 +1,0 @@
-/** Variables of places in words, for the command line. The text form that they come from is {@code org.sami.spn.geotext}. */
-package org.sami.crw.sim.geotext;

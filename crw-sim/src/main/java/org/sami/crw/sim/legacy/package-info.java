@@ -1,8 +1,0 @@
-/**
- * Projects of the earlier system after their import: where they are written, what is said of the import, and trial runs of
- * their plans on simulated boats.
- *
- * <p>Belongs here: what {@code crw import-legacy} does beyond reading. Does not belong here: the export's format and its
- * conversion ({@code org.sami.spn.legacy}), the command line ({@code cli}).
- */
-package org.sami.crw.sim.legacy;

@@ -1,6 +1,0 @@
-/**
- * The map of a run and the picture of a log's tracks, as PNG: what is drawn, by which scale and colours.
- *
- * <p>Drawn is what a report's records hold ({@code crw.sim.report}). Which files a report consists of belongs to {@code crw.sim.report.file}.
- */
-package org.sami.crw.sim.report.picture;

@@ -1,0 +1,26 @@
+package org.sami.spn.statespace;
+
+import java.util.List;
+
+/** A check that takes a while: it runs the plan, as far as its request says. Without state: one object may run for several plans at once. */
+public interface DeepCheck {
+    /** The deep checks that there are, in the order in which they are offered; the first asks what all others ask. */
+    List<DeepCheck> ALL = EveryQuestion.withItsParts();
+
+    /** A stable id in kebab-case. */
+    String id();
+
+    /** What it is called, in a few words. */
+    String title();
+
+    /** One sentence: what it finds, and what it cannot know. */
+    String help();
+
+    /**
+     * Runs on the caller's thread.
+     *
+     * @param watch is told how far it is, and asked whether to stop
+     * @throws IllegalArgumentException with the reason, if the plan cannot start
+     */
+    DeepResult run(DeepRequest request, SearchWatch watch);
+}

@@ -1,0 +1,54 @@
+package org.sami.spn.wizard;
+
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.sami.spn.edit.EditContext;
+import org.sami.spn.edit.EditRefusedException;
+import org.sami.spn.edit.PlanEdit;
+import org.sami.spn.edit.RemoveElements;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.Plan;
+import org.sami.spn.sequence.AuthoringLibrary;
+
+/** Deletes elements as {@link RemoveElements} does, and adjusts the requirements that are no longer needed (thesis 5.1.1). */
+public record RemoveWithRequirements(String plan, Set<String> elements, AuthoringLibrary library) implements PlanEdit {
+    public RemoveWithRequirements {
+        Objects.requireNonNull(plan, "plan");
+        elements = Collections.unmodifiableSet(new LinkedHashSet<>(elements));
+        Objects.requireNonNull(library, "library");
+    }
+
+    @Override
+    public String label() {
+        return new RemoveElements(plan, elements).label();
+    }
+
+    @Override
+    public Plan change(Plan before, EditContext context) throws EditRefusedException {
+        Plan removed = new RemoveElements(plan, elements).change(before, context);
+        Map<Boolean, List<InEdge>> in = removed.inEdges().stream()
+                .collect(Collectors.partitioningBy(e -> joins(removed, e.place(), e.transition())));
+        Map<Boolean, List<OutEdge>> out = removed.outEdges().stream()
+                .collect(Collectors.partitioningBy(e -> joins(removed, e.place(), e.transition())));
+        Plan joined = removed.withInEdges(in.get(true)).withOutEdges(out.get(true));
+        Plan adjusted = new RequirementComputation(context.vocabulary(), library).adjusted(before, joined);
+        // edges without an end go along, and are told, as with every edit
+        return adjusted.withInEdges(both(adjusted.inEdges(), in.get(false)))
+                .withOutEdges(both(adjusted.outEdges(), out.get(false)));
+    }
+
+    private static boolean joins(Plan plan, String place, String transition) {
+        return plan.place(place).isPresent() && plan.transition(transition).isPresent();
+    }
+
+    private static <T> List<T> both(List<T> a, List<T> b) {
+        return Stream.concat(a.stream(), b.stream()).toList();
+    }
+}
