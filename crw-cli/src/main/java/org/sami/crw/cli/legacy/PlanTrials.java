@@ -3,7 +3,6 @@ package org.sami.crw.cli.legacy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.Set;
 import org.sami.crw.handler.HandledEvents;
 import org.sami.crw.operator.mission.BlockedPlaces;
@@ -19,7 +18,6 @@ import org.sami.crw.sim.run.settings.PlanLocations;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
@@ -58,16 +56,11 @@ public final class PlanTrials {
                 .at(Site.at(new PlanLocations(project, plan, List.of()).suitable(Site.USUAL_CENTRE, settings.areaM())));
         List<String> presses =
                 RandomInterrupts.draw(new PlanInterrupts(vocabulary, project, plan), fleet.boatNames(), settings, seed);
-        RunSettings run = new RunSettings(
-                        plan.id(),
-                        plan.title(),
-                        fleet,
-                        Speed.MAX,
-                        OptionalLong.of(settings.millis()),
-                        Map.of(),
-                        settings.answerAfterMillis(),
-                        "")
-                .withInterrupts(presses);
+        RunSettings run = RunSettings.of(plan.id(), plan.title(), fleet)
+                .limitMillis(settings.millis())
+                .answerAfterMillis(settings.answerAfterMillis())
+                .interrupts(presses)
+                .build();
         InProcessRun trial = new InProcessRun(
                 new RunPlan(vocabulary, project, plan),
                 run,

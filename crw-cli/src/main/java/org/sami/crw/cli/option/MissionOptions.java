@@ -137,18 +137,22 @@ public final class MissionOptions {
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
         within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
         try {
-            return new RunSettings(
-                    plan,
-                    mission,
-                    new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site()),
-                    rest.speed(),
-                    Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
-                    parameters,
-                    answerAfterMillis,
-                    answersText(folder),
-                    rest.addresses(),
-                    interrupts,
-                    also);
+            return RunSettings.of(
+                            plan,
+                            mission,
+                            new RunSettings.Fleet(
+                                    count, locations, areaM, rest.seed(), rest.water(), charges(), site()))
+                    .speed(rest.speed())
+                    .limit(Optional.ofNullable(limitMillis)
+                            .map(OptionalLong::of)
+                            .orElse(OptionalLong.empty()))
+                    .parameters(parameters)
+                    .answerAfterMillis(answerAfterMillis)
+                    .answers(answersText(folder))
+                    .connect(rest.addresses())
+                    .interrupts(interrupts)
+                    .also(also)
+                    .build();
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
         }

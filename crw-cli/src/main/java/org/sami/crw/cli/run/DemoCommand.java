@@ -6,8 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
@@ -131,17 +129,12 @@ public final class DemoCommand implements Callable<Integer> {
         DomainLibrary library = PlanSource.library();
         PlanSource source = PlanSource.find(PLAN, library);
         Plan plan = source.choose(PLAN);
-        RunSettings settings = new RunSettings(
-                plan.id(),
-                plan.name(),
-                fleet,
-                addresses.isEmpty() ? speed : Speed.REAL,
-                OptionalLong.of(limitMillis),
-                Map.of(),
-                addresses.isEmpty() ? 5_000 : 1_000,
-                "",
-                addresses,
-                List.of());
+        RunSettings settings = RunSettings.of(plan.id(), plan.name(), fleet)
+                .speed(addresses.isEmpty() ? speed : Speed.REAL)
+                .limitMillis(limitMillis)
+                .answerAfterMillis(addresses.isEmpty() ? 5_000 : 1_000)
+                .connect(addresses)
+                .build();
         return new Execution(spec.commandLine(), library, OutputOptions.toFolder(reports), CONNECT_WITHIN_MILLIS)
                 .runNew(source, plan, settings, null);
     }

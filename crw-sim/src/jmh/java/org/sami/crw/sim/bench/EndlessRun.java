@@ -2,15 +2,12 @@ package org.sami.crw.sim.bench;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Map;
-import java.util.OptionalLong;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -39,15 +36,10 @@ public final class EndlessRun implements AutoCloseable {
         Project project = library.projectOf(PLAN).orElseThrow();
         RunPlan plan =
                 new RunPlan(library.vocabulary(), project, project.plan(PLAN).orElseThrow());
-        RunSettings settings = new RunSettings(
-                PLAN,
-                PLAN,
-                new RunSettings.Fleet(boats, 1, 600, 1),
-                Speed.MAX,
-                OptionalLong.of((long) (hours * HOUR_MS)),
-                Map.of(),
-                5_000,
-                NEVER_END);
+        RunSettings settings = RunSettings.of(PLAN, PLAN, new RunSettings.Fleet(boats, 1, 600, 1))
+                .limitMillis((long) (hours * HOUR_MS))
+                .answers(NEVER_END)
+                .build();
         RunRecord record = new RunRecord(
                 settings,
                 PLAN,

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -20,7 +19,6 @@ import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.figures.Figure;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Project;
@@ -143,15 +141,10 @@ final class SpeedBenchmark {
         Project project = library.projectOf(PLAN).orElseThrow();
         RunPlan plan =
                 new RunPlan(library.vocabulary(), project, project.plan(PLAN).orElseThrow());
-        RunSettings settings = new RunSettings(
-                PLAN,
-                PLAN,
-                new RunSettings.Fleet(boats, 1, SIDE_M * Math.sqrt(boats), 1),
-                Speed.MAX,
-                OptionalLong.of(LIMIT_MILLIS),
-                LANES,
-                5_000,
-                "");
+        RunSettings settings = RunSettings.of(PLAN, PLAN, new RunSettings.Fleet(boats, 1, SIDE_M * Math.sqrt(boats), 1))
+                .limitMillis(LIMIT_MILLIS)
+                .parameters(LANES)
+                .build();
         InProcessRun run = new InProcessRun(plan, settings, AnswersFile.EMPTY, RunJournal.none());
         if (alone) {
             run.useAllCores();

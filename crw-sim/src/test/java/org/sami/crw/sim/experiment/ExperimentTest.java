@@ -16,7 +16,6 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.TestRuns;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Many runs side by side come out as they do one by one. */
 class ExperimentTest {
@@ -158,15 +157,9 @@ class ExperimentTest {
     }
 
     private static ExperimentCase of(String plan, double areaM) {
-        RunSettings settings = new RunSettings(
-                plan,
-                plan,
-                new RunSettings.Fleet(3, 9, areaM, 1),
-                Speed.MAX,
-                OptionalLong.of(7_200_000),
-                Map.of(),
-                5_000,
-                "");
+        RunSettings settings = RunSettings.of(plan, plan, new RunSettings.Fleet(3, 9, areaM, 1))
+                .limitMillis(7_200_000)
+                .build();
         return new ExperimentCase(plan, TestRuns.plan(plan), settings, AnswersFile.EMPTY);
     }
 }

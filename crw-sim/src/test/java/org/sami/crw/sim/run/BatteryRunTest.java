@@ -3,7 +3,6 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,7 +18,6 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Boats whose batteries turn critical are pulled out (thesis 7.1.1): {@code recharge@battery}. */
 class BatteryRunTest {
@@ -99,16 +97,15 @@ class BatteryRunTest {
     @ValueSource(strings = {"0s", "1s", "5s", "8s", "9s", "10s", "11s", "20s"})
     void swapEndsWhenTheBatteryIsIn(String swapTime) {
         RunPlan plan = plan();
-        RunSettings settings = new RunSettings(
+        RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(3, 12, 600, 1).with(InitialCharges.parse("100,37,100")),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        java.util.Map.of("@swapTime", swapTime),
-                        0,
-                        "")
-                .withInterrupts(List.of("recharge@battery"));
+                        new RunSettings.Fleet(3, 12, 600, 1).with(InitialCharges.parse("100,37,100")))
+                .limitMillis(7_200_000)
+                .parameters(java.util.Map.of("@swapTime", swapTime))
+                .answerAfterMillis(0)
+                .interrupts(List.of("recharge@battery"))
+                .build();
 
         RunReport report = TestRuns.run(plan, settings);
 
@@ -153,16 +150,13 @@ class BatteryRunTest {
     @Test
     void boatThatTurnsCriticalAgainIsPulledOutAgain() {
         RunPlan plan = plan();
-        RunSettings settings = new RunSettings(
+        RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(1, 120, 400, 3).with(InitialCharges.parse("25")),
-                        Speed.MAX,
-                        OptionalLong.of(20_000_000),
-                        java.util.Map.of(),
-                        5_000,
-                        "")
-                .withInterrupts(List.of("recharge@battery"));
+                        new RunSettings.Fleet(1, 120, 400, 3).with(InitialCharges.parse("25")))
+                .limitMillis(20_000_000)
+                .interrupts(List.of("recharge@battery"))
+                .build();
 
         RunReport report = TestRuns.run(plan, settings);
 
@@ -191,16 +185,13 @@ class BatteryRunTest {
 
     private static RunSettings settings(String charges, int locations, String... interrupts) {
         RunPlan plan = plan();
-        return new RunSettings(
+        return RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(3, locations, 600, 1).with(InitialCharges.parse(charges)),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        java.util.Map.of(),
-                        5_000,
-                        "")
-                .withInterrupts(List.of(interrupts));
+                        new RunSettings.Fleet(3, locations, 600, 1).with(InitialCharges.parse(charges)))
+                .limitMillis(7_200_000)
+                .interrupts(List.of(interrupts))
+                .build();
     }
 
     private static void assertAllVisited(RunReport report) {

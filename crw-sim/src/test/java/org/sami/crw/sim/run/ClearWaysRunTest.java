@@ -9,9 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,7 +32,6 @@ import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -154,9 +151,11 @@ class ClearWaysRunTest {
                 {"format": "crw-answers", "version": 1, "rules": [
                  {"event": "OperatorCreateLocations", "answer": {"values": {"locations": [%s]}}}]}""".formatted(locations());
         RunSettings.Fleet fleet = new RunSettings.Fleet(3, 8, 400, seed).on(conditions);
-        RunSettings settings = new RunSettings(
-                        plan, plan, fleet, Speed.MAX, OptionalLong.of(7_200_000), Map.of(), 5_000, answers)
-                .withInterrupts(interrupt.isEmpty() ? List.of() : List.of(interrupt));
+        RunSettings settings = RunSettings.of(plan, plan, fleet)
+                .limitMillis(7_200_000)
+                .answers(answers)
+                .interrupts(interrupt.isEmpty() ? List.of() : List.of(interrupt))
+                .build();
         return interrupt.endsWith("battery")
                 ? settings.withFleet(fleet.with(InitialCharges.parse("100,32,100")))
                 : settings;

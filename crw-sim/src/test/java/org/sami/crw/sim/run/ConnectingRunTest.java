@@ -3,8 +3,6 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Map;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.report.BoatResult;
@@ -15,7 +13,6 @@ import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
@@ -48,15 +45,10 @@ class ConnectingRunTest {
 
     private static RunReport run(String text, Site site) {
         Project project = new ProjectReader(LIBRARY.vocabulary()).read(text).orThrow();
-        RunSettings settings = new RunSettings(
-                "p",
-                "p",
-                new RunSettings.Fleet(2, 3, 200, 5).at(site),
-                Speed.MAX,
-                OptionalLong.of(60_000),
-                Map.of(),
-                1000,
-                "");
+        RunSettings settings = RunSettings.of("p", "p", new RunSettings.Fleet(2, 3, 200, 5).at(site))
+                .limitMillis(60_000)
+                .answerAfterMillis(1000)
+                .build();
         return new InProcessRun(
                         new RunPlan(
                                 LIBRARY.vocabulary(), project, project.plans().get(0)),

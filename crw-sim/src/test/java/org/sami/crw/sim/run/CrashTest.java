@@ -22,7 +22,6 @@ import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run that dies after any entry of its journal and is taken up again is the run that never died. */
@@ -104,15 +103,10 @@ class CrashTest {
         assertThat(crashAfter(25, file)).isTrue();
 
         try (ResumedJournal journal = ResumedJournal.open(file)) {
-            RunSettings other = new RunSettings(
-                    "sample",
-                    "sample",
-                    new RunSettings.Fleet(3, 5, 120, 12),
-                    Speed.MAX,
-                    OptionalLong.of(3_600_000),
-                    Map.of(),
-                    4_000,
-                    "");
+            RunSettings other = RunSettings.of("sample", "sample", new RunSettings.Fleet(3, 5, 120, 12))
+                    .limitMillis(3_600_000)
+                    .answerAfterMillis(4_000)
+                    .build();
             RunReport refused = new InProcessRun(TestRuns.sample(), other, TestRuns.sampleAnswers(), journal)
                     .run(Pacer.UNPACED, RunObserver.NONE);
 

@@ -3,8 +3,6 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Map;
-import java.util.OptionalLong;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
@@ -15,7 +13,6 @@ import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Boats that go through a dangerous area one after another, in one shared sub-mission (thesis, Figure 7.4), with many seeds. */
 class DangerousAreaRunTest {
@@ -31,16 +28,12 @@ class DangerousAreaRunTest {
              {"lat": 45.70027, "lon": 10.72039}, {"lat": 45.70027, "lon": 10.71961}]}}}}]}""";
 
     private static RunReport run(long seed, List<String> interrupts) {
-        RunSettings settings = new RunSettings(
-                        "clv-dangerous-area",
-                        "clv-dangerous-area",
-                        new RunSettings.Fleet(3, 9, 120, seed),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        Map.of(),
-                        5_000,
-                        ANSWERS)
-                .withInterrupts(interrupts);
+        RunSettings settings = RunSettings.of(
+                        "clv-dangerous-area", "clv-dangerous-area", new RunSettings.Fleet(3, 9, 120, seed))
+                .limitMillis(7_200_000)
+                .answers(ANSWERS)
+                .interrupts(interrupts)
+                .build();
         AnswersFile answers =
                 AnswersFileReader.read(ANSWERS, TestRuns.LIBRARY.vocabulary()).orThrow();
         return new InProcessRun(TestRuns.plan("clv-dangerous-area"), settings, answers, RunJournal.none())

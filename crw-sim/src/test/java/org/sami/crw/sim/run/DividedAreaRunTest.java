@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -19,7 +18,6 @@ import org.sami.crw.report.TrackPoint;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -96,15 +94,10 @@ class DividedAreaRunTest {
                 project.plan("explore-area").orElseThrow());
         return TestRuns.run(
                 plan,
-                new RunSettings(
-                        plan.plan().id(),
-                        plan.plan().name(),
-                        new RunSettings.Fleet(3, 1, AREA_M, 1),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        Map.of("@spacing", "10"),
-                        5_000,
-                        ""));
+                RunSettings.of(plan.plan().id(), plan.plan().name(), new RunSettings.Fleet(3, 1, AREA_M, 1))
+                        .limitMillis(7_200_000)
+                        .parameters(Map.of("@spacing", "10"))
+                        .build());
     }
 
     private static String box(double westM, double southM, double eastM, double northM) {

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -20,7 +19,6 @@ import org.sami.crw.report.file.ReportJson;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** What a report says of an area that was explored: by the plan, by reported positions, and truly. */
 class ExploredAreaRunTest {
@@ -95,14 +93,9 @@ class ExploredAreaRunTest {
         RunPlan plan = TestRuns.plan("explore-area");
         return TestRuns.run(
                 plan,
-                new RunSettings(
-                        plan.plan().id(),
-                        plan.plan().name(),
-                        new RunSettings.Fleet(3, 1, 150, 1).on(conditions),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        Map.of("@spacing", String.valueOf(spacingM)),
-                        5_000,
-                        ""));
+                RunSettings.of(plan.plan().id(), plan.plan().name(), new RunSettings.Fleet(3, 1, 150, 1).on(conditions))
+                        .limitMillis(7_200_000)
+                        .parameters(Map.of("@spacing", String.valueOf(spacingM)))
+                        .build());
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,7 +20,6 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -170,14 +168,14 @@ class ExploredByChargeTest {
             RunPlan plan, double areaM, double spacingM, String charges, Conditions conditions, long seed) {
         return TestRuns.run(
                 plan,
-                new RunSettings(
-                        plan.plan().id(),
-                        plan.plan().name(),
-                        new RunSettings.Fleet(3, 1, areaM, seed).on(conditions).with(InitialCharges.parse(charges)),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        Map.of("@spacing", String.valueOf(spacingM)),
-                        5_000,
-                        ""));
+                RunSettings.of(
+                                plan.plan().id(),
+                                plan.plan().name(),
+                                new RunSettings.Fleet(3, 1, areaM, seed)
+                                        .on(conditions)
+                                        .with(InitialCharges.parse(charges)))
+                        .limitMillis(7_200_000)
+                        .parameters(Map.of("@spacing", String.valueOf(spacingM)))
+                        .build());
     }
 }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,7 +17,6 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Plans of the library on boats whose paths fail, because the current is faster than they are: the plans say what is done then. */
 class FailedPathRunTest {
@@ -27,16 +25,12 @@ class FailedPathRunTest {
     private static RunReport run(String id, Map<String, String> parameters, List<String> interrupts, String rules) {
         RunPlan plan = TestRuns.plan(id);
         String answers = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}";
-        RunSettings settings = new RunSettings(
-                        id,
-                        id,
-                        new RunSettings.Fleet(2, 4, 300, 1).on(TORRENT),
-                        Speed.MAX,
-                        OptionalLong.of(7_200_000),
-                        parameters,
-                        5_000,
-                        answers)
-                .withInterrupts(interrupts);
+        RunSettings settings = RunSettings.of(id, id, new RunSettings.Fleet(2, 4, 300, 1).on(TORRENT))
+                .limitMillis(7_200_000)
+                .parameters(parameters)
+                .answers(answers)
+                .interrupts(interrupts)
+                .build();
         AnswersFile file =
                 AnswersFileReader.read(answers, TestRuns.LIBRARY.vocabulary()).orThrow();
         return new InProcessRun(plan, settings, file, RunJournal.none()).run(Pacer.UNPACED, RunObserver.NONE);

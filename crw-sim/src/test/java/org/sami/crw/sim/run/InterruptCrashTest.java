@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.decision.AnswersFile;
@@ -19,22 +18,19 @@ import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run with interrupts that dies after any entry of its journal is, taken up again, the run that never died. */
 class InterruptCrashTest {
     private static final RunPlan PLAN = TestRuns.plan("clv-interrupts");
-    private static final RunSettings SETTINGS = new RunSettings(
+    private static final RunSettings SETTINGS = RunSettings.of(
                     "clv-interrupts",
                     "visits",
-                    new RunSettings.Fleet(2, 5, 120, 4).with(InitialCharges.parse("100,15.5")),
-                    Speed.MAX,
-                    OptionalLong.of(3_600_000),
-                    Map.of(),
-                    4_000,
-                    "")
-            .withInterrupts(List.of("recharge:1@25", "recharge@battery", "alarm@70", "recharge:1@71", "alarm@5000"));
+                    new RunSettings.Fleet(2, 5, 120, 4).with(InitialCharges.parse("100,15.5")))
+            .limitMillis(3_600_000)
+            .answerAfterMillis(4_000)
+            .interrupts(List.of("recharge:1@25", "recharge@battery", "alarm@70", "recharge:1@71", "alarm@5000"))
+            .build();
 
     @TempDir
     Path folder;

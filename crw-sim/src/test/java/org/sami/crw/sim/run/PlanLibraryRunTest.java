@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,7 +19,6 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Plans of the library from their start to their end, with the simulated operator, in calm, field and rough water. */
 class PlanLibraryRunTest {
@@ -64,9 +62,12 @@ class PlanLibraryRunTest {
         RunReport report() {
             RunPlan runPlan = TestRuns.plan(plan);
             String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + answers + "]}";
-            RunSettings settings = new RunSettings(
-                            plan, plan, fleet, Speed.MAX, OptionalLong.of(7_200_000), values, 5_000, text)
-                    .withInterrupts(interrupts);
+            RunSettings settings = RunSettings.of(plan, plan, fleet)
+                    .limitMillis(7_200_000)
+                    .parameters(values)
+                    .answers(text)
+                    .interrupts(interrupts)
+                    .build();
             AnswersFile file =
                     AnswersFileReader.read(text, TestRuns.LIBRARY.vocabulary()).orThrow();
             return new InProcessRun(runPlan, settings, file, RunJournal.none()).run(Pacer.UNPACED, RunObserver.NONE);

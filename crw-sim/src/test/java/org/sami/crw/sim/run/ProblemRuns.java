@@ -1,14 +1,12 @@
 package org.sami.crw.sim.run;
 
 import java.util.Map;
-import java.util.OptionalLong;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 
@@ -28,15 +26,10 @@ final class ProblemRuns {
                 .orThrow();
         RunPlan plan = new RunPlan(
                 TestRuns.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
-        RunSettings settings = new RunSettings(
-                id,
-                id,
-                new RunSettings.Fleet(BOATS, 1, 600, 1).with(charges),
-                Speed.MAX,
-                OptionalLong.of(400_000),
-                parameters,
-                5_000,
-                "");
+        RunSettings settings = RunSettings.of(id, id, new RunSettings.Fleet(BOATS, 1, 600, 1).with(charges))
+                .limitMillis(400_000)
+                .parameters(parameters)
+                .build();
         AnswersFile answers = AnswersFileReader.read(
                         "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}",
                         TestRuns.LIBRARY.vocabulary())

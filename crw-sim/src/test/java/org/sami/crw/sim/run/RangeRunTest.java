@@ -2,8 +2,6 @@ package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Map;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,7 +13,6 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Charges are taken into account when locations are divided: no boat stops dead on its way. */
 class RangeRunTest {
@@ -60,15 +57,12 @@ class RangeRunTest {
 
     private static RunReport run(String planId, String charges, long seed) {
         RunPlan plan = TestRuns.plan(planId);
-        RunSettings settings = new RunSettings(
-                plan.plan().id(),
-                plan.plan().name(),
-                new RunSettings.Fleet(3, 20, 600, seed).with(InitialCharges.parse(charges)),
-                Speed.MAX,
-                OptionalLong.of(7_200_000),
-                Map.of(),
-                5_000,
-                "");
+        RunSettings settings = RunSettings.of(
+                        plan.plan().id(),
+                        plan.plan().name(),
+                        new RunSettings.Fleet(3, 20, 600, seed).with(InitialCharges.parse(charges)))
+                .limitMillis(7_200_000)
+                .build();
         return TestRuns.run(plan, settings);
     }
 }

@@ -3,8 +3,6 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Map;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
@@ -15,7 +13,6 @@ import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.crw.sim.run.record.ReadingRecorder;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.value.GeoPoint;
 
 /** Whole missions in current, wind and noise, with sensors. */
@@ -29,15 +26,9 @@ class RoughRunTest {
 
     private static RunReport run(Conditions conditions, long seed) {
         RunPlan plan = TestRuns.plan("clv");
-        RunSettings settings = new RunSettings(
-                "clv",
-                "clv",
-                new RunSettings.Fleet(2, 6, 300, seed).on(conditions),
-                Speed.MAX,
-                OptionalLong.of(7_200_000),
-                Map.of(),
-                5_000,
-                "");
+        RunSettings settings = RunSettings.of("clv", "clv", new RunSettings.Fleet(2, 6, 300, seed).on(conditions))
+                .limitMillis(7_200_000)
+                .build();
         return TestRuns.run(plan, settings);
     }
 

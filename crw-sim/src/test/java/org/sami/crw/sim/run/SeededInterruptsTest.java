@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.OptionalLong;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,7 +15,6 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 
 /** Whoever is interrupted by what, and whenever: every location is visited, and the mission ends. */
 class SeededInterruptsTest {
@@ -40,16 +37,14 @@ class SeededInterruptsTest {
             interrupts.add(press(random, boats));
         }
         RunPlan plan = TestRuns.plan("clv-interrupts");
-        RunSettings settings = new RunSettings(
+        RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(boats, locations, 300, seed).with(charges(random, boats)),
-                        Speed.MAX,
-                        OptionalLong.of(20_000_000),
-                        Map.of(),
-                        random.nextLong(20_000),
-                        "")
-                .withInterrupts(interrupts);
+                        new RunSettings.Fleet(boats, locations, 300, seed).with(charges(random, boats)))
+                .limitMillis(20_000_000)
+                .answerAfterMillis(random.nextLong(20_000))
+                .interrupts(interrupts)
+                .build();
 
         RunReport report = TestRuns.run(plan, settings);
 

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -70,15 +69,13 @@ class VisitRunTest {
     @Test
     void boatsTickedOnSeveralThreadsMakeTheSameRun() {
         RunPlan plan = TestRuns.plan("explore-area");
-        RunSettings settings = new RunSettings(
-                plan.plan().id(),
-                plan.plan().id(),
-                new RunSettings.Fleet(24, 1, 120, 3).on(NamedConditions.field.conditions()),
-                Speed.MAX,
-                OptionalLong.of(150_000),
-                Map.of("@spacing", "6"),
-                5_000,
-                "");
+        RunSettings settings = RunSettings.of(
+                        plan.plan().id(),
+                        plan.plan().id(),
+                        new RunSettings.Fleet(24, 1, 120, 3).on(NamedConditions.field.conditions()))
+                .limitMillis(150_000)
+                .parameters(Map.of("@spacing", "6"))
+                .build();
         InProcessRun helped = new InProcessRun(plan, settings, AnswersFile.EMPTY, RunJournal.none());
         helped.useHelpers(3);
 

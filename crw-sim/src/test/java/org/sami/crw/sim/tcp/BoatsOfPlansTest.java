@@ -7,8 +7,6 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
@@ -108,16 +106,11 @@ class BoatsOfPlansTest {
     }
 
     private static RunSettings settings(BoatOnTcp boat) {
-        return new RunSettings(
-                "p",
-                "p",
-                new RunSettings.Fleet(1, 1, 20, 1),
-                Speed.REAL,
-                OptionalLong.of(WITHIN_MS),
-                Map.of(),
-                10 * WITHIN_MS,
-                "",
-                List.of(address(boat)),
-                List.of());
+        return RunSettings.of("p", "p", new RunSettings.Fleet(1, 1, 20, 1))
+                .speed(Speed.REAL)
+                .limitMillis(WITHIN_MS)
+                .answerAfterMillis(10 * WITHIN_MS)
+                .connect(List.of(address(boat)))
+                .build();
     }
 }

@@ -7,7 +7,6 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -91,17 +90,13 @@ class SetBackClockTest {
     }
 
     private static RunSettings settings(BoatOnTcp boat) {
-        return new RunSettings(
-                "station-keep",
-                "station-keep",
-                new RunSettings.Fleet(1, 1, 20, 1),
-                Speed.REAL,
-                OptionalLong.of(60_000),
-                Map.of("watch-time.duration", WATCH_MS / 1000 + "s"),
-                ANSWER_MS,
-                "",
-                List.of(new BoatAddress("127.0.0.1", boat.address().getPort())),
-                List.of());
+        return RunSettings.of("station-keep", "station-keep", new RunSettings.Fleet(1, 1, 20, 1))
+                .speed(Speed.REAL)
+                .limitMillis(60_000)
+                .parameters(Map.of("watch-time.duration", WATCH_MS / 1000 + "s"))
+                .answerAfterMillis(ANSWER_MS)
+                .connect(List.of(new BoatAddress("127.0.0.1", boat.address().getPort())))
+                .build();
     }
 
     private static long atMs(RunReport report, String transition) {

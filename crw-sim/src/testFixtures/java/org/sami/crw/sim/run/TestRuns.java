@@ -4,14 +4,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Map;
-import java.util.OptionalLong;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
@@ -48,28 +45,18 @@ public final class TestRuns {
 
     /** Settings of a run of the sample. */
     public static RunSettings sampleSettings() {
-        return new RunSettings(
-                "sample",
-                "sample",
-                new RunSettings.Fleet(3, 5, 120, 11),
-                Speed.MAX,
-                OptionalLong.of(3_600_000),
-                Map.of(),
-                4_000,
-                text("sample-answers.json"));
+        return RunSettings.of("sample", "sample", new RunSettings.Fleet(3, 5, 120, 11))
+                .limitMillis(3_600_000)
+                .answerAfterMillis(4_000)
+                .answers(text("sample-answers.json"))
+                .build();
     }
 
     /** Settings with all that most tests leave alone. */
     public static RunSettings settings(RunPlan plan, int boats, int locations, long seed) {
-        return new RunSettings(
-                plan.plan().id(),
-                plan.plan().name(),
-                new RunSettings.Fleet(boats, locations, 600, seed),
-                Speed.MAX,
-                OptionalLong.of(7_200_000),
-                Map.of(),
-                5_000,
-                "");
+        return RunSettings.of(plan.plan().id(), plan.plan().name(), new RunSettings.Fleet(boats, locations, 600, seed))
+                .limitMillis(7_200_000)
+                .build();
     }
 
     /** Runs to the end. */

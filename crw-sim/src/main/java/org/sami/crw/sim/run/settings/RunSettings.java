@@ -1,14 +1,11 @@
 package org.sami.crw.sim.run.settings;
 
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalLong;
-import java.util.TreeMap;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.fleet.SimulatedFleet;
@@ -45,11 +42,8 @@ public record RunSettings(
     /** A run that is not told when to stop gives up after one simulated day. */
     public static final long LONGEST_MILLIS = 86_400_000;
 
-    private static final String PARAMETER = "set.";
-    private static final String BATTERY = "battery";
-    private static final String CONNECT = "connect";
-    private static final String INTERRUPT = "interrupt.";
-    private static final String ALSO = "also.";
+    /** After how long the simulated operator answers unless somebody says otherwise, in simulated milliseconds. */
+    public static final long STANDARD_ANSWER_MILLIS = 5_000;
 
     /**
      * The boats and what they are sent to.
@@ -98,6 +92,11 @@ public record RunSettings(
         /** A fleet with full batteries in calm water. */
         public Fleet(int boats, int locations, double areaM, long seed) {
             this(boats, locations, areaM, seed, Conditions.CALM, InitialCharges.FULL, Site.USUAL);
+        }
+
+        /** The same fleet with more or fewer boats. */
+        Fleet of(int otherBoats) {
+            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site);
         }
 
         /** The same fleet on other water. */
@@ -162,77 +161,30 @@ public record RunSettings(
         }
     }
 
-    /** A run on boats in this process, in which nobody presses an interrupt. */
-    public RunSettings(
-            String plan,
-            String mission,
-            Fleet fleet,
-            Speed speed,
-            OptionalLong limitMillis,
-            Map<String, String> parameters,
-            long answerAfterMillis,
-            String answers) {
-        this(
-                plan,
-                mission,
-                fleet,
-                speed,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                List.of(),
-                List.of(),
-                List.of());
+    /** A run as fast as the machine can, without limit, of one mission, on boats in this process, in which nobody presses an interrupt. */
+    public static Builder of(String plan, String mission, Fleet fleet) {
+        return new Builder(plan, mission, fleet);
     }
 
-    /** A run of one mission. */
-    public RunSettings(
-            String plan,
-            String mission,
-            Fleet fleet,
-            Speed speed,
-            OptionalLong limitMillis,
-            Map<String, String> parameters,
-            long answerAfterMillis,
-            String answers,
-            List<BoatAddress> connect,
-            List<String> interrupts) {
-        this(
-                plan,
-                mission,
-                fleet,
-                speed,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                connect,
-                interrupts,
-                List.of());
+    /** The same run, for something of it to be changed. */
+    public Builder change() {
+        return of(plan, mission, fleet)
+                .speed(speed)
+                .limit(limitMillis)
+                .parameters(parameters)
+                .answerAfterMillis(answerAfterMillis)
+                .answers(answers)
+                .connect(connect)
+                .interrupts(interrupts)
+                .also(also);
     }
 
     /** The same run on boats behind TCP, in real time. */
     public RunSettings connectedTo(List<BoatAddress> addresses) {
-        return new RunSettings(
-                plan,
-                mission,
-                new Fleet(
-                        addresses.size(),
-                        fleet.locations(),
-                        fleet.areaM(),
-                        fleet.seed(),
-                        fleet.conditions(),
-                        fleet.charges(),
-                        fleet.site()),
-                Speed.REAL,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                addresses,
-                interrupts,
-                also);
+        return change().fleet(fleet.of(addresses.size()))
+                .speed(Speed.REAL)
+                .connect(addresses)
+                .build();
     }
 
     /** Whether the boats are other processes, behind TCP. */
@@ -242,72 +194,27 @@ public record RunSettings(
 
     /** The same run with other interrupts. */
     public RunSettings withInterrupts(List<String> others) {
-        return new RunSettings(
-                plan,
-                mission,
-                fleet,
-                speed,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                connect,
-                others,
-                also);
+        return change().interrupts(others).build();
     }
 
     /** The same run with these missions beside the first. */
     public RunSettings withAlso(List<String> others) {
-        return new RunSettings(
-                plan,
-                mission,
-                fleet,
-                speed,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                connect,
-                interrupts,
-                others);
+        return change().also(others).build();
     }
 
     /** The same run with other boats. */
     public RunSettings withFleet(Fleet other) {
-        return new RunSettings(
-                plan,
-                mission,
-                other,
-                speed,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                connect,
-                interrupts,
-                also);
+        return change().fleet(other).build();
     }
 
     /** The same run at another speed. */
     public RunSettings withSpeed(Speed other) {
-        return new RunSettings(
-                plan,
-                mission,
-                fleet,
-                other,
-                limitMillis,
-                parameters,
-                answerAfterMillis,
-                answers,
-                connect,
-                interrupts,
-                also);
+        return change().speed(other).build();
     }
 
     /** The same run with another end. */
     public RunSettings withLimit(OptionalLong other) {
-        return new RunSettings(
-                plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers, connect, interrupts, also);
+        return change().limit(other).build();
     }
 
     /** When it stops at the latest, in simulated milliseconds. */
@@ -317,33 +224,7 @@ public record RunSettings(
 
     /** As text by name, for the header of a journal. */
     public Map<String, String> toMap() {
-        Map<String, String> map = new TreeMap<>();
-        map.put("plan", plan);
-        map.put("mission", mission);
-        map.put("boats", String.valueOf(fleet.boats()));
-        map.put("locations", String.valueOf(fleet.locations()));
-        map.put("areaM", String.valueOf(fleet.areaM()));
-        map.put("seed", String.valueOf(fleet.seed()));
-        map.put("speed", speed.toString());
-        limitMillis.ifPresent(limit -> map.put("limitMillis", String.valueOf(limit)));
-        map.put("answerAfterMillis", String.valueOf(answerAfterMillis));
-        map.put("answers", answers);
-        if (isConnected()) {
-            map.put(CONNECT, connect.stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
-        }
-        map.putAll(fleet.conditions().toMap());
-        map.putAll(fleet.site().toMap());
-        if (!fleet.charges().equals(InitialCharges.FULL)) {
-            map.put(BATTERY, fleet.charges().toString());
-        }
-        parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
-        for (int i = 0; i < interrupts.size(); i++) {
-            map.put(INTERRUPT + i, interrupts.get(i));
-        }
-        for (int i = 0; i < also.size(); i++) {
-            map.put(ALSO + i, also.get(i));
-        }
-        return map;
+        return SettingsMap.write(this);
     }
 
     /**
@@ -352,48 +233,96 @@ public record RunSettings(
      * @throws IllegalArgumentException where something is missing or makes no sense
      */
     public static RunSettings fromMap(Map<String, String> map) {
-        Map<String, String> parameters = new TreeMap<>();
-        map.forEach((name, value) -> {
-            if (name.startsWith(PARAMETER)) {
-                parameters.put(name.substring(PARAMETER.length()), value);
-            }
-        });
-        Fleet fleet = new Fleet(
-                Integer.parseInt(needed(map, "boats")),
-                Integer.parseInt(needed(map, "locations")),
-                Double.parseDouble(needed(map, "areaM")),
-                Long.parseLong(needed(map, "seed")),
-                Conditions.fromMap(map),
-                map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
-                Site.fromMap(map));
-        String limit = map.get("limitMillis");
-        return new RunSettings(
-                needed(map, "plan"),
-                needed(map, "mission"),
-                fleet,
-                Speed.parse(needed(map, "speed")),
-                limit == null ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(limit)),
-                parameters,
-                Long.parseLong(needed(map, "answerAfterMillis")),
-                needed(map, "answers"),
-                map.containsKey(CONNECT) ? BoatAddress.parseAll(map.get(CONNECT)) : List.of(),
-                numbered(map, INTERRUPT),
-                numbered(map, ALSO));
+        return SettingsMap.read(map);
     }
 
-    private static List<String> numbered(Map<String, String> map, String name) {
-        List<String> values = new ArrayList<>();
-        for (String next = map.get(name + 0); next != null; next = map.get(name + values.size())) {
-            values.add(next);
-        }
-        return values;
-    }
+    /** Collects what differs from a run as {@link #of} has it; what each is, the components of {@link RunSettings} say. */
+    public static final class Builder {
+        private final String plan;
+        private final String mission;
+        private Fleet fleet;
+        private Speed speed = Speed.MAX;
+        private OptionalLong limitMillis = OptionalLong.empty();
+        private Map<String, String> parameters = Map.of();
+        private long answerAfterMillis = STANDARD_ANSWER_MILLIS;
+        private String answers = "";
+        private List<BoatAddress> connect = List.of();
+        private List<String> interrupts = List.of();
+        private List<String> also = List.of();
 
-    private static String needed(Map<String, String> map, String name) {
-        String value = map.get(name);
-        if (value == null) {
-            throw new IllegalArgumentException("the setting '" + name + "' is missing");
+        private Builder(String plan, String mission, Fleet fleet) {
+            this.plan = plan;
+            this.mission = mission;
+            this.fleet = fleet;
         }
-        return value;
+
+        public Builder fleet(Fleet value) {
+            fleet = value;
+            return this;
+        }
+
+        public Builder speed(Speed value) {
+            speed = value;
+            return this;
+        }
+
+        public Builder limit(OptionalLong millis) {
+            limitMillis = millis;
+            return this;
+        }
+
+        public Builder limitMillis(long value) {
+            return limit(OptionalLong.of(value));
+        }
+
+        public Builder parameters(Map<String, String> value) {
+            parameters = value;
+            return this;
+        }
+
+        public Builder answerAfterMillis(long value) {
+            answerAfterMillis = value;
+            return this;
+        }
+
+        public Builder answers(String text) {
+            answers = text;
+            return this;
+        }
+
+        public Builder connect(List<BoatAddress> value) {
+            connect = value;
+            return this;
+        }
+
+        public Builder interrupts(List<String> value) {
+            interrupts = value;
+            return this;
+        }
+
+        public Builder also(List<String> value) {
+            also = value;
+            return this;
+        }
+
+        /**
+         * The settings.
+         *
+         * @throws IllegalArgumentException where two of them do not go together
+         */
+        public RunSettings build() {
+            return new RunSettings(
+                    plan,
+                    mission,
+                    fleet,
+                    speed,
+                    limitMillis,
+                    parameters,
+                    answerAfterMillis,
+                    answers,
+                    connect,
+                    interrupts,
+                    also);
+        }
     }
 }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.report.Exploration;
 import org.sami.crw.report.MapArea;
@@ -155,14 +154,12 @@ class PlanMapTest {
 
     private static RunSettings settings(RunPlan plan, long stopMillis) {
         RunSettings usual = TestRuns.settings(plan, 2, 1, 1);
-        return new RunSettings(
-                usual.plan(),
-                usual.mission(),
-                new RunSettings.Fleet(2, 1, 200, 1),
-                usual.speed(),
-                OptionalLong.of(stopMillis),
-                usual.parameters(),
-                usual.answerAfterMillis(),
-                usual.answers());
+        return RunSettings.of(usual.plan(), usual.mission(), new RunSettings.Fleet(2, 1, 200, 1))
+                .speed(usual.speed())
+                .limitMillis(stopMillis)
+                .parameters(usual.parameters())
+                .answerAfterMillis(usual.answerAfterMillis())
+                .answers(usual.answers())
+                .build();
     }
 }

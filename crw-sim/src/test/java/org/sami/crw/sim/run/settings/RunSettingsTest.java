@@ -19,17 +19,15 @@ import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.value.GeoPoint;
 
 class RunSettingsTest {
-    private static final RunSettings FULL = new RunSettings(
-            "visit",
-            "Visit \u00e4",
-            new RunSettings.Fleet(5, 30, 612.5, -7),
-            new Speed(2.5),
-            OptionalLong.of(90_500),
-            Map.of("@x", "a=b", "event.field", "1"),
-            1_500,
-            "{\"rules\": []}",
-            List.of(),
-            List.of("recharge:2@10.5", "alarm@7", "alarm@7"));
+    private static final RunSettings FULL = RunSettings.of(
+                    "visit", "Visit \u00e4", new RunSettings.Fleet(5, 30, 612.5, -7))
+            .speed(new Speed(2.5))
+            .limitMillis(90_500)
+            .parameters(Map.of("@x", "a=b", "event.field", "1"))
+            .answerAfterMillis(1_500)
+            .answers("{\"rules\": []}")
+            .interrupts(List.of("recharge:2@10.5", "alarm@7", "alarm@7"))
+            .build();
 
     @Test
     void comesBackFromAJournalsHeader() {
@@ -49,8 +47,9 @@ class RunSettingsTest {
 
     @Test
     void comesBackWithItsWater() {
-        RunSettings rough = new RunSettings(
-                "visit", "visit", FULL.fleet().on(ROUGH), Speed.MAX, OptionalLong.empty(), Map.of(), 0, "");
+        RunSettings rough = RunSettings.of("visit", "visit", FULL.fleet().on(ROUGH))
+                .answerAfterMillis(0)
+                .build();
 
         assertThat(RunSettings.fromMap(rough.toMap())).isEqualTo(rough);
         assertThat(FULL.toMap()).doesNotContainKeys("current", "wind", "gpsNoiseM", "compassNoiseDeg", "sensors");
@@ -61,8 +60,9 @@ class RunSettingsTest {
     @Test
     void comesBackWithItsPlaceOnEarth() {
         Site site = new Site(Optional.of(GeoPoint.of(-12.25, 0.1 + 0.2)), Optional.of(GeoPoint.of(-12.2501, 0.3)));
-        RunSettings there = new RunSettings(
-                "visit", "visit", FULL.fleet().at(site), Speed.MAX, OptionalLong.empty(), Map.of(), 0, "");
+        RunSettings there = RunSettings.of("visit", "visit", FULL.fleet().at(site))
+                .answerAfterMillis(0)
+                .build();
 
         assertThat(RunSettings.fromMap(there.toMap())).isEqualTo(there);
         assertThat(FULL.toMap()).doesNotContainKeys("at", "quay");
@@ -73,15 +73,9 @@ class RunSettingsTest {
     @ParameterizedTest
     @ValueSource(strings = {"25.5", "100,0,20,19.9,80"})
     void comesBackWithTheChargesOfItsBatteries(String charges) {
-        RunSettings low = new RunSettings(
-                "visit",
-                "visit",
-                FULL.fleet().with(InitialCharges.parse(charges)),
-                Speed.MAX,
-                OptionalLong.empty(),
-                Map.of(),
-                0,
-                "");
+        RunSettings low = RunSettings.of("visit", "visit", FULL.fleet().with(InitialCharges.parse(charges)))
+                .answerAfterMillis(0)
+                .build();
 
         assertThat(RunSettings.fromMap(low.toMap())).isEqualTo(low);
         assertThat(FULL.toMap()).doesNotContainKey("battery");

@@ -86,15 +86,13 @@ class SiteTest {
     private static RunSettings settings(RunPlan plan, double areaM, Site site) {
         RunSettings.Fleet fleet = new RunSettings.Fleet(3, 4, areaM, 1).at(site);
         RunSettings usual = TestRuns.settings(plan, 3, 4, 1);
-        return new RunSettings(
-                usual.plan(),
-                usual.mission(),
-                fleet,
-                usual.speed(),
-                usual.limitMillis(),
-                usual.parameters(),
-                usual.answerAfterMillis(),
-                usual.answers());
+        return RunSettings.of(usual.plan(), usual.mission(), fleet)
+                .speed(usual.speed())
+                .limit(usual.limitMillis())
+                .parameters(usual.parameters())
+                .answerAfterMillis(usual.answerAfterMillis())
+                .answers(usual.answers())
+                .build();
     }
 
     /** A plan that names a point 334 m north of the usual centre. */

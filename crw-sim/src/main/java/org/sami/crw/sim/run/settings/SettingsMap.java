@@ -1,0 +1,103 @@
+package org.sami.crw.sim.run.settings;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.RunSettings.Fleet;
+
+/** The settings of a run as text by name, as they stand in the header of its journal. */
+final class SettingsMap {
+    private static final String PARAMETER = "set.";
+    private static final String BATTERY = "battery";
+    private static final String CONNECT = "connect";
+    private static final String INTERRUPT = "interrupt.";
+    private static final String ALSO = "also.";
+
+    private SettingsMap() {}
+
+    static Map<String, String> write(RunSettings settings) {
+        Map<String, String> map = new TreeMap<>();
+        Fleet fleet = settings.fleet();
+        map.put("plan", settings.plan());
+        map.put("mission", settings.mission());
+        map.put("boats", String.valueOf(fleet.boats()));
+        map.put("locations", String.valueOf(fleet.locations()));
+        map.put("areaM", String.valueOf(fleet.areaM()));
+        map.put("seed", String.valueOf(fleet.seed()));
+        map.put("speed", settings.speed().toString());
+        settings.limitMillis().ifPresent(limit -> map.put("limitMillis", String.valueOf(limit)));
+        map.put("answerAfterMillis", String.valueOf(settings.answerAfterMillis()));
+        map.put("answers", settings.answers());
+        if (settings.isConnected()) {
+            map.put(
+                    CONNECT,
+                    settings.connect().stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
+        }
+        map.putAll(fleet.conditions().toMap());
+        map.putAll(fleet.site().toMap());
+        if (!fleet.charges().equals(InitialCharges.FULL)) {
+            map.put(BATTERY, fleet.charges().toString());
+        }
+        settings.parameters().forEach((name, value) -> map.put(PARAMETER + name, value));
+        number(map, INTERRUPT, settings.interrupts());
+        number(map, ALSO, settings.also());
+        return map;
+    }
+
+    static RunSettings read(Map<String, String> map) {
+        Map<String, String> parameters = new TreeMap<>();
+        map.forEach((name, value) -> {
+            if (name.startsWith(PARAMETER)) {
+                parameters.put(name.substring(PARAMETER.length()), value);
+            }
+        });
+        Fleet fleet = new Fleet(
+                Integer.parseInt(needed(map, "boats")),
+                Integer.parseInt(needed(map, "locations")),
+                Double.parseDouble(needed(map, "areaM")),
+                Long.parseLong(needed(map, "seed")),
+                Conditions.fromMap(map),
+                map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
+                Site.fromMap(map));
+        RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
+                .speed(Speed.parse(needed(map, "speed")))
+                .parameters(parameters)
+                .answerAfterMillis(Long.parseLong(needed(map, "answerAfterMillis")))
+                .answers(needed(map, "answers"))
+                .interrupts(numbered(map, INTERRUPT))
+                .also(numbered(map, ALSO));
+        if (map.containsKey("limitMillis")) {
+            settings.limitMillis(Long.parseLong(map.get("limitMillis")));
+        }
+        if (map.containsKey(CONNECT)) {
+            settings.connect(BoatAddress.parseAll(map.get(CONNECT)));
+        }
+        return settings.build();
+    }
+
+    private static void number(Map<String, String> map, String name, List<String> values) {
+        for (int i = 0; i < values.size(); i++) {
+            map.put(name + i, values.get(i));
+        }
+    }
+
+    private static List<String> numbered(Map<String, String> map, String name) {
+        List<String> values = new ArrayList<>();
+        for (String next = map.get(name + 0); next != null; next = map.get(name + values.size())) {
+            values.add(next);
+        }
+        return values;
+    }
+
+    private static String needed(Map<String, String> map, String name) {
+        String value = map.get(name);
+        if (value == null) {
+            throw new IllegalArgumentException("the setting '" + name + "' is missing");
+        }
+        return value;
+    }
+}
