@@ -1,6 +1,5 @@
 package org.sami.crw.session;
 
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -27,8 +26,7 @@ final class Operators implements HostListener {
     private final ListenerList<SessionOperator> operators = new ListenerList<>();
     private final Map<Long, String> planOfMission = new TreeMap<>();
     private final Map<Long, Asked> open = new TreeMap<>();
-    // who gave an answer that is under way
-    private final IdentityHashMap<Input, String> answering = new IdentityHashMap<>();
+    private Optional<String> answerer = Optional.empty(); // of the present step
 
     /** Adds an operator, who is asked what waits already. For the engine's thread, or before the session begins. */
     Registration add(SessionOperator operator) {
@@ -37,11 +35,9 @@ final class Operators implements HostListener {
         return registration;
     }
 
-    /** Notes who gives an answer that is about to be posted. From any thread. */
-    void answers(Input.AnswerDecision answer, String by) {
-        synchronized (answering) {
-            answering.put(answer, by);
-        }
+    /** The step that follows is an answer, and gives its author. For the engine's thread. */
+    void answeredBy(String author) {
+        answerer = Optional.of(author);
     }
 
     /** Takes up a state that was restored: what its missions run, and what waits in it. */
@@ -56,10 +52,8 @@ final class Operators implements HostListener {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        String by;
-        synchronized (answering) {
-            by = answering.remove(input);
-        }
+        Optional<String> by = answerer;
+        answerer = Optional.empty();
         Map<Long, Long> workMillis = new TreeMap<>();
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted started) {
@@ -71,7 +65,7 @@ final class Operators implements HostListener {
             } else if (effect instanceof Effect.DecisionOpened opened) {
                 ask(opened.decision(), view, workMillis, atMillis);
             } else if (effect instanceof Effect.DecisionClosed closed && open.remove(closed.decision()) != null) {
-                String who = who(input, closed, Optional.ofNullable(by));
+                String who = who(input, closed, by);
                 operators.each(operator -> operator.settled(closed.decision(), closed.answer(), who));
             }
         }

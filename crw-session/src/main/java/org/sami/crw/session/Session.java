@@ -207,8 +207,8 @@ public final class Session implements AutoCloseable {
      */
     public CompletionStage<Void> answer(long decision, Answer answer, String by) {
         Input.AnswerDecision input = new Input.AnswerDecision(decision, answer, Answerer.OPERATOR);
-        parts.operators.answers(input, by);
-        return parts.posted.post(input, effects -> answered(decision, effects));
+        return parts.posted.post(
+                input, effects -> parts.operators.answeredBy(by), effects -> answered(decision, effects));
     }
 
     /** Stops the timer of a decision: autonomy does not answer it any longer. Refused where no timer runs. */

@@ -3,6 +3,7 @@ package org.sami.spn.host;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -23,7 +24,7 @@ import org.sami.spn.vocabulary.EventFlag;
  *
  * <p>Inputs are posted from any thread. On the injected serial executor the host takes all that wait as one batch, steps
  * the engine through them, makes the batch durable, and only then lets out what followed, in order: for each input first
- * the listeners, then the handlers of its activations. A fault of the engine stops the host with nothing let out of that
+ * the reply to who posted it, then the listeners, then the handlers of its activations. A fault of the engine stops the host with nothing let out of that
  * batch. While the journal cannot be written, such as on a full disk, the host waits with the batch and with all that is
  * posted, tries again every second, and goes on where it waited; a journal that is not {@linkplain
  * InputJournal#isRecoverable recoverable} stops it (decision 0391).
@@ -94,7 +95,10 @@ public final class EngineHost implements AutoCloseable {
      * @return false if the host has stopped: they are counted and let go
      */
     public boolean post(List<Input> inputs) {
-        List<Input> posting = List.copyOf(inputs);
+        return enqueue(inputs.stream().map(QueuedInput::of).toList());
+    }
+
+    private boolean enqueue(List<QueuedInput> posting) {
         if (posting.isEmpty()) {
             return true;
         }
@@ -113,6 +117,15 @@ public final class EngineHost implements AutoCloseable {
     /** Takes in one input. */
     public boolean post(Input input) {
         return post(List.of(input));
+    }
+
+    /**
+     * Takes in one input, and gives what follows from it to the reply.
+     *
+     * @return false if the host has stopped: the reply is never called
+     */
+    public boolean post(Input input, InputReply reply) {
+        return enqueue(List.of(new QueuedInput(input, Objects.requireNonNull(reply, "reply"))));
     }
 
     /**
@@ -364,7 +377,7 @@ public final class EngineHost implements AutoCloseable {
         if (!lifecycle.isRunning()) {
             return;
         }
-        List<Input> inputs = queue.take(batchLimit);
+        List<QueuedInput> inputs = queue.take(batchLimit);
         inputs.addAll(queue.takeTelemetry(view::awaits));
         if (inputs.isEmpty()) {
             return;

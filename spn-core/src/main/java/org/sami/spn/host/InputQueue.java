@@ -15,13 +15,13 @@ import org.sami.spn.protocol.Occurrence;
  * only the latest per type and named robots is kept, so that it is bounded by the fleet.
  */
 final class InputQueue {
-    private final ConcurrentLinkedQueue<List<Input>> postings = new ConcurrentLinkedQueue<>();
+    private final ConcurrentLinkedQueue<List<QueuedInput>> postings = new ConcurrentLinkedQueue<>();
     private final Map<Source, Occurrence> telemetry = new LinkedHashMap<>();
     private final AtomicLong queued = new AtomicLong();
     private final AtomicLong most = new AtomicLong();
     private final AtomicLong replaced = new AtomicLong();
 
-    void add(List<Input> posting) {
+    void add(List<QueuedInput> posting) {
         long now = queued.addAndGet(posting.size());
         if (now > most.get()) {
             most.accumulateAndGet(now, Math::max);
@@ -47,10 +47,10 @@ final class InputQueue {
     }
 
     /** Whole postings, until there are at least so many inputs or none waits. */
-    List<Input> take(int atLeast) {
-        List<Input> batch = new ArrayList<>();
+    List<QueuedInput> take(int atLeast) {
+        List<QueuedInput> batch = new ArrayList<>();
         while (batch.size() < atLeast) {
-            List<Input> posting = postings.poll();
+            List<QueuedInput> posting = postings.poll();
             if (posting == null) {
                 break;
             }
@@ -61,7 +61,7 @@ final class InputQueue {
     }
 
     /** The telemetry that waits and is still wanted; what is not wanted any longer is let go. */
-    List<Input> takeTelemetry(Predicate<String> wanted) {
+    List<QueuedInput> takeTelemetry(Predicate<String> wanted) {
         List<Occurrence> latest;
         synchronized (telemetry) {
             if (telemetry.isEmpty()) {
@@ -70,10 +70,10 @@ final class InputQueue {
             latest = new ArrayList<>(telemetry.values());
             telemetry.clear();
         }
-        List<Input> inputs = new ArrayList<>();
+        List<QueuedInput> inputs = new ArrayList<>();
         for (Occurrence occurrence : latest) {
             if (wanted.test(occurrence.type())) {
-                inputs.add(new Input.Received(occurrence));
+                inputs.add(QueuedInput.of(new Input.Received(occurrence)));
             }
         }
         return inputs;

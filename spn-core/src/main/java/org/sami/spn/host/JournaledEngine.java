@@ -51,19 +51,20 @@ final class JournaledEngine {
      *
      * @throws IOException if the journal fails: nothing that followed may be told, and no other batch comes before {@link #recover} has returned this one
      */
-    List<Step> step(List<Input> inputs) throws IOException {
+    List<Step> step(List<QueuedInput> inputs) throws IOException {
         List<Step> steps = new ArrayList<>(inputs.size());
         List<JournalEntry> entries = new ArrayList<>(inputs.size());
         Durability durability = Durability.PROCESS;
         long index = journal.lastIndex();
         long now = Math.max(clock.nowMillis(), journal.lastMillis());
-        for (Input input : inputs) {
+        for (QueuedInput queued : inputs) {
+            Input input = queued.input();
             index++;
             List<Effect> effects = new ArrayList<>(4);
             engine.step(now, input, effects::add);
             JournalEntry entry = new JournalEntry(index, now, input);
             entries.add(entry);
-            steps.add(new Step(entry, Collections.unmodifiableList(effects)));
+            steps.add(new Step(entry, Collections.unmodifiableList(effects), queued.reply()));
             if (durability == Durability.PROCESS && commands(effects)) {
                 durability = Durability.POWER;
             }

@@ -91,6 +91,51 @@ class EngineHostTest {
     }
 
     @Test
+    void replyComesOnceItsInputIsDurableAndBeforeTheListenersHearOfTheStep() {
+        host.addListener((index, at, input, effects, view) -> log.add("heard " + index));
+        Input same = number(1);
+        host.post(same, effects -> log.add("first reply"));
+        host.post(same, effects -> log.add("second reply"));
+        executor.runAll();
+
+        assertThat(log)
+                .containsExactly(
+                        "append to 2 PROCESS", "first reply", "heard 1", "second reply", "heard 2", "snapshot offered");
+    }
+
+    @Test
+    void replyBringsWhatFollowedFromItsInputAlone() {
+        List<Effect> followed = new ArrayList<>();
+        host.post(start("Do"));
+        host.post(start("Do"), followed::addAll);
+        executor.runAll();
+
+        assertThat(followed).filteredOn(Effect.MissionStarted.class::isInstance).hasSize(1);
+    }
+
+    @Test
+    void replyThatThrowsStopsNeitherTheHostNorItsListeners() {
+        host.addListener((index, at, input, effects, view) -> log.add("heard " + index));
+        host.post(number(1), effects -> {
+            throw new IllegalStateException("thrown by the test");
+        });
+        host.post(number(2));
+        executor.runAll();
+
+        assertThat(log).contains("heard 1", "heard 2");
+        assertThat(host.status().kind()).isEqualTo(HostStatus.Kind.RUNNING);
+    }
+
+    @Test
+    void inputThatIsRefusedGetsNoReply() {
+        host.close();
+
+        assertThat(host.post(number(1), effects -> log.add("replied"))).isFalse();
+        executor.runAll();
+        assertThat(log).doesNotContain("replied");
+    }
+
+    @Test
     void aBatchWithACommandSurvivesTheLossOfPowerBeforeTheCommandLeaves() {
         host.register("Drive", (activation, context) -> log.add("driven"), Runnable::run);
         host.post(start("Drive"));
