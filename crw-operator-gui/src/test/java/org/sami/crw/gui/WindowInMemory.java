@@ -22,7 +22,8 @@ import org.sami.ui.look.Look;
 
 /** Lays out and paints a window that is open, with all its panels, in looks and at sizes that its screen need not have. */
 final class WindowInMemory {
-    private static final int ROUNDS = 4; // panels that are arranged anew, and dividers, hear of a size after its layout
+    private static final int MOST_ROUNDS =
+            4; // panels that are arranged anew, and dividers, hear of a size after its layout
 
     private final OperatorWindow window;
 
@@ -40,11 +41,9 @@ final class WindowInMemory {
 
     /** Gives it a size. */
     void size(int width, int height) {
-        for (int i = 0; i < ROUNDS; i++) {
-            WindowRobot.ask(() -> {
-                Layout.layOut(root(), width, height);
-                return null;
-            });
+        boolean moved = true;
+        for (int i = 0; i < MOST_ROUNDS && moved; i++) {
+            moved = WindowRobot.ask(() -> Layout.hasMoved(root(), width, height));
         }
     }
 

@@ -3,6 +3,8 @@ package org.sami.ui.table;
 import java.awt.FontMetrics;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
 
 /** Breaks a text into lines of a width, between words or behind a hyphen where it can. */
 final class TextLines {
@@ -52,14 +54,26 @@ final class TextLines {
         if (metrics.stringWidth(text) <= width) {
             return text;
         }
-        for (int kept = text.length() - 1; kept > 0; kept--) {
+        IntFunction<String> cut = kept -> {
             int first = kept / 3;
-            String cut = text.substring(0, first) + MORE + text.substring(text.length() - (kept - first));
-            if (metrics.stringWidth(cut) <= width) {
-                return cut;
+            return text.substring(0, first) + MORE + text.substring(text.length() - (kept - first));
+        };
+        return cut.apply(most(text.length() - 1, kept -> metrics.stringWidth(cut.apply(kept)) <= width));
+    }
+
+    /** How many letters can be kept at most, by halves: each measuring lays out a whole line. */
+    private static int most(int letters, IntPredicate fits) {
+        int fit = 0;
+        int tooMany = letters + 1;
+        while (tooMany - fit > 1) {
+            int middle = (fit + tooMany) >>> 1;
+            if (fits.test(middle)) {
+                fit = middle;
+            } else {
+                tooMany = middle;
             }
         }
-        return MORE;
+        return fit;
     }
 
     /** Where the line ends that begins at a letter. */
@@ -94,18 +108,13 @@ final class TextLines {
 
     /** Where a word is broken that does not fit. */
     private static int broken(String text, int from, FontMetrics metrics, int width) {
-        int end = from + 1;
-        while (end < text.length() && metrics.stringWidth(text.substring(from, end + 1)) <= width) {
-            end++;
-        }
-        return end;
+        int letters =
+                most(text.length() - from, kept -> metrics.stringWidth(text.substring(from, from + kept)) <= width);
+        return from + Math.max(1, letters);
     }
 
     private static String withMore(String line, FontMetrics metrics, int width) {
-        String kept = line;
-        while (!kept.isEmpty() && metrics.stringWidth(kept + MORE) > width) {
-            kept = kept.substring(0, kept.length() - 1);
-        }
-        return kept.stripTrailing() + MORE;
+        int letters = most(line.length(), kept -> metrics.stringWidth(line.substring(0, kept) + MORE) <= width);
+        return line.substring(0, letters).stripTrailing() + MORE;
     }
 }

@@ -2,7 +2,9 @@ package org.sami.ui.value;
 
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.Insets;
 import java.awt.Rectangle;
+import java.awt.font.FontRenderContext;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
@@ -19,6 +21,11 @@ public final class WrappedText extends JTextArea {
             Pattern.compile("(?<=\\d) (?=(?:%|°|mm|m|km|m²|km²|m/s|ms|s|min|h|Hz)(?![\\p{L}\\p{N}]))");
 
     private final transient Supplier<Font> letters;
+    private transient Measured measured;
+    private transient Dimension needed;
+
+    /** What the size of a text depends on, but for the look. */
+    private record Measured(String text, Font font, FontRenderContext rendering, int width, int columns) {}
 
     /** Running text. */
     public WrappedText(String text) {
@@ -77,6 +84,26 @@ public final class WrappedText extends JTextArea {
         }
     }
 
+    /** Kept while nothing changes that it depends on: to break lines each letter is measured, and a layout asks several times. */
+    @Override
+    public Dimension getPreferredSize() {
+        Insets insets = getInsets();
+        if (getWidth() <= insets.left + insets.right + 1 || getHeight() <= insets.top + insets.bottom) {
+            return super.getPreferredSize(); // at no width of its own
+        }
+        Measured now = new Measured(
+                super.getText(),
+                getFont(),
+                getFontMetrics(getFont()).getFontRenderContext(),
+                getWidth() - insets.left - insets.right,
+                getColumns());
+        if (!now.equals(measured)) {
+            needed = super.getPreferredSize();
+            measured = now;
+        }
+        return new Dimension(needed);
+    }
+
     /** It may become narrow, and never lower than its lines are. */
     @Override
     public Dimension getMinimumSize() {
@@ -93,5 +120,6 @@ public final class WrappedText extends JTextArea {
     public void updateUI() {
         super.updateUI();
         dress();
+        measured = null;
     }
 }

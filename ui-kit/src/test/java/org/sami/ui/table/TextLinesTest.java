@@ -3,6 +3,7 @@ package org.sami.ui.table;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.FontMetrics;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.look.Fonts;
@@ -57,5 +58,26 @@ class TextLinesTest {
     @Test
     void whereThereWouldBeMoreLinesTheLastOneEndsInDots() {
         assertThat(TextLines.of("one two three", metrics, widthOf("two…"), 2)).containsExactly("one", "two…");
+    }
+
+    /** Tables cut their words at each layout: a letter at a time, that was a tenth of what a busy window works. */
+    @Test
+    void aLongTextIsCutAfterFewMeasurings() {
+        AtomicInteger measured = new AtomicInteger();
+        FontMetrics counting = new FontMetrics(Fonts.text()) {
+            @Override
+            public int stringWidth(String text) {
+                measured.incrementAndGet();
+                return metrics.stringWidth(text);
+            }
+        };
+        String text = "Wavelength".repeat(40);
+
+        String shortened =
+                TextLines.of(text, counting, widthOf("WavelengthWave…"), 1).get(0);
+
+        assertThat(shortened).isEqualTo("WavelengthWave…");
+        assertThat(TextLines.withEnd(text, counting, widthOf(shortened))).hasSizeBetween(10, 16);
+        assertThat(measured).hasValueLessThan(30);
     }
 }

@@ -2,11 +2,20 @@ package org.sami.ui.value;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Font;
+import java.util.List;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.palette.Theme;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 
+@Isolated("the look is one for all windows of a process")
 class WrappedTextTest {
     @ParameterizedTest
     @ValueSource(
@@ -50,6 +59,39 @@ class WrappedTextTest {
 
             assertThat(wrapped.getDocument().getLength()).isEqualTo(text.length());
             assertThat(wrapped.getSelectedText()).isEqualTo(text);
+        });
+    }
+
+    @Test
+    void itsSizeIsThatOfANewOneAfterEachChange() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            WrappedText wrapped = new WrappedText("boat1 does not answer");
+            Look.apply(Theme.LIGHT, 100);
+            for (int width : new int[] {300, 90, 200}) {
+                for (String text :
+                        List.of("boat1 does not answer", "It goes for 3182 m at most, and then it comes home")) {
+                    for (Supplier<Font> letters : List.<Supplier<Font>>of(Fonts::text, Fonts::title)) {
+                        wrapped.setSize(width, 1000);
+                        wrapped.setText(text);
+                        wrapped.setFont(letters.get());
+                        WrappedText fresh = new WrappedText("");
+                        fresh.setText(text);
+                        fresh.setFont(letters.get());
+                        fresh.setSize(width, 1000);
+
+                        assertThat(wrapped.getPreferredSize()).isEqualTo(fresh.getPreferredSize());
+                        assertThat(wrapped.getPreferredSize()).isEqualTo(fresh.getPreferredSize());
+                    }
+                }
+            }
+            int before = wrapped.getPreferredSize().height;
+            try {
+                Look.apply(Theme.LIGHT, 200);
+                SwingUtilities.updateComponentTreeUI(wrapped);
+                assertThat(wrapped.getPreferredSize().height).isGreaterThan(before);
+            } finally {
+                Look.apply(Theme.LIGHT, 100);
+            }
         });
     }
 }
