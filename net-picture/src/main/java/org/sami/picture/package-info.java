@@ -3,4 +3,7 @@
  *
  * <p>What is written, and where everything lies, belongs to {@code org.sami.spn.drawing}; windows and what a mouse does do not belong here.
  */
+@NullMarked
 package org.sami.picture;
+
+import org.jspecify.annotations.NullMarked;

@@ -34,7 +34,7 @@ public final class NoGoEdge {
         try {
             return new NoGoEdge(read[0], read[1], read[2], read[3]);
         } catch (BadValueException e) {
-            throw new LinkException(Fault.BAD_VALUE, where, e.getMessage());
+            throw new LinkException(Fault.BAD_VALUE, where, String.valueOf(e.getMessage()));
         }
     }
 

@@ -65,7 +65,7 @@ final class WaypointRows {
         try {
             return new Waypoint(latDeg, lonDeg, speedMps);
         } catch (BadValueException e) {
-            throw new LinkException(Fault.BAD_VALUE, where, e.getMessage());
+            throw new LinkException(Fault.BAD_VALUE, where, String.valueOf(e.getMessage()));
         }
     }
 }

@@ -5,6 +5,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
@@ -42,7 +43,11 @@ final class CommandLedger {
 
     /** The answer to a command that is {@link Known#REPEATED}. */
     LinkMessage answerTo(String clientId, CommandMessage command) {
-        return find(clientId, command.commandId()).answer;
+        Answered known = find(clientId, command.commandId());
+        if (known == null) {
+            throw new IllegalStateException("no answer to " + command.commandId() + ": it was never received");
+        }
+        return known.answer;
     }
 
     /**
@@ -57,12 +62,12 @@ final class CommandLedger {
         (transfer ? transfers : commands).put(key, new Answered(digest(command), answer));
     }
 
-    private Answered find(String clientId, String commandId) {
+    private @Nullable Answered find(String clientId, String commandId) {
         Answered own = find(key(clientId, commandId));
         return own == null ? find(key("", commandId)) : own;
     }
 
-    private Answered find(String key) {
+    private @Nullable Answered find(String key) {
         Answered command = commands.get(key);
         return command == null ? transfers.get(key) : command;
     }

@@ -59,6 +59,11 @@ final class ModeTable {
     }
 
     static ModeAction action(BoatMode mode, ModeEvent event) {
-        return ACTIONS.get(event).get(mode);
+        Map<BoatMode, ModeAction> row = ACTIONS.get(event);
+        ModeAction action = row == null ? null : row.get(mode);
+        if (action == null) {
+            throw new IllegalStateException("the table has nothing for " + event + " in " + mode);
+        }
+        return action;
     }
 }

@@ -30,6 +30,7 @@ final class PathFollower {
      *
      * @param arrivalRadiusM distance in metres at which the vehicle may pass a waypoint
      */
+    @SuppressWarnings("NullAway.Init") // follow() comes first and sets the leg and its end
     PathFollower(Vehicle vehicle, SteeringControl steering, GivingWay givingWay, double arrivalRadiusM) {
         this.vehicle = vehicle;
         this.steering = steering;

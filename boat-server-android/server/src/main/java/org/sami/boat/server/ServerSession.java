@@ -60,7 +60,7 @@ public final class ServerSession {
                 refuseVersion(LinkCodec.versionOf(frame), nowMs);
                 return;
             }
-            send(new Nack(e.commandId(), NackReason.MALFORMED, shortened(e.getMessage())), nowMs);
+            send(new Nack(e.commandId(), NackReason.MALFORMED, shortened(String.valueOf(e.getMessage()))), nowMs);
         }
     }
 

@@ -33,7 +33,7 @@ final class NoGoBorder {
     private final double[] backM; // from each edge to the straight way back to the line
     private double knownEastM = Double.NaN; // position of the boat when it received them
     private double knownNorthM;
-    private LineAhead line;
+    private LineAhead line = LineAhead.straight(0, 0);
     private double eastM;
     private double northM;
     private double alongEast; // unit vector of the line

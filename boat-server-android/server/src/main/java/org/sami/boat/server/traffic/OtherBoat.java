@@ -10,7 +10,7 @@ final class OtherBoat {
     private static final long PREDICTED_MS = 1500; // it is assumed to go straight on for no longer
 
     private final String boatId;
-    private BoatMode mode;
+    private BoatMode mode = BoatMode.STOPPED;
     private double eastM;
     private double northM;
     private double speedMps;

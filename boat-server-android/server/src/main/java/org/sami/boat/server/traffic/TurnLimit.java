@@ -1,5 +1,7 @@
 package org.sami.boat.server.traffic;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The heading of a boat shortly after it has begun to turn: as far as intended, but at most by a limit. Most turns tried in one choice exceed the limit
  * and end in one of two courses, which are computed once because sines are costly.
@@ -7,8 +9,8 @@ package org.sami.boat.server.traffic;
 final class TurnLimit {
     private final double mostRad;
     private Course heading = new Course(0);
-    private Course toPort; // the heading turned by the limit; null until needed
-    private Course toStarboard;
+    private @Nullable Course toPort; // the heading turned by the limit; null until needed
+    private @Nullable Course toStarboard;
 
     /** A limit in radians. */
     TurnLimit(double mostRad) {
