@@ -1,6 +1,7 @@
 package org.sami.crw.cli;
 
 import java.util.Map;
+import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.option.Converters;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.LogFormatter;
@@ -54,6 +55,7 @@ import picocli.CommandLine.Spec;
             EventsCommand.class,
             MarkupsCommand.class,
             ComponentsCommand.class,
+            DefaultsCommand.class,
             RunCommand.class,
             ExperimentCommand.class,
             ResumeCommand.class,
