@@ -6,4 +6,7 @@
  * share. Does not belong here: what handlers do with them ({@code crw.handler}), the declaration of the types
  * (domain-config).
  */
+@NullMarked
 package org.sami.crw.event;
+
+import org.jspecify.annotations.NullMarked;

@@ -7,4 +7,7 @@
  *
  * <p>Frames: geographic points on the WGS-84 ellipsoid; plane coordinates in metres, x to the east, y to the north.
  */
+@NullMarked
 package org.sami.crw.service;
+
+import org.jspecify.annotations.NullMarked;

@@ -7,4 +7,7 @@
  *
  * <p>{@link org.sami.spn.statespace.DeepCheck} is where to begin.
  */
+@NullMarked
 package org.sami.spn.statespace;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * <p>Belongs here: what holds for the journal of any domain. Does not belong here: how journals are stored ({@code spn.journal}), telemetry,
  * whose words are the domain's.
  */
+@NullMarked
 package org.sami.spn.replay;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,4 +5,7 @@
  * here: how a test case is written down ({@code spn.model}, {@code spn.json}), how steps are taken and recorded
  * ({@code spn.stepping}).
  */
+@NullMarked
 package org.sami.spn.testcase;
+
+import org.jspecify.annotations.NullMarked;

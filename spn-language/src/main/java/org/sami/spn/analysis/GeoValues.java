@@ -90,9 +90,10 @@ final class GeoValues {
     /** The value that a field of an output event will have, where that is known: its own, or the first value of its variable. */
     Optional<Known> of(PlacedOutput output, String field) {
         FieldSource source = output.spec().fields().get(field);
-        boolean isRead = source instanceof FieldSource.FromVariable;
-        String name = isRead ? ((FieldSource.FromVariable) source).variable() : field + " of " + plan.name(output);
-        String element = isRead ? name : output.spec().id();
+        Optional<String> read =
+                source instanceof FieldSource.FromVariable from ? Optional.of(from.variable()) : Optional.empty();
+        String name = read.orElse(field + " of " + plan.name(output));
+        String element = read.orElse(output.spec().id());
         return known.stream()
                 .filter(k -> k.name().equals(name) && k.element().equals(element))
                 .findFirst();

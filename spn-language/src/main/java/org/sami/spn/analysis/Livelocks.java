@@ -39,7 +39,8 @@ final class Livelocks implements PlanCheck {
                         .filter(next::containsKey)
                         .forEach(following::add);
             }
-            following.forEach(f -> before.get(f).add(id));
+            following.forEach(
+                    f -> before.computeIfAbsent(f, fresh -> new ArrayList<>()).add(id));
         });
         Set<String> done = new HashSet<>();
         for (String id : next.keySet()) {
@@ -74,7 +75,9 @@ final class Livelocks implements PlanCheck {
         Set<String> found = new HashSet<>();
         Deque<String> open = new ArrayDeque<>(List.of(begin));
         while (!open.isEmpty()) {
-            steps.get(open.pop()).stream().filter(found::add).forEach(open::push);
+            steps.getOrDefault(open.pop(), List.of()).stream()
+                    .filter(found::add)
+                    .forEach(open::push);
         }
         return found;
     }

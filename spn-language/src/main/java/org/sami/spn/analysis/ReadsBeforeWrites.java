@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -118,7 +119,7 @@ final class ReadsBeforeWrites implements PlanCheck {
                 if (!place.start()) {
                     BitSet there = entering(place);
                     there.or(after);
-                    BitSet known = at.get(place.id());
+                    BitSet known = written(place);
                     int size = known.cardinality();
                     known.and(there);
                     if (known.cardinality() != size) {
@@ -189,7 +190,11 @@ final class ReadsBeforeWrites implements PlanCheck {
 
         /** Whether tokens may come to a place before a variable has been written. */
         boolean lacks(Place place, int variable) {
-            return !at.get(place.id()).get(variable);
+            return !written(place).get(variable);
+        }
+
+        private BitSet written(Place place) {
+            return Objects.requireNonNull(at.get(place.id()), place.id());
         }
     }
 }

@@ -28,7 +28,7 @@ public interface Edit {
             Project changed = context.settle(project, change(project, context));
             return EditResult.Done.of(project, changed, context.told());
         } catch (EditRefusedException e) {
-            return new EditResult.Refused(e.getMessage());
+            return new EditResult.Refused(e.reason());
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -49,11 +50,11 @@ public final class EditContext {
     }
 
     @SuppressWarnings("ReferenceEquality") // the same object needs no look; an equal one is replaced by the old
-    private Plan settled(Plan old, Plan plan, Project project, boolean globals) {
+    private Plan settled(@Nullable Plan old, Plan plan, Project project, boolean globals) {
         if (plan == old && !globals) {
             return plan;
         }
         Plan settled = new Leftovers(plan, project, vocabulary, this::tell).removed();
-        return settled.equals(old) ? old : settled;
+        return old != null && settled.equals(old) ? old : settled;
     }
 }

@@ -56,7 +56,7 @@ public record ExtractSubMission(String plan, Set<String> elements, String id, St
             ExtractionBorder.of(plan, elements, vocabulary);
             return Optional.empty();
         } catch (EditRefusedException e) {
-            return Optional.of(e.getMessage());
+            return Optional.of(e.reason());
         }
     }
 

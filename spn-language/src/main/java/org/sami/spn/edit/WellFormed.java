@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -44,7 +45,7 @@ final class WellFormed {
     }
 
     @SuppressWarnings("ReferenceEquality") // the same object is well-formed as it was
-    private static boolean sameForm(Plan was, Plan is) {
+    private static boolean sameForm(@Nullable Plan was, Plan is) {
         return was == is;
     }
 

@@ -7,4 +7,7 @@
  * <p>Reading order: {@link org.sami.spn.edit.Edit}, {@link org.sami.spn.edit.EditResult}, {@link org.sami.spn.edit.EditHistory}, then the
  * edits themselves.
  */
+@NullMarked
 package org.sami.spn.edit;
+
+import org.jspecify.annotations.NullMarked;

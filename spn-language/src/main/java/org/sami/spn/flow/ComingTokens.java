@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.model.InRequirement;
@@ -47,7 +48,7 @@ public final class ComingTokens {
                             .filter(tokens -> tokens.start(kinds))
                             .ifPresent(open::add));
         }
-        this.plan = above.get(plan.id());
+        this.plan = Objects.requireNonNull(above.get(plan.id()), plan.id());
     }
 
     /** The plan and those that run it as a sub-mission, at any depth, by id. */

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
+import java.util.Objects;
 
 /** Replaces a file by a new one that is whole and on disk before it takes the name: readers see the old or the new. */
 final class AtomicFile {
@@ -20,7 +21,7 @@ final class AtomicFile {
     /** Writes the text; a link is followed, and the permissions of a file that was there are kept. */
     static void write(Path path, String text) throws IOException {
         Path file = Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
-        Path folder = file.getParent();
+        Path folder = Objects.requireNonNull(file.getParent(), "a file lies in a folder");
         Files.createDirectories(folder);
         Path temporary = createBeside(file);
         try {

@@ -10,7 +10,9 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Finds where in a JSON text the values lie that pointers name, in one pass over its tokens for all of them. Whatever no pointer leads
@@ -61,7 +63,7 @@ final class JsonPlaces {
     /** A value on the way to one that is asked for. */
     private static final class Step {
         private final Map<String, Step> children = new LinkedHashMap<>();
-        private JsonLocation location;
+        private @Nullable JsonLocation location; // null until it is visited
         private Optional<String> element = Optional.empty();
 
         void descend(String pointer) {
@@ -99,17 +101,19 @@ final class JsonPlaces {
         }
 
         Place place(String pointer) {
-            Step nearest = this;
+            JsonLocation nearest = Objects.requireNonNull(location, "a place is asked for after the text was read");
             Optional<String> around = element;
+            Step step = this;
             for (String name : steps(pointer)) {
-                Step next = nearest.children.get(plain(name));
+                Step next = step.children.get(plain(name));
                 if (next == null || next.location == null) {
                     break;
                 }
-                nearest = next;
-                around = nearest.element.or(atLeast(around));
+                nearest = next.location;
+                around = next.element.or(atLeast(around));
+                step = next;
             }
-            return new Place(nearest.location.getLineNr(), nearest.location.getColumnNr(), around);
+            return new Place(nearest.getLineNr(), nearest.getColumnNr(), around);
         }
 
         private static java.util.function.Supplier<Optional<String>> atLeast(Optional<String> outer) {

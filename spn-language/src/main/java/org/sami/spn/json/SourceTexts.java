@@ -69,7 +69,7 @@ final class SourceTexts {
                     ? f.at(new SourceLocation(source.get().file, known.line(), known.column()))
                     : f;
         }
-        JsonPlaces.Place place = places.get(spot.prefix).get(spot.pointer);
+        JsonPlaces.Place place = places.getOrDefault(spot.prefix, Map.of()).get(spot.pointer);
         if (place == null) {
             return f;
         }

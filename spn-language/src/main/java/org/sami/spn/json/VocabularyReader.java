@@ -74,7 +74,7 @@ public final class VocabularyReader {
                 new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks, geography, robotNames);
         if (problems.none()) {
             new VocabularyChecks(vocabulary, eventNames, problems).check();
-            robotNames.keySet().forEach(of -> checkRobotName(vocabulary, of, index.at("robotNames") + "/" + of));
+            robotNames.forEach((of, field) -> checkRobotName(vocabulary, of, field, index.at("robotNames") + "/" + of));
         }
         return Reading.of(vocabulary, problems);
     }
@@ -106,8 +106,7 @@ public final class VocabularyReader {
         return Optional.of(new Geography(farM, rangeM));
     }
 
-    private void checkRobotName(Vocabulary vocabulary, String of, String pointer) {
-        String field = vocabulary.robotNames().get(of);
+    private void checkRobotName(Vocabulary vocabulary, String of, String field, String pointer) {
         Optional<ValueType> inEvent =
                 vocabulary.event(of).flatMap(event -> event.field(field)).map(FieldType::type);
         Optional<ValueType> inRecord = vocabulary.types().get(of) instanceof NamedType.RecordType record

@@ -5,4 +5,7 @@
  * library of plans that a domain ships. Does not belong here: what a plan means and whether it makes sense
  * ({@code spn.analysis}), where journals store their text ({@code spn.journal}).
  */
+@NullMarked
 package org.sami.spn.json;
+
+import org.jspecify.annotations.NullMarked;

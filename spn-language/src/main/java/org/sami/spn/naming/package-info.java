@@ -5,4 +5,7 @@
  * tried, the command. Does not belong here: what is written at a vertex on a drawing ({@code spn.drawing}), titles of event types ({@code
  * spn.vocabulary}).
  */
+@NullMarked
 package org.sami.spn.naming;
+
+import org.jspecify.annotations.NullMarked;

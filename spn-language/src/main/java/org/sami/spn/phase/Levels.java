@@ -33,7 +33,7 @@ final class Levels {
         Collections.reverse(finished);
         for (String action : finished) {
             for (String follower : forward.getOrDefault(action, List.of())) {
-                levels.merge(follower, levels.get(action) + 1, Math::max);
+                levels.merge(follower, levels.getOrDefault(action, 0) + 1, Math::max);
             }
         }
     }
@@ -45,7 +45,7 @@ final class Levels {
         Set<String> underWay = new HashSet<>(Set.of(start));
         Deque<String> path = new ArrayDeque<>(List.of(start));
         Deque<Iterator<String>> left = new ArrayDeque<>();
-        left.push(following.get(start).iterator());
+        left.push(following.getOrDefault(start, List.of()).iterator());
         while (!path.isEmpty()) {
             String here = path.peek();
             if (!left.peek().hasNext()) {
@@ -62,7 +62,7 @@ final class Levels {
             if (seen.add(follower)) {
                 underWay.add(follower);
                 path.push(follower);
-                left.push(following.get(follower).iterator());
+                left.push(following.getOrDefault(follower, List.of()).iterator());
             }
         }
     }

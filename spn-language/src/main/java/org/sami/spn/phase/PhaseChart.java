@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -61,7 +62,9 @@ public final class PhaseChart {
         Set<String> order = new LinkedHashSet<>(first);
         Deque<String> open = new ArrayDeque<>(first);
         while (!open.isEmpty()) {
-            following.get(open.remove()).stream().filter(order::add).forEach(open::add);
+            following.getOrDefault(open.remove(), List.of()).stream()
+                    .filter(order::add)
+                    .forEach(open::add);
         }
         order.addAll(all);
         return order;
@@ -142,14 +145,16 @@ public final class PhaseChart {
         while (!open.isEmpty()) {
             String action = open.remove();
             Optional<String> choice = choice(action, chosen);
-            for (String follower : following.get(action)) {
+            for (String follower : following.getOrDefault(action, List.of())) {
                 boolean otherOption = options.getOrDefault(action, List.of()).contains(follower)
                         && !choice.equals(Optional.of(follower));
                 if (otherOption) {
                     continue;
                 }
-                if (!actions.get(follower).phase().equals(phase)) {
-                    next.add(actions.get(follower).phase());
+                String follows =
+                        Objects.requireNonNull(actions.get(follower), follower).phase();
+                if (!follows.equals(phase)) {
+                    next.add(follows);
                 } else if (shown.add(follower)) {
                     open.add(follower);
                 }

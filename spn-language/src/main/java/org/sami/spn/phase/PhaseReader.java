@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.MarkupSpec;
@@ -96,7 +97,7 @@ final class PhaseReader {
         String own = text(m.branch().orElseThrow(), Reserved.PHASE_NAME);
         if (!actions.containsKey(m.event())) {
             String phase = own.isEmpty() && !items.isEmpty()
-                    ? actions.get(items.get(0).event()).phase()
+                    ? Objects.requireNonNull(actions.get(items.get(0).event())).phase()
                     : own;
             add(m, phase);
         }
@@ -106,7 +107,7 @@ final class PhaseReader {
 
     /** The items of the same vertex before the event, the last of them; else those of the nearest vertices before it. */
     private List<Marked> itemsBefore(Marked branch) {
-        List<Marked> here = marked.get(branch.vertex());
+        List<Marked> here = marked.getOrDefault(branch.vertex(), List.of());
         List<Marked> before = here.subList(0, here.indexOf(branch)).stream()
                 .filter(m -> m.item().isPresent())
                 .toList();

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.sami.spn.model.InEdge;
@@ -40,7 +41,7 @@ final class VertexGraph {
         plan.places().stream().filter(Place::start).map(Place::id).forEach(first::add);
         plan.transitions().stream()
                 .map(Transition::id)
-                .filter(id -> before.get(id).isEmpty())
+                .filter(id -> next(before, id).isEmpty())
                 .forEach(first::add);
     }
 
@@ -57,9 +58,13 @@ final class VertexGraph {
     /** An edge without one of its ends, as a plan that is being drawn may have, connects nothing. */
     private void connect(String from, String to) {
         if (after.containsKey(from) && after.containsKey(to)) {
-            after.get(from).add(to);
-            before.get(to).add(from);
+            next(after, from).add(to);
+            next(before, to).add(from);
         }
+    }
+
+    private static Set<String> next(Map<String, Set<String>> edges, String vertex) {
+        return Objects.requireNonNull(edges.get(vertex), vertex);
     }
 
     /** The wanted vertices that are reached first from where missions begin: start places, and transitions without in place. */
@@ -69,23 +74,23 @@ final class VertexGraph {
 
     /** The wanted vertices that lie behind a vertex with no other wanted one between. */
     List<String> nearestAfter(String vertex, Predicate<String> wanted) {
-        return search(after.get(vertex), after, wanted);
+        return search(next(after, vertex), after, wanted);
     }
 
     /** The wanted vertices before a vertex that are as few steps away as any. */
     List<String> nearestBefore(String vertex, Predicate<String> wanted) {
         Set<String> seen = new LinkedHashSet<>(Set.of(vertex));
-        Set<String> ring = before.get(vertex);
+        Set<String> ring = next(before, vertex);
         while (!ring.isEmpty()) {
             List<String> found = ring.stream().filter(wanted).toList();
             if (!found.isEmpty()) {
                 return found;
             }
             seen.addAll(ring);
-            Set<String> next = new LinkedHashSet<>();
+            Set<String> further = new LinkedHashSet<>();
             ring.forEach(
-                    v -> before.get(v).stream().filter(b -> !seen.contains(b)).forEach(next::add));
-            ring = next;
+                    v -> next(before, v).stream().filter(b -> !seen.contains(b)).forEach(further::add));
+            ring = further;
         }
         return List.of();
     }
@@ -100,7 +105,7 @@ final class VertexGraph {
             if (wanted.test(vertex)) {
                 found.add(vertex);
             } else {
-                edges.get(vertex).stream().filter(seen::add).forEach(open::add);
+                next(edges, vertex).stream().filter(seen::add).forEach(open::add);
             }
         }
         return found;

@@ -4,4 +4,7 @@
  *
  * <p>Belongs here: the chart as data and what a running mission has done of it. Does not belong here: how it is painted.
  */
+@NullMarked
 package org.sami.spn.phase;
+
+import org.jspecify.annotations.NullMarked;

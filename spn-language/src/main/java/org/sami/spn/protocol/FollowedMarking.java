@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -85,26 +86,29 @@ public final class FollowedMarking implements Consumer<Effect> {
         return missions.containsKey(mission);
     }
 
+    private Optional<Mission> known(long mission) {
+        return Optional.ofNullable(missions.get(mission));
+    }
+
     /** The id of a mission's plan; empty text where the mission is not known. */
     public String plan(long mission) {
-        return isKnown(mission) ? missions.get(mission).plan() : "";
+        return known(mission).map(Mission::plan).orElse("");
     }
 
     /** The name of a mission; empty text where it is not known. */
     public String name(long mission) {
-        return isKnown(mission) ? missions.get(mission).name() : "";
+        return known(mission).map(Mission::name).orElse("");
     }
 
     /** The mission whose place runs this one; empty for a root, and where it is not known. */
     public OptionalLong parent(long mission) {
-        return isKnown(mission) && missions.get(mission).parent() != Ids.NONE
-                ? OptionalLong.of(missions.get(mission).parent())
-                : OptionalLong.empty();
+        Mission known = missions.get(mission);
+        return known == null || known.parent() == Ids.NONE ? OptionalLong.empty() : OptionalLong.of(known.parent());
     }
 
     /** The place of the parent that runs a mission; empty text for a root, and where it is not known. */
     public String parentPlace(long mission) {
-        return isKnown(mission) ? missions.get(mission).place() : "";
+        return known(mission).map(Mission::place).orElse("");
     }
 
     /** The instances that a mission runs now, in order of creation. */
@@ -118,25 +122,22 @@ public final class FollowedMarking implements Consumer<Effect> {
     /** The tokens of each marked place in order of entry, by place id; empty where the mission is not known. */
     public Map<String, List<Token>> marking(long mission) {
         Map<String, List<Token>> marking = new LinkedHashMap<>();
-        if (isKnown(mission)) {
-            missions.get(mission).visits().forEach((place, visits) -> {
-                List<Token> tokens = flat(visits.values());
-                if (!tokens.isEmpty()) {
-                    marking.put(place, tokens);
-                }
-            });
-        }
+        visits(mission).forEach((place, visits) -> {
+            List<Token> tokens = flat(visits.values());
+            if (!tokens.isEmpty()) {
+                marking.put(place, tokens);
+            }
+        });
         return Collections.unmodifiableMap(marking);
     }
 
     /** The tokens of one place in order of entry. */
     public List<Token> tokens(long mission, String place) {
-        return isKnown(mission)
-                ? flat(missions.get(mission)
-                        .visits()
-                        .getOrDefault(place, Map.of())
-                        .values())
-                : List.of();
+        return flat(visits(mission).getOrDefault(place, Map.of()).values());
+    }
+
+    private Map<String, Map<Long, List<Token>>> visits(long mission) {
+        return known(mission).map(Mission::visits).orElse(Map.of());
     }
 
     private static List<Token> flat(Collection<List<Token>> visits) {
@@ -146,13 +147,11 @@ public final class FollowedMarking implements Consumer<Effect> {
     /** Places that nobody's visit keeps awake, marked or not: one was entered by nobody and that visit has not ended. */
     public Set<String> visitedByNobody(long mission) {
         Set<String> places = new LinkedHashSet<>();
-        if (isKnown(mission)) {
-            missions.get(mission).visits().forEach((place, visits) -> {
-                if (visits.containsValue(List.of())) {
-                    places.add(place);
-                }
-            });
-        }
+        visits(mission).forEach((place, visits) -> {
+            if (visits.containsValue(List.of())) {
+                places.add(place);
+            }
+        });
         return Collections.unmodifiableSet(places);
     }
 }

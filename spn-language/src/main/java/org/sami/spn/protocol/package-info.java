@@ -8,4 +8,7 @@
  * order of creation; 0 ({@link org.sami.spn.protocol.Ids#NONE}) says "none". Times are milliseconds on the session's
  * clock, which the host injects.
  */
+@NullMarked
 package org.sami.spn.protocol;
+
+import org.jspecify.annotations.NullMarked;

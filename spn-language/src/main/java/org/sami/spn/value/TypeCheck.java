@@ -1,6 +1,7 @@
 package org.sami.spn.value;
 
 import java.util.Map;
+import java.util.Objects;
 
 /** Decides whether a value is of a type. */
 final class TypeCheck {
@@ -53,7 +54,10 @@ final class TypeCheck {
                     && v.type().equals(name)
                     && v.fields().keySet().equals(type.fields().keySet())
                     && type.fields().entrySet().stream()
-                            .allMatch(f -> accepts(f.getValue(), v.fields().get(f.getKey()), declarations));
+                            .allMatch(f -> accepts(
+                                    f.getValue(),
+                                    Objects.requireNonNull(v.fields().get(f.getKey()), f.getKey()),
+                                    declarations));
         }
         return false;
     }

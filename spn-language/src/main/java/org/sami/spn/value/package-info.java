@@ -4,4 +4,7 @@
  * <p>Belongs here: immutable values, their types, the test whether a value is of a type. Does not belong here: JSON
  * (see {@code spn.json}), anything that interprets a value for one domain.
  */
+@NullMarked
 package org.sami.spn.value;
+
+import org.jspecify.annotations.NullMarked;

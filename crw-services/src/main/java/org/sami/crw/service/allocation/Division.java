@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.service.choice.Criterion;
@@ -75,7 +76,7 @@ public record Division(
         List<List<GeoPoint>> fresh = new ArrayList<>();
         for (Candidate boat : problem.boats()) {
             List<GeoPoint> path = new ArrayList<>(List.of(boat.freeAt()));
-            paths.get(boat.boat()).stream()
+            path(boat).stream()
                     .skip(boat.begun().size())
                     .map(WorkItem::location)
                     .forEach(path::add);
@@ -101,13 +102,16 @@ public record Division(
         return allocation(reason, false);
     }
 
+    private List<WorkItem> path(Candidate boat) {
+        return Objects.requireNonNull(paths.get(boat.boat()), boat.boat());
+    }
+
     private Allocation allocation(String reason, boolean withBegun) {
         Map<String, GeoPath> points = new LinkedHashMap<>();
         for (Candidate boat : problem.boats()) {
-            List<WorkItem> path = paths.get(boat.boat());
             points.put(
                     boat.boat(),
-                    new GeoPath(path.stream()
+                    new GeoPath(path(boat).stream()
                             .skip(withBegun ? 0 : boat.begun().size())
                             .map(WorkItem::location)
                             .toList()));

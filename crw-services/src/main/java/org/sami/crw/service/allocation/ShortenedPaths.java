@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Moves work from boats whose charge does not last for their path to boats with charge left, one item after another, each time with the least
@@ -99,7 +100,7 @@ final class ShortenedPaths {
     }
 
     /** The work of a boat that others can do at the least cost, in metres of all paths together; null where nobody can. */
-    private Move cheapest(int from) {
+    private @Nullable Move cheapest(int from) {
         Move best = null;
         for (int at = 0; at < shares.get(from).size(); at++) {
             double savedM = savedM(from, at);
@@ -113,7 +114,7 @@ final class ShortenedPaths {
         return best;
     }
 
-    private Move cheaper(Move known, int from, int at, int to, double savedM) {
+    private @Nullable Move cheaper(@Nullable Move known, int from, int at, int to, double savedM) {
         Move best = known;
         int work = shares.get(from).get(at);
         for (int before = 0; before <= shares.get(to).size(); before++) {

@@ -4,4 +4,7 @@
  *
  * <p>Belongs here: criteria, declarations, the choice by them. Does not belong here: algorithms, problems, markups.
  */
+@NullMarked
 package org.sami.crw.service.choice;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.locationtech.jts.geom.Coordinate;
@@ -160,10 +161,10 @@ final class TrackShares {
             int[] pieceOf, Map<String, CoverageShare> equal, Map<String, String> noWay, boolean home) {
         double[] rangeM = names.stream().mapToDouble(problem.ranges()::of).toArray();
         double[] detour = IntStream.range(0, names.size())
-                .mapToDouble(boat -> detour(boat, equal.get(names.get(boat))))
+                .mapToDouble(boat -> detour(boat, share(equal, boat)))
                 .toArray();
         double[] homeDetour = IntStream.range(0, names.size())
-                .mapToDouble(boat -> home ? homeDetour(boat, equal.get(names.get(boat))) : 0)
+                .mapToDouble(boat -> home ? homeDetour(boat, share(equal, boat)) : 0)
                 .toArray();
         TourDivision.Ways ways = (boat, end, other) -> Math.min(
                 detour[boat] * straightM(boat, end) + homeDetour[boat] * straightHomeM(boat, other),
@@ -253,8 +254,13 @@ final class TrackShares {
         return track;
     }
 
+    private CoverageShare share(Map<String, CoverageShare> shares, int boat) {
+        return Objects.requireNonNull(shares.get(names.get(boat)), names.get(boat));
+    }
+
     private PathAnswer approach(int boat, GeoPoint to) {
-        GeoPoint from = problem.boats().get(names.get(boat)).orElse(to);
+        String name = names.get(boat);
+        GeoPoint from = Objects.requireNonNull(problem.boats().get(name), name).orElse(to);
         return new ShortestPath().find(new PathProblem(from, to, water, 1));
     }
 }

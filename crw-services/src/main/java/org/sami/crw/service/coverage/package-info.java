@@ -7,4 +7,7 @@
  *
  * <p>All geometry is on a plane that touches at the area; lengths and areas that are reported are measured on it too.
  */
+@NullMarked
 package org.sami.crw.service.coverage;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.Geodesy;
@@ -124,7 +125,11 @@ public final class WayLengths {
 
     /** The length of the way between two of the points, in metres; infinite where there is none. */
     public double lengthM(GeoPoint from, GeoPoint to) {
-        return isStraight() ? Geodesy.distanceM(from, to) : lengthM[indices.get(from)][indices.get(to)];
+        return isStraight() ? Geodesy.distanceM(from, to) : lengthM[index(from)][index(to)];
+    }
+
+    private int index(GeoPoint point) {
+        return Objects.requireNonNull(indices.get(point), "a point between which ways were measured");
     }
 
     /** The length of the way by some of the points, one after another, in metres. */

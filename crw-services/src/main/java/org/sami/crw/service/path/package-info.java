@@ -4,4 +4,7 @@
  * <p>Belongs here: algorithms that find one way. Does not belong here: how a boat follows it ({@code crw.proxy}), orders of
  * several places ({@code crw.service.allocation}).
  */
+@NullMarked
 package org.sami.crw.service.path;
+
+import org.jspecify.annotations.NullMarked;

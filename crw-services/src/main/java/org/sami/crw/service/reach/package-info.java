@@ -5,4 +5,7 @@
  * <p>Here belongs what is said of a way; pure functions of positions and charges. Who is asked and what becomes of the boats
  * belongs to {@code crw.handler}.
  */
+@NullMarked
 package org.sami.crw.service.reach;
+
+import org.jspecify.annotations.NullMarked;
