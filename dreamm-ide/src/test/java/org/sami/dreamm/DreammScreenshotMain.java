@@ -19,6 +19,7 @@ import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
 import org.sami.palette.Theme;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutputEventSpec;
@@ -28,7 +29,6 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
-import org.sami.ui.net.NetMode;
 
 /** Opens DREAMM and puts pictures of it into a folder: the net in its modes, an event's editor, issues, a run that is tried. */
 public final class DreammScreenshotMain {

@@ -1,25 +1,24 @@
 package org.sami.picture;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.geom.Point2D;
-import java.awt.geom.Rectangle2D;
-import java.util.List;
-import org.sami.spn.drawing.TextBlock;
+import java.awt.Font;
+import java.awt.Shape;
 
-/** What a picture of a net is painted on, in pixels at scale 1. */
+/** What pictures are painted on: a window, pixels, SVG, PDF. Coordinates are those of the picture, y downwards; colours may be translucent. */
 public interface Canvas {
-    /** A circle with its rim. */
-    void circle(Point2D centre, double radius, Color fill, Color rim, double rimWidth);
+    /** Fills a shape. */
+    void fill(Shape shape, Color color);
 
-    /** A rectangle without a rim. */
-    void box(Rectangle2D box, Color fill);
+    /** Draws the outline of a shape, or a line. */
+    void draw(Shape shape, Color color, BasicStroke stroke);
 
-    /** A line through some points. */
-    void line(List<Point2D> points, Color color, double width, boolean dashed);
+    /** Fills a shape and draws its outline. */
+    default void fillAndDraw(Shape shape, Color fill, Color rim, BasicStroke stroke) {
+        fill(shape, fill);
+        draw(shape, rim, stroke);
+    }
 
-    /** A filled polygon. */
-    void polygon(List<Point2D> corners, Color fill);
-
-    /** A line of text, from its left end on its base line. */
-    void text(TextBlock.Line line, double x, double baseline);
+    /** Writes a line of text from its left end on its base line. */
+    void text(String text, Font font, Color color, double x, double baseline);
 }

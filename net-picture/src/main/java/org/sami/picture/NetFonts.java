@@ -1,32 +1,40 @@
 package org.sami.picture;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.font.FontRenderContext;
+import java.util.EnumMap;
+import java.util.Map;
 import org.sami.spn.drawing.TextStyle;
 
-/** What texts are written in: the font at one pixel for a drawing unit, and the colour. */
+/** The fonts of a net, at one pixel for a drawing unit, and how wide texts are in them: the same at any zoom, in windows and in files. */
 public final class NetFonts {
-    private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
+    /** Texts are measured without a screen, with soft rims and fractions of a pixel. */
+    public static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
+
+    private static final Map<TextStyle, Font> FONTS = fonts();
 
     private NetFonts() {}
 
-    /** The font of a style, at one pixel for a drawing unit. */
-    public static Font of(TextStyle style) {
-        return new Font(Font.SANS_SERIF, style.isBold() ? Font.BOLD : Font.PLAIN, style.size());
+    private static Map<TextStyle, Font> fonts() {
+        Map<TextStyle, Font> fonts = new EnumMap<>(TextStyle.class);
+        for (TextStyle style : TextStyle.values()) {
+            fonts.put(style, new Font(Font.SANS_SERIF, style.isBold() ? Font.BOLD : Font.PLAIN, style.size()));
+        }
+        return fonts;
     }
 
-    /** The colour of a style. */
-    public static Color color(TextStyle style) {
-        return switch (style) {
-            case TITLE, NAME, EVENT -> new Color(0x1F2933);
-            case NOTE -> new Color(0x5F6C7B);
-            case EDGE, MISSING -> new Color(0x0B5394);
-        };
+    /** The font of a style. */
+    public static Font of(TextStyle style) {
+        return FONTS.get(style);
     }
 
     /** The width of a line, in drawing units. */
     public static double width(String text, TextStyle style) {
-        return of(style).getStringBounds(text, CONTEXT).getWidth();
+        return width(text, of(style));
+    }
+
+    /** The width of a line in a font. */
+    public static double width(String text, Font font) {
+        return font.getStringBounds(text, CONTEXT).getWidth();
     }
 }

@@ -1,7 +1,7 @@
 /**
- * Pictures of nets: SVG and PNG of a drawing, and a {@link org.sami.picture.Canvas} for whoever writes another format. Needs no display.
+ * What pictures are painted on: a {@link org.sami.picture.Canvas}, as pixels, as SVG, or as whatever else somebody writes, and the fonts of nets. Needs no display.
  *
- * <p>What is written, and where everything lies, belongs to {@code org.sami.spn.drawing}; windows and what a mouse does do not belong here.
+ * <p>What is painted of a net belongs to {@code org.sami.picture.net}; windows and what a mouse does do not belong here.
  */
 @NullMarked
 package org.sami.picture;

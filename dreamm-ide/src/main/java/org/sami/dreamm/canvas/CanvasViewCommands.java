@@ -4,11 +4,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.ui.canvas.CanvasKey;
 import org.sami.ui.command.Command;
 import org.sami.ui.net.NetKey;
-import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
 
 /** The commands that show the net otherwise: zoom and pan, modes, what is written. */

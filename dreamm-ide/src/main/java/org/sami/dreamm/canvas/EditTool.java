@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.palette.SemanticColor;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.MovedDrawing;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.ui.net.NetPointer;
-import org.sami.ui.net.NetScene;
 import org.sami.ui.net.NetTool;
 import org.sami.ui.net.NetView;
 

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.ExtractSubMission;
@@ -14,7 +15,6 @@ import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
-import org.sami.ui.net.NetMode;
 
 /** The commands that change what the selected elements are: start, end, recovery part, part of a sub-mission. */
 final class ElementRoleCommands {

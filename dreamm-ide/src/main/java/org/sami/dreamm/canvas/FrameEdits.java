@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.FrameBox;
@@ -17,7 +18,6 @@ import org.sami.spn.edit.FrameEdit;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.NetFrame;
-import org.sami.ui.net.NetScene;
 
 /** What gestures and keys mean as edits of frames. A frame carries along what lies in it. Coordinates are those of the drawing. Knows no window. */
 final class FrameEdits {

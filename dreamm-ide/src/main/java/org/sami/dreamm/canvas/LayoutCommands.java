@@ -9,6 +9,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetLayout;
@@ -50,7 +51,7 @@ final class LayoutCommands {
         add("net-layout-layers", "Lay out in layers from left to right", "L", (plan, drawing, cancelled) -> {
                     NetDetail detail =
                             net.detail().withRequirements(false); // on the lines there is room for them anyway
-                    return centres(NetLayout.layered(plan, vocabulary, NetView::textWidth, detail, cancelled));
+                    return centres(NetLayout.layered(plan, vocabulary, NetFonts::width, detail, cancelled));
                 })
                 .withIcon("layout");
         add("net-layout-forces", "Lay out by forces", "shift L", ForceLayout::of);

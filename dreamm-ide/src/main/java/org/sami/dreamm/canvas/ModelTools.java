@@ -7,12 +7,12 @@ import javax.swing.ButtonGroup;
 import javax.swing.JToggleButton;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.picture.net.NetMode;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
-import org.sami.ui.net.NetMode;
 
 /** The row above the net: which parts are shown, and what authors do most. */
 final class ModelTools {

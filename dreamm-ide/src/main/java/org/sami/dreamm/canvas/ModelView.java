@@ -21,6 +21,8 @@ import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
+import org.sami.picture.NetFonts;
+import org.sami.picture.net.NetMarking;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Vertex;
@@ -28,7 +30,6 @@ import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
 import org.sami.ui.command.Command;
 import org.sami.ui.net.NetListener;
-import org.sami.ui.net.NetMarking;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.WrappedText;
 
@@ -71,7 +72,7 @@ public final class ModelView extends JPanel implements NetDropTarget {
         super(new BorderLayout());
         this.context = context;
         setName("model-view");
-        net = new ShownNet(context.vocabulary(), NetView::textWidth);
+        net = new ShownNet(context.vocabulary(), NetFonts::width);
         if (!context.profile().shows(ProfileIds.MISSING_REQUIREMENT)) {
             net.setDetail(NetDetail.READER);
         }

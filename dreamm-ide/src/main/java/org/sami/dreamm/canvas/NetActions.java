@@ -12,6 +12,8 @@ import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import org.sami.dreamm.canvas.AppendChoices.NextStep;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.picture.net.NetMode;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.edit.Edit;
@@ -25,8 +27,6 @@ import org.sami.spn.model.Mode;
 import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
-import org.sami.ui.net.NetMode;
-import org.sami.ui.net.NetScene;
 import org.sami.ui.net.NetView;
 
 /** What gestures, keys and menus do on the net: each is an edit of the document, and what it made is selected. On the event thread. */

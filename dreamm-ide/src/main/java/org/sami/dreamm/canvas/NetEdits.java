@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
@@ -26,7 +27,6 @@ import org.sami.spn.model.Note;
 import org.sami.spn.model.Plan;
 import org.sami.spn.sequence.AuthoringLibrary;
 import org.sami.spn.wizard.RemoveWithRequirements;
-import org.sami.ui.net.NetScene;
 
 /** What gestures and keys on the net mean as edits. Coordinates are those of the drawing. Knows no window. */
 final class NetEdits {

@@ -18,6 +18,8 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
+import org.sami.picture.NetFonts;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.model.Plan;
@@ -26,7 +28,6 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
-import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.WrappedText;
 
@@ -129,7 +130,7 @@ public final class ComparisonPanel extends JPanel {
                 NetLayout.edited(
                         now.both(),
                         context.vocabulary(),
-                        NetView::textWidth,
+                        NetFonts::width,
                         NetDetail.READER,
                         anew
                                 ? OptionalDouble.empty()

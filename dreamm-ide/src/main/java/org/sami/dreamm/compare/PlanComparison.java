@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.sami.picture.net.NetChange;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
@@ -17,7 +18,6 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.ui.net.NetChange;
 
 /**
  * In what a plan differs from an earlier version. Elements are the same where they have one id.

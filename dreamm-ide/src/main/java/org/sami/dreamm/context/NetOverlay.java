@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
-import org.sami.ui.net.NetBadges;
-import org.sami.ui.net.NetMarking;
+import org.sami.picture.net.NetBadges;
+import org.sami.picture.net.NetMarking;
 
 /**
  * What lies over the net of the open plan while it is tried or a journal is looked at: tokens, breakpoints, what no test case visits. Who runs

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.sami.picture.net.NetChange;
 import org.sami.spn.model.Plan;
-import org.sami.ui.net.NetChange;
 
 /** What the open plan would be after an edit that is not made yet: the model view shows it in the plan's place. On the event thread. */
 public final class NetPreview {

@@ -10,10 +10,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import org.sami.picture.net.NetMode;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
-import org.sami.ui.net.NetMode;
-import org.sami.ui.net.NetScene;
 
 /**
  * What the author looks at: the open plan, how much of its net is shown, what is selected, and what is spoken of. It follows the document:

@@ -11,7 +11,7 @@ import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.picture.NetFonts;
-import org.sami.picture.NetPicture;
+import org.sami.picture.net.NetPicture;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.model.Plan;

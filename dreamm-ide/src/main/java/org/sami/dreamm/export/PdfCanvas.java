@@ -1,35 +1,28 @@
 package org.sami.dreamm.export;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Shape;
-import java.awt.font.FontRenderContext;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.PathIterator;
-import java.awt.geom.Point2D;
-import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.text.Normalizer;
-import java.util.List;
 import org.apache.pdfbox.pdmodel.PDPageContentStream;
 import org.apache.pdfbox.pdmodel.font.PDFont;
 import org.apache.pdfbox.pdmodel.font.PDType1Font;
 import org.apache.pdfbox.pdmodel.font.Standard14Fonts;
+import org.apache.pdfbox.pdmodel.graphics.state.PDExtendedGraphicsState;
 import org.apache.pdfbox.pdmodel.graphics.state.RenderingMode;
 import org.apache.pdfbox.util.Matrix;
 import org.sami.picture.Canvas;
 import org.sami.picture.NetFonts;
-import org.sami.spn.drawing.TextBlock;
 
 /**
  * Paints on the page of a PDF. Texts are their letters' outlines, so that they look as measured on any machine; below them the same text lies
  * invisibly, so that it can be searched and copied.
  */
 final class PdfCanvas implements Canvas {
-    private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
     private static final PDFont SEARCHED = new PDType1Font(Standard14Fonts.FontName.HELVETICA);
 
     private final PDPageContentStream page;
@@ -53,70 +46,47 @@ final class PdfCanvas implements Canvas {
     }
 
     @Override
-    public void circle(Point2D centre, double radius, Color fill, Color rim, double rimWidth) {
-        write(() -> {
-            page.setNonStrokingColor(fill);
-            page.setStrokingColor(rim);
-            page.setLineWidth((float) rimWidth);
-            page.setLineDashPattern(new float[0], 0);
-            append(new Ellipse2D.Double(centre.getX() - radius, centre.getY() - radius, 2 * radius, 2 * radius));
-            page.fillAndStroke();
-        });
-    }
-
-    @Override
-    public void box(Rectangle2D box, Color fill) {
-        fill(box, fill);
-    }
-
-    @Override
-    public void line(List<Point2D> points, Color color, double width, boolean dashed) {
-        write(() -> {
-            page.setStrokingColor(color);
-            page.setLineWidth((float) width);
-            page.setLineDashPattern(dashed ? new float[] {6, 5} : new float[0], 0);
-            append(path(points));
-            page.stroke();
-        });
-    }
-
-    @Override
-    public void polygon(List<Point2D> corners, Color fill) {
-        Path2D path = path(corners);
-        path.closePath();
-        fill(path, fill);
-    }
-
-    private static Path2D path(List<Point2D> points) {
-        Path2D path = new Path2D.Double();
-        path.moveTo(points.get(0).getX(), points.get(0).getY());
-        points.stream().skip(1).forEach(point -> path.lineTo(point.getX(), point.getY()));
-        return path;
-    }
-
-    private void fill(Shape shape, Color color) {
+    public void fill(Shape shape, Color color) {
         write(() -> {
             page.setNonStrokingColor(color);
+            opaque(color);
             append(shape);
             page.fill();
         });
     }
 
     @Override
-    public void text(TextBlock.Line line, double x, double baseline) {
+    public void draw(Shape shape, Color color, BasicStroke stroke) {
+        write(() -> {
+            float[] dash = stroke.getDashArray();
+            page.setStrokingColor(color);
+            opaque(color);
+            page.setLineWidth(stroke.getLineWidth());
+            page.setLineDashPattern(dash == null ? new float[0] : dash, 0);
+            append(shape);
+            page.stroke();
+        });
+    }
+
+    private void opaque(Color color) throws IOException {
+        PDExtendedGraphicsState state = new PDExtendedGraphicsState();
+        state.setNonStrokingAlphaConstant(color.getAlpha() / 255f);
+        state.setStrokingAlphaConstant(color.getAlpha() / 255f);
+        page.setGraphicsStateParameters(state);
+    }
+
+    @Override
+    public void text(String text, Font font, Color color, double x, double baseline) {
         write(() -> {
             page.beginText();
             page.setRenderingMode(RenderingMode.NEITHER);
-            page.setFont(SEARCHED, line.style().size());
+            page.setFont(SEARCHED, font.getSize2D());
             page.setTextMatrix(new Matrix(1, 0, 0, -1, (float) x, (float) baseline)); // letters stand upright
-            page.showText(plain(line.text()));
+            page.showText(plain(text));
             page.endText();
         });
-        Font font = NetFonts.of(line.style());
-        Shape letters = font.createGlyphVector(CONTEXT, line.text()).getOutline();
-        fill(
-                AffineTransform.getTranslateInstance(x, baseline).createTransformedShape(letters),
-                NetFonts.color(line.style()));
+        Shape letters = font.createGlyphVector(NetFonts.CONTEXT, text).getOutline((float) x, (float) baseline);
+        fill(letters, color);
     }
 
     /** The text in the letters that every reader of PDF has: those of Windows-1252. */

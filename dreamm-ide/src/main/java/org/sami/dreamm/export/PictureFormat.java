@@ -2,7 +2,7 @@ package org.sami.dreamm.export;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import org.sami.picture.NetPicture;
+import org.sami.picture.net.NetPicture;
 
 /** The formats in which a plan can be exported as a picture. */
 public enum PictureFormat {

@@ -4,6 +4,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
@@ -12,7 +13,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.ui.net.NetScene;
 
 /**
  * What is selected in a plan. A selected event or sub-mission stands for its vertex.

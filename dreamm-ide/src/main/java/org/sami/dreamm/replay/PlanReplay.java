@@ -8,12 +8,12 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.dreamm.tryout.Breakpoint;
 import org.sami.dreamm.tryout.TryOutOverlay;
+import org.sami.picture.net.NetMarking;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.replay.JournalRun;
-import org.sami.ui.net.NetMarking;
 
 /**
  * A journal that is looked at on the plans that are written. Goes to a moment on the caller's thread, one at a time, and answers with what is

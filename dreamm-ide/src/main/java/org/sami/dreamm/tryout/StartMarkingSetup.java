@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.sami.picture.net.NetMarking;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestStart;
@@ -16,7 +17,6 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.ui.net.NetMarking;
 
 /**
  * A start marking that an author puts together for one plan, place by place, with what the plan asks at its start. On the document's thread.

@@ -7,14 +7,14 @@ import java.util.stream.Collectors;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.picture.net.NetBadges;
+import org.sami.picture.net.NetMarking;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.FollowedMarking;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.testcase.CaseCoverage;
-import org.sami.ui.net.NetBadges;
-import org.sami.ui.net.NetMarking;
 
 /**
  * Puts the tokens of what is tried, or of the start marking that is put together, over the net of the open plan, with breakpoints and, where

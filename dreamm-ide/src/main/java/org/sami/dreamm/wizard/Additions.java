@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.model.LayoutPoint;
@@ -29,7 +30,6 @@ import org.sami.spn.wiring.Wires;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.PlanChange;
-import org.sami.ui.net.NetMode;
 
 /**
  * Adds events and vertices to the open plan, and remembers the last event that was added, so that another of its sequences can take the place

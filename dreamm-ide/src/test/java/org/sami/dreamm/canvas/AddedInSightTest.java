@@ -15,11 +15,11 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.sami.dreamm.OnEventThread;
 import org.sami.dreamm.palette.PalettePanel;
 import org.sami.dreamm.palette.PaletteSteps;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.model.Plan;
 import org.sami.ui.check.Layout;
 import org.sami.ui.net.NetKey;
-import org.sami.ui.net.NetView;
 
 /** What is added comes into sight, wherever the author has looked before. */
 @ExtendWith(OnEventThread.class)
@@ -92,7 +92,7 @@ class AddedInSightTest {
 
     @Test
     void stepOfTheAppendMenuIsBroughtIntoSight() {
-        ShownNet net = new ShownNet(scene.context.vocabulary(), NetView::textWidth);
+        ShownNet net = new ShownNet(scene.context.vocabulary(), NetFonts::width);
         net.show(scene.context.editor().plan());
         scene.context
                 .document()

@@ -10,11 +10,11 @@ import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.legacy.LegacyImport;
 import org.sami.spn.legacy.LegacyTableReader;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
-import org.sami.ui.net.NetMode;
 
 /** Plans that others have written are opened and drawn, and are saved as they were. */
 class CorpusTest {

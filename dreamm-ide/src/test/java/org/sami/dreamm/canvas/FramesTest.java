@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.sami.picture.net.NetMode;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.edit.FrameEdit;
 import org.sami.spn.model.FrameColor;
@@ -16,8 +18,6 @@ import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.NetFrame;
 import org.sami.spn.model.Plan;
-import org.sami.ui.net.NetMode;
-import org.sami.ui.net.NetScene;
 
 /** Frames around parts of a net, by pointer and keys. */
 class FramesTest {

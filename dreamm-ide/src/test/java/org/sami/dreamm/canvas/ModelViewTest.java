@@ -18,6 +18,8 @@ import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.sami.dreamm.document.DocumentListener;
+import org.sami.picture.net.NetMode;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.edit.Edit;
@@ -31,8 +33,6 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.ui.EventThread;
 import org.sami.ui.net.NetKey;
-import org.sami.ui.net.NetMode;
-import org.sami.ui.net.NetScene;
 
 class ModelViewTest {
     private final EditorScene scene = EditorScene.of("clv");

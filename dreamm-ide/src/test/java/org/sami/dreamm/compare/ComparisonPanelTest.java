@@ -14,13 +14,13 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.palette.Theme;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
-import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
 
 /** Two versions of a plan in a panel as high as it is in a window of 1280 by 800 pixels. */

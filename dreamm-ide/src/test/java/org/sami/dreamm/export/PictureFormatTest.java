@@ -18,7 +18,7 @@ import org.apache.pdfbox.rendering.PDFRenderer;
 import org.apache.pdfbox.text.PDFTextStripper;
 import org.junit.jupiter.api.Test;
 import org.sami.picture.NetFonts;
-import org.sami.picture.NetPicture;
+import org.sami.picture.net.NetPicture;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.json.DomainLibrary;
@@ -40,7 +40,8 @@ class PictureFormatTest {
     void aPdfIsOnePageOfThePicturesSizeWhoseTextCanBeSearched() throws IOException {
         try (PDDocument document = Loader.loadPDF(PictureFormat.PDF.write(PICTURE))) {
             assertThat(document.getNumberOfPages()).isEqualTo(1);
-            assertThat((double) document.getPage(0).getMediaBox().getWidth()).isCloseTo(PICTURE.width(), within(1.0));
+            assertThat((double) document.getPage(0).getMediaBox().getWidth())
+                    .isCloseTo(PICTURE.bounds().getWidth(), within(1.0));
             assertThat(new PDFTextStripper().getText(document))
                     .contains("Choose allocation", "Ask twice", "Take All Relevant");
         }

@@ -18,6 +18,7 @@ import org.sami.dreamm.canvas.AppendChoices;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.json.DomainLibrary;
@@ -28,7 +29,6 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.Layout;
-import org.sami.ui.net.NetMode;
 
 /** The palette without a window: what it offers, where that may go, and what comes of it. */
 @ExtendWith(OnEventThread.class)

@@ -44,6 +44,7 @@ import org.sami.dreamm.profile.ProfileFile;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.palette.Theme;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Action;
@@ -67,7 +68,6 @@ import org.sami.ui.EventThread;
 import org.sami.ui.check.Layout;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
-import org.sami.ui.net.NetScene;
 import org.sami.ui.window.ViewCommands;
 import org.sami.ui.window.WindowSettings;
 

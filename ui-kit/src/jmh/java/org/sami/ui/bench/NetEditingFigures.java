@@ -1,5 +1,7 @@
 package org.sami.ui.bench;
 
+import org.sami.picture.NetFonts;
+
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
@@ -22,7 +24,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.palette.IdentityMarks;
-import org.sami.ui.net.NetMode;
+import org.sami.picture.net.NetMode;
 import org.sami.ui.net.NetView;
 import org.sami.ui.net.WidePlan;
 
@@ -90,7 +92,7 @@ final class NetEditingFigures {
                 "legacy.layers",
                 new TreeMap<>(Map.of("vertices", size(largest))),
                 10,
-                () -> NetLayout.layered(largest, vocabulary, NetView::textWidth));
+                () -> NetLayout.layered(largest, vocabulary, NetFonts::width));
     }
 
     private static int size(Plan plan) {
@@ -108,7 +110,7 @@ final class NetEditingFigures {
     }
 
     private static NetDrawing edited(Plan plan, Vocabulary vocabulary) {
-        return NetLayout.edited(plan, vocabulary, NetView::textWidth, NetDetail.AUTHOR, OptionalDouble.empty());
+        return NetLayout.edited(plan, vocabulary, NetFonts::width, NetDetail.AUTHOR, OptionalDouble.empty());
     }
 
     private void measure(String name, SortedMap<String, Integer> params, int count, Runnable work) {

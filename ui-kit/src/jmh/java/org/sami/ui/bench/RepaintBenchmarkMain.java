@@ -22,7 +22,7 @@ import org.sami.ui.map.MapScenes;
 import org.sami.ui.map.MapView;
 import org.sami.ui.map.MovingFleet;
 import org.sami.ui.net.NetKey;
-import org.sami.ui.net.NetMode;
+import org.sami.picture.net.NetMode;
 import org.sami.ui.net.NetView;
 import org.sami.ui.net.WidePlan;
 

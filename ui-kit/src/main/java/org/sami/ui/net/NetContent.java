@@ -3,6 +3,8 @@ package org.sami.ui.net;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.sami.picture.net.NetMode;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.model.Plan;
 import org.sami.spn.vocabulary.Vocabulary;

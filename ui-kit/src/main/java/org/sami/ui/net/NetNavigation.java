@@ -6,6 +6,8 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.sami.picture.net.NetMarking;
+import org.sami.picture.net.NetScene;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import org.sami.picture.net.NetMarking;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.drawing.VertexWords;
 import org.sami.spn.model.InRequirement;

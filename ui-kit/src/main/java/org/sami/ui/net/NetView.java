@@ -4,7 +4,7 @@ import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
+import java.awt.geom.Rectangle2D;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -17,9 +17,20 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import org.sami.palette.IdentityMarks;
+import org.sami.picture.GraphicsCanvas;
+import org.sami.picture.NetFonts;
+import org.sami.picture.net.NetBadges;
+import org.sami.picture.net.NetChange;
+import org.sami.picture.net.NetFigure;
+import org.sami.picture.net.NetLight;
+import org.sami.picture.net.NetMarking;
+import org.sami.picture.net.NetMode;
+import org.sami.picture.net.NetPainter;
+import org.sami.picture.net.NetScene;
+import org.sami.picture.net.NetSight;
+import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetLayout;
-import org.sami.spn.drawing.TextStyle;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
@@ -27,6 +38,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.canvas.CanvasKey;
 import org.sami.ui.canvas.CanvasMouse;
 import org.sami.ui.command.Command;
+import org.sami.ui.look.Look;
 
 /**
  * The net of a plan: where its author has laid it out, with tokens, firing, selection, tooltips and an overview in its corner. It pans
@@ -36,7 +48,7 @@ import org.sami.ui.command.Command;
 public final class NetView extends JPanel {
     private static final int CORNER_PX = 8;
 
-    private final transient NetPainter painter;
+    private final transient IdentityMarks marks;
     private final NetViewer viewer = new NetViewer(this::paintNet, this::tip);
     private final transient NetViewport viewport = new NetViewport(viewer, this::viewChanged);
     private final transient NetPulse pulse = new NetPulse(System::nanoTime, viewer::repaint);
@@ -62,7 +74,7 @@ public final class NetView extends JPanel {
     public NetView(IdentityMarks marks) {
         super(null);
         setName("net");
-        painter = new NetPainter(marks);
+        this.marks = marks;
         CanvasMouse.listen(viewer, new NetSurface(this, viewport));
         viewer.getAccessibleContext().setAccessibleName("Net");
         add(overview);
@@ -123,11 +135,6 @@ public final class NetView extends JPanel {
     public void setChanges(Map<String, NetChange> changes) {
         this.changes = Map.copyOf(changes);
         viewer.repaint();
-    }
-
-    /** How wide a text will be on a net, for code that draws a plan elsewhere. */
-    public static double textWidth(String text, TextStyle style) {
-        return NetFonts.width(text, style);
     }
 
     private void changed() {
@@ -317,23 +324,22 @@ public final class NetView extends JPanel {
         navigation.press(key);
     }
 
-    /**
-     * A picture of the whole net as it is shown, with its marking, for a file or the clipboard.
-     *
-     * @param scale pixels of a drawing unit; less where the picture would be larger than 50 million pixels
-     */
-    public BufferedImage picture(double scale) {
-        return NetSnapshot.of(painter, content.drawing().bounds(), scene, marking, scale);
-    }
-
     private void viewChanged() {
         overview.refresh();
     }
 
     private void paintNet(Graphics2D g, double scale) {
-        painter.paint(
-                g, scale, viewport.own(), scene, marking, new NetLight(selected, highlighted, pulse::of, changes));
-        BadgePainter.paint(g, scene, badges);
+        NetLight light = new NetLight(selected, highlighted, pulse::of, changes);
+        Rectangle2D clip = g.getClip().getBounds2D();
+        NetPainter.paint(
+                new GraphicsCanvas(g),
+                Look.theme(),
+                marks,
+                new NetFigure(scene, marking, badges, light),
+                new NetSight(
+                        new DrawingBox(clip.getX(), clip.getY(), clip.getWidth(), clip.getHeight()),
+                        scale,
+                        viewport.own()));
         tool.paint(g);
     }
 

@@ -63,14 +63,6 @@ class NetScaleTest {
         assertThat(written).isGreaterThan(100 + 3 * lettersOfRequirements());
     }
 
-    @Test
-    void linesOfASmallNetAreWideEnoughToBeSeen() {
-        assertThat(NetStrokes.at(0.2).thin().getLineWidth() * 0.2).isGreaterThanOrEqualTo(1.19);
-        assertThat(NetStrokes.at(0.2).rim().getLineWidth() * 0.2)
-                .isGreaterThan(NetStrokes.at(0.2).thin().getLineWidth() * 0.2);
-        assertThat(NetStrokes.at(1).thin().getLineWidth()).isEqualTo(1.4f);
-    }
-
     private double pixelsOfAHundred() {
         Point2D from = view.pixel(0, 0);
         return view.pixel(100, 0).distance(from);

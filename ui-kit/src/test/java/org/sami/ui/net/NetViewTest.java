@@ -1,7 +1,6 @@
 package org.sami.ui.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.event.InputEvent;
@@ -19,6 +18,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.palette.IdentityMark;
+import org.sami.picture.net.NetMarking;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
@@ -318,18 +319,6 @@ class NetViewTest {
 
         assertThat(tip(place)).contains("1 token: anna");
         assertThat(tip(transition)).contains("waits for anna & bert");
-    }
-
-    @Test
-    void aPictureHoldsTheWholeNet() {
-        BufferedImage one = view.picture(1);
-        BufferedImage two = view.picture(2);
-
-        assertThat(one.getWidth())
-                .isGreaterThanOrEqualTo((int) view.drawing().bounds().width());
-        assertThat(two.getWidth()).isCloseTo(2 * one.getWidth(), within(2));
-        assertThat(view.picture(1000).getWidth() * (long) view.picture(1000).getHeight())
-                .isLessThan(51_000_000);
     }
 
     @Test

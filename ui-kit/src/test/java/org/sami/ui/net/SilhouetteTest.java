@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.palette.Contrast;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
+import org.sami.picture.net.NetMode;
 import org.sami.ui.look.Look;
 
 @Isolated("the look is one for all windows of a process")

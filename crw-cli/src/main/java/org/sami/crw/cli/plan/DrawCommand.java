@@ -10,7 +10,7 @@ import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.PlansArgument;
 import org.sami.crw.cli.output.ExitCode;
-import org.sami.picture.NetPicture;
+import org.sami.picture.net.NetPicture;
 import org.sami.spn.model.Plan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -17,6 +17,8 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
+import org.sami.picture.net.NetMarking;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Ids;
@@ -24,8 +26,6 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.look.Look;
 import org.sami.ui.net.NetListener;
-import org.sami.ui.net.NetMarking;
-import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
 
 /**

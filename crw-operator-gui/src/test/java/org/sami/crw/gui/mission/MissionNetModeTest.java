@@ -10,8 +10,8 @@ import javax.swing.JComboBox;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.model.Project;
-import org.sami.ui.net.NetMode;
 
 @Timeout(300)
 class MissionNetModeTest {

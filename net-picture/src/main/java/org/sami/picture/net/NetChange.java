@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 /** How an element of a net differs from that of another version. */
 public enum NetChange {

@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -64,10 +64,16 @@ public final class NetScene {
         plan.inEdges().forEach(edge -> ends.put(edge.id(), new Ends(edge.place(), edge.transition())));
         plan.outEdges().forEach(edge -> ends.put(edge.id(), new Ends(edge.transition(), edge.place())));
         return switch (mode) {
-            case ALL -> new NetScene(drawing, ids(drawing.vertices()), Set.of(), Set.copyOf(ends.keySet()), true);
+            case ALL -> of(drawing);
             case NOMINAL -> nominal(drawing, ends);
             case RECOVERY -> recovery(drawing, ends, selected);
         };
+    }
+
+    /** All of a net. */
+    public static NetScene of(NetDrawing drawing) {
+        Set<String> edges = drawing.edges().stream().map(Edge::id).collect(Collectors.toSet());
+        return new NetScene(drawing, ids(drawing.vertices()), Set.of(), edges, true);
     }
 
     private static Set<String> ids(List<Vertex> vertices) {
@@ -189,7 +195,7 @@ public final class NetScene {
     }
 
     /** The box around the words of some of the vertices that are shown. */
-    Optional<DrawingBox> boxOfLabels(Set<String> ids) {
+    public Optional<DrawingBox> boxOfLabels(Set<String> ids) {
         return labels.stream()
                 .filter(label -> ids.contains(label.of()) && full.contains(label.of()))
                 .map(Label::box)
@@ -197,7 +203,7 @@ public final class NetScene {
     }
 
     /** The box around some of the vertices and notes that are shown, with their words. */
-    Optional<DrawingBox> boxWithWords(Set<String> ids) {
+    public Optional<DrawingBox> boxWithWords(Set<String> ids) {
         return Stream.of(
                         boxOf(ids).stream(),
                         boxOfLabels(ids).stream(),

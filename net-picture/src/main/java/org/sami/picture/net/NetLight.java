@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.util.Map;
 import java.util.Set;
@@ -12,10 +12,16 @@ import java.util.function.ToDoubleFunction;
  * @param firing how strongly a transition shines since it fired, by its id: 1 now, 0 no more
  * @param changes how elements differ from another version, by their ids
  */
-record NetLight(
+public record NetLight(
         Set<String> selected,
         Set<String> highlighted,
         ToDoubleFunction<String> firing,
         Map<String, NetChange> changes) {
-    static final NetLight NONE = new NetLight(Set.of(), Set.of(), transition -> 0, Map.of());
+    /** Nothing. */
+    public static final NetLight NONE = new NetLight(Set.of(), Set.of(), transition -> 0, Map.of());
+
+    /** Whether an element is selected or spoken of. */
+    boolean isLit(String id) {
+        return selected.contains(id) || highlighted.contains(id);
+    }
 }

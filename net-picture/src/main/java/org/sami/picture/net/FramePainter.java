@@ -1,14 +1,15 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics2D;
+import java.awt.Font;
 import java.awt.geom.RoundRectangle2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.FrameBox;
 import org.sami.spn.drawing.TextBlock;
@@ -24,8 +25,10 @@ final class FramePainter {
     private static final BasicStroke CHOSEN = new BasicStroke(3);
 
     private final List<FrameBox> frames;
+    private final Theme theme;
 
-    FramePainter(List<FrameBox> frames) {
+    FramePainter(List<FrameBox> frames, Theme theme) {
+        this.theme = theme;
         this.frames = frames.stream()
                 .sorted(Comparator.comparingDouble((FrameBox frame) -> -frame.width() * frame.height()))
                 .toList();
@@ -37,21 +40,18 @@ final class FramePainter {
      * @param letters how many times larger than its own size a title is written, so that it is read from afar as well; as far as the frame is
      *     wide enough
      */
-    void paint(Graphics2D g, Set<String> selected, double letters) {
+    void paint(Pen pen, Set<String> selected, double letters) {
         for (FrameBox frame : frames) {
             boolean chosen = selected.contains(NetScene.idOfFrame(frame.index()));
             DrawingBox box = frame.box();
             RoundRectangle2D shape =
                     new RoundRectangle2D.Double(box.x(), box.y(), box.width(), box.height(), CORNER, CORNER);
-            g.setColor(tint(frame.color()));
-            g.fill(shape);
-            g.setColor((chosen ? SemanticColor.ACCENT : color(frame.color())).get());
-            g.setStroke(chosen ? CHOSEN : RIM);
-            g.draw(shape);
+            SemanticColor rim = chosen ? SemanticColor.ACCENT : color(frame.color());
+            pen.canvas().fillAndDraw(shape, tint(frame.color()), pen.color(rim), chosen ? CHOSEN : RIM);
             if (chosen) {
-                g.fill(new RoundRectangle2D.Double(box.maxX() - GRIP, box.maxY() - GRIP, GRIP, GRIP, 3, 3));
+                pen.fill(new RoundRectangle2D.Double(box.maxX() - GRIP, box.maxY() - GRIP, GRIP, GRIP, 3, 3), rim);
             }
-            title(g, frame, letters(frame, letters));
+            title(pen, frame, letters(frame, letters));
         }
     }
 
@@ -71,21 +71,20 @@ final class FramePainter {
                 .toList();
     }
 
-    private static void title(Graphics2D g, FrameBox frame, double letters) {
+    private static void title(Pen pen, FrameBox frame, double letters) {
         DrawingBox at = frame.titleBox();
         double top = at.y();
-        g.setColor(SemanticColor.TEXT.get());
         for (TextBlock.Line line : frame.title().lines()) {
-            g.setFont(NetFonts.of(line.style()).deriveFont((float) (line.style().size() * letters)));
-            g.drawString(
-                    line.text(), (float) at.x(), (float) (top + line.style().size() * ASCENT * letters));
+            double size = line.style().size() * letters;
+            Font font = NetFonts.of(line.style()).deriveFont((float) size);
+            pen.canvas().text(line.text(), font, pen.color(SemanticColor.TEXT), at.x(), top + size * ASCENT);
             top += line.height() * letters;
         }
     }
 
     /** The colour on which a text lies: that of the smallest frame that holds its middle, or the canvas's. */
     Color below(DrawingBox text) {
-        Color below = SemanticColor.NET_CANVAS.get();
+        Color below = SemanticColor.NET_CANVAS.in(theme);
         for (FrameBox frame : frames) {
             if (frame.box().contains(text.x() + text.width() / 2, text.y() + text.height() / 2)) {
                 below = tint(frame.color());
@@ -94,8 +93,8 @@ final class FramePainter {
         return below;
     }
 
-    private static Color tint(FrameColor color) {
-        return color(color).over(SemanticColor.NET_CANVAS, TINT, Theme.inForce());
+    private Color tint(FrameColor color) {
+        return color(color).over(SemanticColor.NET_CANVAS, TINT, theme);
     }
 
     private static SemanticColor color(FrameColor color) {

@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.util.Collections;
 import java.util.HashSet;
@@ -41,7 +41,7 @@ public record NetMarking(Map<String, List<Token>> tokens, Set<String> visitedByN
     }
 
     /** The places to which tokens have come since another marking; where none came, those in which others stand now. */
-    Set<String> newIn(NetMarking before) {
+    public Set<String> newIn(NetMarking before) {
         Set<String> came = changedFrom(before);
         came.removeIf(place -> at(place).size() <= before.at(place).size());
         return came.isEmpty() ? changedFrom(before) : came;

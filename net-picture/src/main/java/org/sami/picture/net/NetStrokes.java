@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.awt.BasicStroke;
 

@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -11,6 +11,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
@@ -23,14 +24,14 @@ import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
 
 class NetSceneTest {
-    private static final Plan CLV = NetScenes.plan("clv");
+    private static final Plan CLV = ShippedPlans.plan("clv");
     private static final NetDrawing DRAWING = draw(CLV);
 
     @Test
     void noLabelOfAShippedPlanHidesAnother() {
-        NetScenes.LIBRARY.plans().forEach(plan -> {
+        ShippedPlans.LIBRARY.plans().forEach(plan -> {
             assertNothingIsHidden(plan, draw(plan));
-            assertNothingIsHidden(plan, NetLayout.layered(plan, NetScenes.VOCABULARY, NetFonts::width));
+            assertNothingIsHidden(plan, NetLayout.layered(plan, ShippedPlans.VOCABULARY, NetFonts::width));
         });
     }
 
@@ -39,10 +40,10 @@ class NetSceneTest {
     void noLabelOfAFieldPlanHidesAnother(String name) {
         Path file = Path.of("../../shared/legacy-plans", name + ".json");
         assumeTrue(Files.exists(file), "skipped: " + file + " is not here");
-        LegacyTableReader.fromClassPath(NetScenes.CRW + "/legacy.json", NetScenes.VOCABULARY);
+        LegacyTableReader.fromClassPath(ShippedPlans.CRW + "/legacy.json", ShippedPlans.VOCABULARY);
         LegacyImport.Result imported = new LegacyImport(
-                        NetScenes.VOCABULARY,
-                        LegacyTableReader.fromClassPath(NetScenes.CRW + "/legacy.json", NetScenes.VOCABULARY)
+                        ShippedPlans.VOCABULARY,
+                        LegacyTableReader.fromClassPath(ShippedPlans.CRW + "/legacy.json", ShippedPlans.VOCABULARY)
                                 .orThrow())
                 .read(file);
 
@@ -50,7 +51,7 @@ class NetSceneTest {
     }
 
     private static NetDrawing draw(Plan plan) {
-        return NetLayout.given(plan, NetScenes.VOCABULARY, NetFonts::width);
+        return NetLayout.given(plan, ShippedPlans.VOCABULARY, NetFonts::width);
     }
 
     private static void assertNothingIsHidden(Plan plan, NetDrawing drawing) {

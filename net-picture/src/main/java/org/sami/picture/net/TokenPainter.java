@@ -1,8 +1,8 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.awt.BasicStroke;
-import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
+import java.awt.Color;
+import java.awt.Shape;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
@@ -10,10 +10,11 @@ import java.util.Optional;
 import org.sami.palette.IdentityMark;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
+import org.sami.palette.Theme;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextStyle;
 import org.sami.spn.protocol.Token;
-import org.sami.ui.look.MarkIcon;
 
 /**
  * Paints the tokens of a place inside of it: a proxy's mark, a small square for a task in its proxy's colour, a dot for the generic
@@ -32,62 +33,68 @@ final class TokenPainter {
         {{-1.15, -1.15}, {1.15, -1.15}, {-1.15, 1.15}, {1.15, 1.15}, {0, 0}}
     };
     private static final BasicStroke LINE = new BasicStroke(1.2f);
+    private static final BasicStroke HEAVY = new BasicStroke(2);
 
+    private final Pen pen;
     private final IdentityMarks marks;
+    private final NetMarking marking;
 
-    TokenPainter(IdentityMarks marks) {
+    TokenPainter(Pen pen, IdentityMarks marks, NetMarking marking) {
+        this.pen = pen;
         this.marks = marks;
+        this.marking = marking;
     }
 
-    void paint(Graphics2D g, Vertex place, NetMarking marking) {
+    void paint(Vertex place) {
         double x = place.centre().x();
         double y = place.centre().y();
         List<Token> tokens = marking.at(place.id());
         if (tokens.size() > MOST) {
-            count(g, x, y, tokens.size());
+            count(x, y, tokens.size());
         } else if (tokens.isEmpty()) {
             if (marking.visitedByNobody().contains(place.id())) {
-                g.setStroke(LINE);
-                g.setColor(SemanticColor.NET_ACTIVE.get());
-                g.draw(new Ellipse2D.Double(x - DOT / 2, y - DOT / 2, DOT, DOT));
+                pen.draw(Pen.circle(x, y, DOT / 2), SemanticColor.NET_ACTIVE, LINE);
             }
         } else {
             double[][] at = PLACES[tokens.size() - 1];
             for (int i = 0; i < at.length; i++) {
-                token(g, x + at[i][0] * APART, y + at[i][1] * APART, tokens.get(i), marking);
+                token(x + at[i][0] * APART, y + at[i][1] * APART, tokens.get(i));
             }
         }
     }
 
-    private void token(Graphics2D g, double x, double y, Token token, NetMarking marking) {
+    private void token(double x, double y, Token token) {
         Optional<IdentityMark> mark = marking.proxyOf(token).map(marks::of);
+        Color text = pen.color(SemanticColor.TEXT);
+        Color color = mark.map(each -> each.color(pen.theme())).orElse(text);
         if (token instanceof Token.Proxy) {
-            MarkIcon.paint(g, mark.orElseThrow(), x, y, CHIP);
-            return;
-        }
-        double side = token instanceof Token.Task ? CHIP - 2 : DOT;
-        g.setColor(mark.map(IdentityMark::color).orElseGet(SemanticColor.TEXT::get));
-        if (token instanceof Token.Task) {
+            Shape shape = mark.orElseThrow().shape().around(x, y, CHIP);
+            pen.canvas().fillAndDraw(shape, color, text, pen.theme() == Theme.SUN ? HEAVY : LINE);
+        } else if (token instanceof Token.Task) {
+            double side = CHIP - 2;
             Rectangle2D square = new Rectangle2D.Double(x - side / 2, y - side / 2, side, side);
             if (mark.isPresent()) {
-                g.fill(square);
+                pen.canvas().fill(square, color);
             }
-            g.setColor(SemanticColor.TEXT.get());
-            g.setStroke(LINE);
-            g.draw(square);
+            pen.canvas().draw(square, text, LINE);
         } else {
-            g.fill(new Ellipse2D.Double(x - side / 2, y - side / 2, side, side));
+            pen.canvas().fill(Pen.circle(x, y, DOT / 2), color);
         }
     }
 
-    private static void count(Graphics2D g, double x, double y, int count) {
+    private void count(double x, double y, int count) {
         String text = String.valueOf(count);
         double width = NetFonts.width(text, TextStyle.NAME) + 10;
         double height = TextStyle.NAME.size() + 5;
-        g.setColor(SemanticColor.NET_ACTIVE.get());
-        g.fill(new RoundRectangle2D.Double(x - width / 2, y - height / 2, width, height, height, height));
-        g.setColor(SemanticColor.ON_ACCENT.get());
-        g.setFont(NetFonts.of(TextStyle.NAME));
-        g.drawString(text, (float) (x - width / 2 + 5), (float) (y + TextStyle.NAME.size() * 0.36));
+        pen.fill(
+                new RoundRectangle2D.Double(x - width / 2, y - height / 2, width, height, height, height),
+                SemanticColor.NET_ACTIVE);
+        pen.canvas()
+                .text(
+                        text,
+                        NetFonts.of(TextStyle.NAME),
+                        pen.color(SemanticColor.ON_ACCENT),
+                        x - width / 2 + 5,
+                        y + TextStyle.NAME.size() * 0.36);
     }
 }

@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 /** How much of a net is shown (thesis 5.1, Figure 5.2). */
 public enum NetMode {
@@ -23,7 +23,7 @@ public enum NetMode {
     }
 
     /** The mode that comes next when one goes through all of them. */
-    NetMode next() {
+    public NetMode next() {
         return switch (this) {
             case NOMINAL -> RECOVERY;
             case RECOVERY -> ALL;

@@ -1,4 +1,4 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,8 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.palette.Theme;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
@@ -18,11 +20,9 @@ import org.sami.spn.model.Plan;
 
 /** What a net says of its vertices where it is too small for its words. */
 class FarNamesTest {
-    private static final NetLight NO_LIGHT = new NetLight(Set.of(), Set.of(), id -> 0, Map.of());
-
     /** The plan without any name that its author gave. */
     private static Plan nameless(String id) {
-        Plan plan = NetScenes.plan(id);
+        Plan plan = ShippedPlans.plan(id);
         return plan.withPlaces(plan.places().stream().map(p -> p.withName("")).toList())
                 .withTransitions(
                         plan.transitions().stream().map(t -> t.withName("")).toList());
@@ -30,16 +30,13 @@ class FarNamesTest {
 
     private static Map<String, String> names(Plan plan, NetDetail detail, double unit) {
         NetDrawing drawing =
-                NetLayout.edited(plan, NetScenes.VOCABULARY, NetView::textWidth, detail, OptionalDouble.empty());
+                NetLayout.edited(plan, ShippedPlans.VOCABULARY, NetFonts::width, detail, OptionalDouble.empty());
         NetScene scene = NetScene.of(plan, drawing, NetMode.ALL, Set.of());
         Map<String, String> names = new HashMap<>();
         List<FarNames.Name> placed = FarNames.of(
-                unit,
-                scene,
-                NetMarking.EMPTY,
-                NO_LIGHT,
-                drawing.bounds().grown(1000),
-                new FramePainter(drawing.frames()));
+                NetFigure.of(scene),
+                new NetSight(drawing.bounds().grown(1000), 1 / unit, 1),
+                new FramePainter(drawing.frames(), Theme.LIGHT));
         placed.forEach(name -> names.put(name.of(), String.join(" ", name.lines())));
         for (FarNames.Name one : placed) {
             assertThat(placed)
@@ -65,8 +62,8 @@ class FarNamesTest {
         Plan plan = nameless("clv");
         NetDrawing drawing = NetLayout.edited(
                 plan,
-                NetScenes.VOCABULARY,
-                NetView::textWidth,
+                ShippedPlans.VOCABULARY,
+                NetFonts::width,
                 NetDetail.AUTHOR.withEvents(false),
                 OptionalDouble.empty());
 
@@ -80,7 +77,7 @@ class FarNamesTest {
     @ParameterizedTest
     @ValueSource(strings = {"clv", "clv-interrupts", "station-keep", "measure", "panorama"})
     void eachVertexOfAPlanSaysSomethingAtHalfAndAtAThirdOfItsSize(String id) {
-        Plan plan = NetScenes.plan(id);
+        Plan plan = ShippedPlans.plan(id);
         int saying = plan.places().size() + plan.transitions().size();
 
         assertThat(names(plan, NetDetail.AUTHOR, 2)).hasSize(saying);
@@ -89,7 +86,7 @@ class FarNamesTest {
 
     @Test
     void whatIsDisabledSaysSo() {
-        Plan plan = NetScenes.plan("clv");
+        Plan plan = ShippedPlans.plan("clv");
         Plan disabled = plan.withPlaces(
                 plan.places().stream().map(p -> p.withDisabled(true)).toList());
 

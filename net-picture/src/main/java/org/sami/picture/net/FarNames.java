@@ -1,9 +1,7 @@
-package org.sami.ui.net;
+package org.sami.picture.net;
 
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.Graphics2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -11,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.palette.SemanticColor;
+import org.sami.picture.NetFonts;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Label;
@@ -25,6 +24,7 @@ import org.sami.spn.drawing.TextStyle;
  */
 final class FarNames {
     private static final int LETTERS_PX = 12;
+    private static final Font LETTERS = new Font(Font.SANS_SERIF, Font.PLAIN, LETTERS_PX);
     private static final int MOST_TRIED = 150;
     private static final double GAP_PX = 2;
     private static final double LINE = 1.2;
@@ -52,21 +52,20 @@ final class FarNames {
     /**
      * Where which names are written.
      *
-     * @param unit how many drawing units a pixel at 100 % has
-     * @param shown the part of the drawing that is seen
+     * @param frames whose titles are not covered
      */
-    static List<Name> of(
-            double unit, NetScene scene, NetMarking marking, NetLight light, DrawingBox shown, FramePainter frames) {
-        FarNames names = new FarNames(unit, shown);
+    static List<Name> of(NetFigure net, NetSight sight, FramePainter frames) {
+        NetScene scene = net.scene();
+        FarNames names = new FarNames(sight.unit(), sight.shown());
         Map<String, String> texts = new LinkedHashMap<>();
         for (Label label : scene.labels()) {
             name(label).ifPresent(text -> texts.put(label.of(), text));
         }
         scene.vertices().forEach(vertex -> names.taken.add(vertex.box()));
-        names.taken.addAll(frames.titles(unit));
+        names.taken.addAll(frames.titles(sight.unit()));
         List<Vertex> ranked = scene.vertices().stream()
                 .filter(vertex -> texts.containsKey(vertex.id()))
-                .sorted(Comparator.comparingInt(vertex -> rank(vertex, marking, light)))
+                .sorted(Comparator.comparingInt(vertex -> rank(vertex, net.marking(), net.light())))
                 .limit(MOST_TRIED)
                 .toList();
         List<Vertex> without = new ArrayList<>();
@@ -87,29 +86,18 @@ final class FarNames {
         return List.copyOf(names.placed);
     }
 
-    /**
-     * Writes names.
-     *
-     * @param unit how many drawing units a pixel at 100 % has
-     */
-    static void paint(
-            Graphics2D g,
-            double unit,
-            NetScene scene,
-            NetMarking marking,
-            NetLight light,
-            DrawingBox shown,
-            FramePainter frames) {
-        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, LETTERS_PX).deriveFont((float) (LETTERS_PX * unit)));
-        for (Name name : of(unit, scene, marking, light, shown, frames)) {
+    /** Writes names. */
+    static void paint(Pen pen, NetFigure net, NetSight sight, FramePainter frames) {
+        double unit = sight.unit();
+        Font font = LETTERS.deriveFont((float) (LETTERS_PX * unit));
+        for (Name name : of(net, sight, frames)) {
             DrawingBox box = name.box();
-            g.setColor(translucent(frames.below(box))); // lines must not show through the name
-            g.fill(new Rectangle2D.Double(box.x(), box.y(), box.width(), box.height()));
-            g.setColor(SemanticColor.TEXT.get());
+            pen.canvas()
+                    .fill(Pen.rectangle(box), translucent(frames.below(box))); // lines must not show through the name
             double top = box.y();
             for (String line : name.lines()) {
                 double left = box.x() + (box.width() - NetFonts.width(line, TextStyle.EVENT) * unit) / 2;
-                g.drawString(line, (float) left, (float) (top + LETTERS_PX * 0.95 * unit));
+                pen.canvas().text(line, font, pen.color(SemanticColor.TEXT), left, top + LETTERS_PX * 0.95 * unit);
                 top += LETTERS_PX * LINE * unit;
             }
         }
@@ -142,7 +130,7 @@ final class FarNames {
     }
 
     private static int rank(Vertex vertex, NetMarking marking, NetLight light) {
-        if (light.selected().contains(vertex.id()) || light.highlighted().contains(vertex.id())) {
+        if (light.isLit(vertex.id())) {
             return 0;
         }
         if (marking.isActive(vertex.id())) {
