@@ -193,13 +193,13 @@ final class MapCommands {
         String word = arguments.next("area");
         arguments.end();
         if (word.equals("none")) {
-            context.await(context.session().removeFence());
+            context.await(context.session().fence().remove());
             out.accept("there is no fence now");
         } else if (word.equals("project")) {
-            context.await(context.session().useProjectFence());
+            context.await(context.session().fence().useProject());
             out.accept("the project's fence counts, if it has one");
         } else {
-            context.await(context.session().setFence(area(word)));
+            context.await(context.session().fence().set(area(word)));
             out.accept("the fence is set");
         }
     }

@@ -113,6 +113,7 @@ final class OperatorCommands {
             throw new ConsoleFault(wrong.get());
         }
         Judgement judged = context.await(context.session()
+                .drafts()
                 .judge(
                         pending.decision(),
                         DraftAnswer.of(answer, pending.decision().question())));

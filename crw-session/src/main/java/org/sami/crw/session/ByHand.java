@@ -58,15 +58,22 @@ public final class ByHand {
      *
      * @param computing finds ways
      */
-    ByHand(Fleet fleet, SessionParts parts, CrwServices services, Executor computing) {
+    ByHand(
+            Fleet fleet,
+            SessionEngine engine,
+            CrwServices services,
+            OperatorLog log,
+            MessageSink messages,
+            LongSupplier nowMillis,
+            Executor computing) {
         this.fleet = fleet;
         this.services = services;
+        this.log = log;
+        this.messages = messages;
+        this.nowMillis = nowMillis;
         this.computing = computing;
-        host = parts.host;
-        log = parts.models.log();
-        messages = parts.messages;
-        nowMillis = parts.scheduler::nowMs;
-        replies = parts.replies;
+        host = engine.host();
+        replies = engine.replies();
     }
 
     private record Limits(WayLimits way, OperatingArea area) {}

@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.proxy.BoatProxy;
@@ -17,8 +19,10 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
-/** Commands boats for the end of a session, and says which do not do so yet. On the fleet's thread. */
+/** Commands boats for the end of a session, and says which do not do so yet. */
 final class EndCommands {
+    private static final long TIMEOUT_MS = 3000;
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     private final BoatsAtEnd end;
     private final Map<String, GeoPoint> held = new LinkedHashMap<>();
@@ -27,8 +31,32 @@ final class EndCommands {
         this.end = end;
     }
 
+    /**
+     * Gives the commands, and waits until the boats execute them or the time is over; afterwards nothing is recorded about boats. Not on the fleet's thread.
+     *
+     * @return the boats that have not confirmed it, in words
+     */
+    List<String> giveTo(SessionFleet fleet) {
+        fleet.onFleet(boats -> {
+            fleet.watches().lookAtBoats();
+            tell(boats);
+            return null;
+        });
+        long latest = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(TIMEOUT_MS);
+        while (!fleet.onFleet(this::isDone) && System.nanoTime() < latest) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+        List<String> others = fleet.onFleet(this::others);
+        fleet.onFleet(boats -> {
+            fleet.watches().flushPoses();
+            return null;
+        });
+        fleet.listenNoLonger();
+        return others;
+    }
+
     /** Tells them. A boat that is to hold its place and has not said where it is stops. */
-    void tell(ProxyRegistry boats) {
+    private void tell(ProxyRegistry boats) {
         if (end == BoatsAtEnd.GO_ON) {
             return;
         }
@@ -51,12 +79,12 @@ final class EndCommands {
     }
 
     /** Whether nothing is to be waited for: a boat without a link cannot say anything. */
-    boolean isDone(ProxyRegistry boats) {
+    private boolean isDone(ProxyRegistry boats) {
         return boats.all().stream().allMatch(boat -> does(boat) || boat.status().link() != LinkState.LINKED);
     }
 
     /** The boats that have not confirmed their last command, in words. */
-    List<String> others(ProxyRegistry boats) {
+    private List<String> others(ProxyRegistry boats) {
         String what = end == BoatsAtEnd.HOLD ? "it holds its place" : "it stops";
         return boats.all().stream()
                 .filter(boat -> !does(boat))

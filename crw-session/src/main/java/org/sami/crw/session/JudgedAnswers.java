@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.judgement.AnswerJudge;
 import org.sami.crw.judgement.DraftAnswer;
@@ -25,45 +26,53 @@ import org.sami.spn.value.Value;
  * Judges drafts of answers, and values before they are set, by the present state of engine and boats; computes on a thread of its own. From any
  * thread.
  */
-final class JudgedAnswers {
+public final class JudgedAnswers {
     private final Fleet fleet;
-    private final SessionParts parts;
+    private final SessionEngine engine;
+    private final Executor computing;
     private final CrwServices services;
     private final AnswerJudge judge;
 
-    JudgedAnswers(Fleet fleet, SessionParts parts, CrwServices services) {
+    /**
+     * Judges for one session.
+     *
+     * @param computing finds ways
+     */
+    JudgedAnswers(Fleet fleet, SessionEngine engine, CrwServices services, Executor computing) {
         this.fleet = fleet;
-        this.parts = parts;
+        this.engine = engine;
         this.services = services;
+        this.computing = computing;
         judge = new AnswerJudge(services);
     }
 
-    /** What is to be said of a draft. */
-    CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
-        return parts.replies
-                .of(parts.host.query(view -> QuestionReader.read(decision, view)))
+    /** Judges a draft of an answer: what of it cannot be, what boats are not to enter, and what it takes. */
+    public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
+        return engine.ask(view -> QuestionReader.read(decision, view))
                 .thenCompose(read -> read.map(question -> judge(question, draft))
                         .orElse(CompletableFuture.completedFuture(Judgement.NOTHING)));
     }
 
-    /** What is to be said of values with which a mission of a plan is to start. */
-    CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
-        return parts.replies
-                .of(parts.host.query(view -> StartReader.plan(plan, values.keySet(), view)))
+    /**
+     * Judges values with which a mission of a plan is to start, as answers are.
+     *
+     * @param values by the names of parameters, as {@link Session#start} takes them
+     */
+    public CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
+        return engine.ask(view -> StartReader.plan(plan, values.keySet(), view))
                 .thenCompose(read -> read.map(question -> judge(question, DraftAnswer.of(values)))
                         .orElse(CompletableFuture.completedFuture(Judgement.NOTHING)));
     }
 
-    /** What is to be said of a value that a global is to have. */
-    CompletionStage<Judgement> judgeGlobal(String name, Value value) {
-        return parts.replies
-                .of(parts.host.query(view -> StartReader.global(name, view)))
+    /** Judges a value that a global is to have: what of it cannot be, and where boats are not to enter. */
+    public CompletionStage<Judgement> judgeGlobal(String name, Value value) {
+        return engine.ask(view -> StartReader.global(name, view))
                 .thenCompose(question -> judge(question, DraftAnswer.of(Map.of(name, value))));
     }
 
     private CompletionStage<Judgement> judge(JudgedQuestion question, DraftAnswer draft) {
         return fleet.ask(known -> boats(known, question.boats(draft)))
-                .thenCompose(boats -> parts.replies.on(parts.drawing, () -> judge.judge(question, boats, draft)));
+                .thenCompose(boats -> engine.replies().on(computing, () -> judge.judge(question, boats, draft)));
     }
 
     private List<JudgedBoat> boats(ProxyRegistry known, List<String> names) {

@@ -5,25 +5,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.sami.crw.area.OperatingArea;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.WayLimits;
-import org.sami.crw.judgement.DraftAnswer;
-import org.sami.crw.judgement.Judgement;
-import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.service.water.Water;
-import org.sami.crw.task.TaskMove;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
@@ -31,10 +21,8 @@ import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
-import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
@@ -51,36 +39,49 @@ import org.sami.spn.value.Value;
  * value, or a {@link RefusedException} that says why not. Neither the engine's nor the fleet's thread ever waits for who is told.
  */
 public final class Session implements AutoCloseable {
-    private static final long FAREWELL_MS = 3000;
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-
     private final SessionSetup setup;
     private final SessionParts parts;
+    private final SessionEngine engine;
     private final AtomicBoolean boatsWanted = new AtomicBoolean();
     private final AtomicBoolean begun = new AtomicBoolean();
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Fleet fleet;
     private final ByHand byHand;
     private final SessionProject project;
-    private final JudgedAnswers answers;
+    private final JudgedAnswers drafts;
+    private final Fence fence;
+    private final MissionActions actions;
+    private final EarlierBoats earlierBoats;
 
     private Session(SessionSetup setup) throws IOException {
         this.setup = setup;
         parts = new SessionParts(setup);
+        engine = parts.engine;
+        OperatorModels models = parts.models;
         fleet = new Fleet(
-                parts.connector,
-                parts.boats,
-                parts.replies,
-                parts.settings,
-                parts.history,
-                parts.remembered,
-                parts.models.fleetStop(),
-                parts.models.log(),
-                parts.models.missions()::title,
+                parts.fleet.connector(),
+                parts.fleet.listener(),
+                engine.replies(),
+                parts.fleet.settings(),
+                parts.fleet.history(),
+                parts.fleet.remembered(),
+                models.fleetStop(),
+                models.log(),
+                models.missions()::title,
                 this::noteBegin);
-        byHand = new ByHand(fleet, parts, setup.services(), parts.drawing);
-        project = new SessionProject(parts);
-        answers = new JudgedAnswers(fleet, parts, setup.services());
+        byHand = new ByHand(
+                fleet,
+                engine,
+                setup.services(),
+                models.log(),
+                parts.messages,
+                parts.threads::nowMs,
+                parts.threads.drawing());
+        project = new SessionProject(engine, new ProjectFiles(setup.vocabulary()), parts.threads.files());
+        drafts = new JudgedAnswers(fleet, engine, setup.services(), parts.threads.drawing());
+        fence = new Fence(this::post, models.log());
+        actions = new MissionActions(engine, models);
+        earlierBoats = new EarlierBoats(setup.journal(), fleet, parts.messages);
     }
 
     /**
@@ -96,7 +97,7 @@ public final class Session implements AutoCloseable {
     private void noteBegin() {
         if (boatsWanted.compareAndSet(false, true)) {
             parts.telemetry.begun();
-            parts.history.begunAnew();
+            parts.fleet.history().begunAnew();
         }
     }
 
@@ -113,34 +114,9 @@ public final class Session implements AutoCloseable {
         parts.begin();
     }
 
-    /**
-     * Connects again to the boats that the journal knows, as far as they were not disconnected; what missions want of them waits until
-     * they answer. Boats that an earlier process simulated are launched again where they were last; they count as started anew. To be
-     * called once, before {@link #begin}. Gives their ids.
-     *
-     * @throws IOException if the journal cannot be read
-     */
-    public List<String> reconnect() throws IOException {
-        return reconnect(Set.of());
-    }
-
-    /** As {@link #reconnect()}, leaving out addresses to which the caller connects, or which hold no longer. */
-    public List<String> reconnect(Set<BoatAddress> except) throws IOException {
-        return fleet.reconnect(except, Set.of(), parts.lastPositions(), parts.messages::notice);
-    }
-
-    /** As {@link #reconnect()}, leaving out boats that have other addresses now, to which the caller connects; by their ids. */
-    public List<String> reconnectWithout(Set<String> boats) throws IOException {
-        return fleet.reconnect(Set.of(), boats, parts.lastPositions(), parts.messages::notice);
-    }
-
-    /**
-     * Where earlier processes of the session saw each boat last, by its id; for boats that are simulated anew. Reads the journal.
-     *
-     * @throws IOException if the journal cannot be read
-     */
-    public Map<String, GeoPoint> lastPositions() throws IOException {
-        return parts.lastPositions();
+    /** The boats of earlier processes; for the time before {@link #begin}. */
+    public EarlierBoats earlierBoats() {
+        return earlierBoats;
     }
 
     /**
@@ -163,16 +139,7 @@ public final class Session implements AutoCloseable {
      * @return the mission's id
      */
     public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
-        return parts.posted.post(new Input.StartMission(plan, name, parameters), Session::started);
-    }
-
-    private static long started(List<Effect> effects) {
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.MissionStarted mission && mission.parent() == Ids.NONE) {
-                return mission.mission();
-            }
-        }
-        throw new RefusedException("the mission did not start");
+        return engine.posted().post(new Input.StartMission(plan, name, parameters), EngineAnswers::startedMission);
     }
 
     /** Aborts a mission: its boats stop doing what it asked. */
@@ -207,8 +174,11 @@ public final class Session implements AutoCloseable {
      */
     public CompletionStage<Void> answer(long decision, Answer answer, String by) {
         Input.AnswerDecision input = new Input.AnswerDecision(decision, answer, Answerer.OPERATOR);
-        return parts.posted.post(
-                input, effects -> parts.operators.answeredBy(by), effects -> answered(decision, effects));
+        return engine.posted()
+                .post(
+                        input,
+                        effects -> engine.operators().answeredBy(by),
+                        effects -> EngineAnswers.answered(decision, effects));
     }
 
     /** Stops the timer of a decision: autonomy does not answer it any longer. Refused where no timer runs. */
@@ -216,33 +186,12 @@ public final class Session implements AutoCloseable {
         return post(new Input.HoldDecision(decision));
     }
 
-    private static Void answered(long decision, List<Effect> effects) {
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.DecisionClosed closed && closed.decision() == decision) {
-                return null;
-            }
-        }
-        throw new RefusedException("the question stays open: the answer names nobody");
-    }
-
     /**
      * Asks once more of boats and services what failed for a mission that cannot go on ({@link org.sami.crw.operator.mission.StuckMission}). Refused where
      * nothing has failed that can be asked again.
      */
     public CompletionStage<Void> sendAgain(long mission) {
-        return ask(view -> parts.models.stuck().takeAgain(mission)).thenAccept(again -> {
-            if (again.isEmpty()) {
-                throw new RefusedException("nothing has failed in mission " + mission + " that can be sent again");
-            }
-            again.forEach(parts.host::redeliver);
-            parts.models
-                    .log()
-                    .add(
-                            OperatorLogEntry.Kind.MISSION,
-                            "sent again what failed in mission " + mission,
-                            mission,
-                            List.of());
-        });
+        return actions.sendAgain(mission);
     }
 
     /** Writes a variable as a mission would; {@link Ids#NONE} writes a global one. */
@@ -269,44 +218,12 @@ public final class Session implements AutoCloseable {
      * takes no part in the mission.
      */
     public CompletionStage<Void> moveTask(TaskId task, Optional<String> boat) {
-        return ask(view -> TaskMove.refusal(task, boat, view)).thenCompose(refusal -> {
-            if (refusal.isPresent()) {
-                return CompletableFuture.failedFuture(new RefusedException(refusal.get()));
-            }
-            return post(new Input.AllocateTasks(Map.of(task, boat)))
-                    .thenAccept(moved -> parts.models
-                            .log()
-                            .add(
-                                    OperatorLogEntry.Kind.TASK,
-                                    "moved task " + task.name() + " to " + boat.orElse("nobody"),
-                                    task.mission(),
-                                    boat.stream().toList()));
-        });
+        return actions.moveTask(task, boat);
     }
 
-    /** Sets the area in which boats are to stay, instead of the project's. One that is no simple polygon is refused. */
-    public CompletionStage<Void> setFence(GeoArea area) {
-        try {
-            Water.of(area.outline().get(0), List.of(), Optional.of(area));
-        } catch (IllegalArgumentException crossed) {
-            return CompletableFuture.failedFuture(new RefusedException(crossed.getMessage()));
-        }
-        return fence(
-                OperatingArea.remember(area), "set the fence: " + area.outline().size() + " corners");
-    }
-
-    /** Takes the fence away: boats may go everywhere but into no-go areas. */
-    public CompletionStage<Void> removeFence() {
-        return fence(OperatingArea.rememberNone(), "took the fence away");
-    }
-
-    /** The project's fence counts again ({@link OperatingArea}). */
-    public CompletionStage<Void> useProjectFence() {
-        return fence(OperatingArea.rememberProject(), "took the project's fence");
-    }
-
-    private CompletionStage<Void> fence(Input input, String words) {
-        return post(input).thenAccept(done -> parts.models.log().add(OperatorLogEntry.Kind.FENCE, words));
+    /** The area in which boats are to stay. */
+    public Fence fence() {
+        return fence;
     }
 
     /** Writes something down in the operator's log, maybe about a place. */
@@ -315,7 +232,7 @@ public final class Session implements AutoCloseable {
     }
 
     private CompletionStage<Void> post(Input input) {
-        return parts.posted.post(input, effects -> null);
+        return engine.posted().post(input, effects -> null);
     }
 
     /** The plans that missions start from, and what global variables hold at first. */
@@ -342,12 +259,12 @@ public final class Session implements AutoCloseable {
 
     /** Adds an operator, who is asked what waits and what will. For the engine's thread, or before {@link #begin}. */
     public Registration addOperator(SessionOperator operator) {
-        return parts.operators.add(operator);
+        return engine.operators().add(operator);
     }
 
     /** Adds a listener to the engine's steps, told on the engine's thread; must be quick. */
     public Registration addListener(HostListener listener) {
-        return parts.host.addListener(listener);
+        return engine.host().addListener(listener);
     }
 
     /**
@@ -355,7 +272,7 @@ public final class Session implements AutoCloseable {
      * The fleet never waits for the subscriber.
      */
     public Registration subscribe(Executor executor, Consumer<? super FleetEvent> subscriber) {
-        return parts.events.subscribe(executor, subscriber);
+        return parts.fleet.events().subscribe(executor, subscriber);
     }
 
     /** Adds a listener to what the session notes. */
@@ -365,7 +282,7 @@ public final class Session implements AutoCloseable {
 
     /** Asks the engine's state. */
     public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
-        return parts.replies.of(parts.host.query(question));
+        return engine.ask(question);
     }
 
     /**
@@ -376,27 +293,14 @@ public final class Session implements AutoCloseable {
         CompletionStage<Optional<BoatStart>> start =
                 fleet().ask(boats -> boats.find(boat).flatMap(proxy -> BoatStart.of(proxy, setup.services())));
         CompletionStage<WayLimits> limits = ask(view -> WayLimits.of(mission, view));
-        return start.thenCombineAsync(limits, (from, water) -> from.map(one -> one.way(path, water)), parts.drawing)
-                .thenApplyAsync(found -> found, parts.front);
+        return start.thenCombineAsync(
+                        limits, (from, water) -> from.map(one -> one.way(path, water)), parts.threads.drawing())
+                .thenApplyAsync(found -> found, parts.threads.front());
     }
 
-    /** Judges what is filled in of an answer, as things stand now: what of it cannot be, what boats are not to enter, and what it takes. */
-    public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
-        return answers.judge(decision, draft);
-    }
-
-    /**
-     * Judges values with which a mission of a plan is to start, as answers are.
-     *
-     * @param values by the names of parameters, as {@link #start} takes them
-     */
-    public CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
-        return answers.judgeStart(plan, values);
-    }
-
-    /** Judges a value that a global is to have: what of it cannot be, and where boats are not to enter. */
-    public CompletionStage<Judgement> judgeGlobal(String name, Value value) {
-        return answers.judgeGlobal(name, value);
+    /** Judges drafts of answers and values before they are set, as things stand now. */
+    public JudgedAnswers drafts() {
+        return drafts;
     }
 
     /**
@@ -404,13 +308,13 @@ public final class Session implements AutoCloseable {
      */
     public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
         return ask(view -> view.subject(decision.id()))
-                .thenCompose(about ->
-                        fleet().ask(boats -> about.flatMap(one -> parts.domain.doubtedPaths(decision.type(), one))));
+                .thenCompose(about -> fleet().ask(boats ->
+                        about.flatMap(one -> parts.domain.handlers().doubtedPaths(decision.type(), one))));
     }
 
     /** Whether a service computes for a mission now, so that commands or answers are to come. */
     public boolean isComputing() {
-        return parts.domain.isComputing();
+        return parts.domain.handlers().isComputing();
     }
 
     /**
@@ -418,12 +322,12 @@ public final class Session implements AutoCloseable {
      * was asked of boats before has reached their proxies by then.
      */
     public void whoIsWanted(Consumer<Set<String>> then) {
-        parts.whoIsWanted(then);
+        parts.fleet.whoIsWanted(then);
     }
 
     /** The caller writes down where boats were; else the session does. */
     public void leavePosesToCaller() {
-        parts.poses.stop();
+        parts.fleet.watches().leavePosesToCaller();
     }
 
     /** What the session notes beside the engine's inputs. */
@@ -441,12 +345,12 @@ public final class Session implements AutoCloseable {
      * event thread.
      */
     public EngineHost host() {
-        return parts.host;
+        return engine.host();
     }
 
     /** The session's time; its actions run on the engine's thread. */
     public Scheduler scheduler() {
-        return parts.scheduler;
+        return parts.threads.scheduler();
     }
 
     /** What becomes of it when its engine, its journal or a thread fails. */
@@ -456,7 +360,7 @@ public final class Session implements AutoCloseable {
 
     /** Has something done on the engine's thread. */
     public void execute(Runnable work) {
-        parts.executor.execute(work);
+        parts.threads.engine().execute(work);
     }
 
     // ---- the end
@@ -466,7 +370,7 @@ public final class Session implements AutoCloseable {
      * engine's thread, when that is done.
      */
     public CompletionStage<Void> halt() {
-        return parts.halt();
+        return parts.threads.halt();
     }
 
     /** Leaves the boats stopped ({@link #leave(BoatsAtEnd)}). */
@@ -481,24 +385,8 @@ public final class Session implements AutoCloseable {
      * @return the boats that have not confirmed it, in words
      */
     public List<String> leave(BoatsAtEnd end) {
-        parts.domain.close();
-        EndCommands commands = new EndCommands(end);
-        parts.onFleet(boats -> {
-            parts.monitor.look(boats);
-            commands.tell(boats);
-            return null;
-        });
-        long latest = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
-        while (!parts.onFleet(commands::isDone) && System.nanoTime() < latest) {
-            LockSupport.parkNanos(LOOK_NANOS);
-        }
-        List<String> others = parts.onFleet(commands::others);
-        parts.onFleet(boats -> {
-            parts.poses.flush(parts.scheduler.nowMs());
-            return null;
-        });
-        parts.listenNoLonger();
-        return others;
+        parts.domain.handlers().close();
+        return new EndCommands(end).giveTo(parts.fleet);
     }
 
     /**

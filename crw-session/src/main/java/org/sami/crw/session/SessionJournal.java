@@ -1,5 +1,6 @@
 package org.sami.crw.session;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,7 +26,7 @@ import org.sami.spn.journal.TelemetryRow;
  * The journal of a session: the engine's inputs, telemetry beside them, and what earlier processes of the session left. It
  * survives the loss of power: real boats go on without the laptop. Telemetry may be added from any thread.
  */
-public final class SessionJournal implements AutoCloseable {
+public final class SessionJournal implements Closeable {
     private final Optional<SqliteJournal> file;
     private final InputJournal inputs;
     private final boolean resumed;

@@ -1,5 +1,6 @@
 package org.sami.crw.session;
 
+import java.io.Closeable;
 import org.sami.crw.operator.HealthModel;
 import org.sami.crw.session.fault.EngineWatch;
 import org.sami.crw.session.fault.FaultPolicy;
@@ -8,7 +9,7 @@ import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.spn.host.EngineHost;
 
 /** Monitors a session in real time: its engine, the disk of its journal, its memory. The session calls it every second. */
-final class SessionMonitor implements AutoCloseable {
+final class SessionMonitor implements Closeable {
     private final EngineHost host;
     private final ThreadGuard guard;
     private final EngineWatch engine;

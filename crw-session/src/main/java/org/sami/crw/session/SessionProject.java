@@ -3,6 +3,7 @@ package org.sami.crw.session;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Effect;
@@ -13,10 +14,19 @@ import org.sami.spn.protocol.Input;
  * written on a thread of the session's; results arrive as those of all its operations do. From any thread.
  */
 public final class SessionProject {
-    private final SessionParts parts;
+    private final SessionEngine engine;
+    private final ProjectFiles projects;
+    private final Executor files;
 
-    SessionProject(SessionParts parts) {
-        this.parts = parts;
+    /**
+     * The project of one session.
+     *
+     * @param files reads and writes files
+     */
+    SessionProject(SessionEngine engine, ProjectFiles projects, Executor files) {
+        this.engine = engine;
+        this.projects = projects;
+        this.files = files;
     }
 
     /**
@@ -26,16 +36,16 @@ public final class SessionProject {
      * @return the session's number for the project: that with which it began is 1
      */
     public CompletionStage<Integer> load(Project project) {
-        return post(parts.replies.on(parts.files, () -> parts.projects.checked(project)));
+        return post(engine.replies().on(files, () -> projects.checked(project)));
     }
 
     /** Reads a project's file or folder on a thread of the session's, and loads it as {@link #load(Project)} does. */
     public CompletionStage<Integer> load(Path file) {
-        return post(parts.replies.on(parts.files, () -> parts.projects.checked(parts.projects.read(file))));
+        return post(engine.replies().on(files, () -> projects.checked(projects.read(file))));
     }
 
     private CompletionStage<Integer> post(CompletionStage<String> document) {
-        return document.thenCompose(text -> parts.posted.post(new Input.LoadProject(text), SessionProject::loaded));
+        return document.thenCompose(text -> engine.posted().post(new Input.LoadProject(text), SessionProject::loaded));
     }
 
     private static int loaded(List<Effect> effects) {
@@ -54,9 +64,8 @@ public final class SessionProject {
      * @return what changed in the file; a refusal where it cannot be read or written, or gives a global another type
      */
     public CompletionStage<SavedGlobals> saveGlobals(Path file) {
-        return parts.replies
-                .of(parts.host.query(EngineView::globals))
-                .thenCompose(values -> parts.replies.on(parts.files, () -> parts.projects.save(values, file)));
+        return engine.ask(EngineView::globals)
+                .thenCompose(values -> engine.replies().on(files, () -> projects.save(values, file)));
     }
 
     /**
@@ -64,8 +73,7 @@ public final class SessionProject {
      * that is there already is refused.
      */
     public CompletionStage<Void> save(Path file) {
-        return parts.replies
-                .of(parts.host.query(view -> ProjectFiles.withValues(view.project(), view.globals())))
-                .thenCompose(project -> parts.replies.on(parts.files, () -> parts.projects.saveNew(project, file)));
+        return engine.ask(view -> ProjectFiles.withValues(view.project(), view.globals()))
+                .thenCompose(project -> engine.replies().on(files, () -> projects.saveNew(project, file)));
     }
 }

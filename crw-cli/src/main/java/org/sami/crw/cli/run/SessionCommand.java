@@ -204,7 +204,7 @@ public final class SessionCommand implements Callable<Integer> {
             session.addListener(end);
             if (goesOn) {
                 Set<BoatAddress> anew = new HashSet<>(addresses);
-                List<String> boats = session.reconnect(anew);
+                List<String> boats = session.earlierBoats().reconnect(anew);
                 lines.print("going on with " + journal + (boats.isEmpty() ? "" : ", with " + String.join(", ", boats)));
                 String damage = setup.journal().damage();
                 if (!damage.isEmpty()) {

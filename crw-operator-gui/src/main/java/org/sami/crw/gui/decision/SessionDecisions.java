@@ -59,7 +59,7 @@ public final class SessionDecisions {
         public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
             return context.whyNotAct().isPresent()
                     ? CompletableFuture.completedFuture(Judgement.NOTHING)
-                    : context.session().judge(decision, draft);
+                    : context.session().drafts().judge(decision, draft);
         }
 
         @Override

@@ -226,6 +226,7 @@ final class GlobalsPanel extends JPanel {
                                 .orElse(DraftAnswer.EMPTY)
                         : DraftAnswer.EMPTY,
                 draft -> context.session()
+                        .drafts()
                         .judgeGlobal(global.name(), draft.values().get(global.name())),
                 () -> {
                     edited.filter(one -> one.editor() == editor)

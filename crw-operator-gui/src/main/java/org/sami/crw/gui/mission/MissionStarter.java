@@ -70,7 +70,7 @@ public final class MissionStarter {
                 names,
                 editors,
                 last(parameters, plan, names),
-                values -> context.session().judgeStart(plan.id(), values),
+                values -> context.session().drafts().judgeStart(plan.id(), values),
                 preview,
                 values -> {
                     sheet.close();

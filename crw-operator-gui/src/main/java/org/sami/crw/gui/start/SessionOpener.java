@@ -154,10 +154,10 @@ public final class SessionOpener {
         Session session = Session.open(setup.with(runtime));
         List<BoatAddress> addresses = boats;
         if (builtIn) {
-            addresses = BuiltInFleet.launch(simulated, session.lastPositions());
+            addresses = BuiltInFleet.launch(simulated, session.earlierBoats().lastPositions());
         }
         if (setup.journal().resumedFrom().isPresent()) {
-            session.reconnectWithout(builtIn ? Set.copyOf(BuiltInFleet.NAMES) : Set.of());
+            session.earlierBoats().reconnectWithout(builtIn ? Set.copyOf(BuiltInFleet.NAMES) : Set.of());
         }
         addresses.forEach(session.fleet()::connect);
         return session;

@@ -189,8 +189,9 @@ class GuidedModeTest {
     @Test
     void placeOutsideOfTheFenceIsComeToAndThatIsSaid() throws Exception {
         open(List.of(), List.of());
-        SessionWorld.get(world.session.setFence(
-                new GeoArea(Arrays.asList(at(-20, -20), at(20, -20), at(20, 10), at(-20, 10)), List.of())));
+        SessionWorld.get(world.session
+                .fence()
+                .set(new GeoArea(Arrays.asList(at(-20, -20), at(20, -20), at(20, 10), at(-20, 10)), List.of())));
 
         Notice told = goTo(BEHIND);
 

@@ -141,7 +141,7 @@ public final class TcpRun {
         if (journal.resumedFrom().isPresent()) {
             Set<BoatAddress> own = new HashSet<>(settings.connect());
             own.addAll(journal.record().settings().connect());
-            session.reconnect(own);
+            session.earlierBoats().reconnect(own);
         }
     }
 

@@ -46,7 +46,7 @@ class JudgedAnswersTest {
             session.begin();
             get(session.fleet().addSimulated("anna", TestSession.PIER, 1));
             Await.until("anna says where it is", () -> hasPosition(session, "anna"));
-            get(session.setFence(box(-100, -100, 500, 500)));
+            get(session.fence().set(box(-100, -100, 500, 500)));
             get(session.start("explore-area", "bay", Map.of()));
             Decision area = decision(session, Question.FillIn.class);
 
@@ -60,7 +60,8 @@ class JudgedAnswersTest {
 
             get(session.answer(area.id(), new Answer.Fields(Map.of("area", box(200, 0, 400, 300))), "test"));
             Decision boats = decision(session, Question.ChooseProxies.class);
-            Judgement chosen = get(session.judge(boats, new DraftAnswer(Map.of(), List.of("anna"), Optional.empty())));
+            Judgement chosen =
+                    get(session.drafts().judge(boats, new DraftAnswer(Map.of(), List.of("anna"), Optional.empty())));
 
             assertThat(chosen.costs()).anyMatch(words -> words.startsWith("anna: "));
         }
@@ -95,11 +96,14 @@ class JudgedAnswersTest {
             Session session = world.opened(TestSession.library("add-simulated-boats"));
             session.begin();
 
-            assertThat(get(session.judgeStart(
-                                    "add-simulated-boats", Map.of("make.numberToCreate", new IntegerValue(99_999))))
+            assertThat(get(session.drafts()
+                                    .judgeStart(
+                                            "add-simulated-boats",
+                                            Map.of("make.numberToCreate", new IntegerValue(99_999))))
                             .refusal())
                     .contains("1 to 250 simulated boats are added at once, not 99,999");
-            assertThat(get(session.judgeStart("add-simulated-boats", Map.of())).remarks())
+            assertThat(get(session.drafts().judgeStart("add-simulated-boats", Map.of()))
+                            .remarks())
                     .isEmpty();
         }
         try (TestSession world = new TestSession(folder)) {
@@ -107,9 +111,9 @@ class JudgedAnswersTest {
             session.begin();
             get(session.fleet().addSimulated("anna", TestSession.PIER, 1));
             Await.until("anna says where it is", () -> hasPosition(session, "anna"));
-            get(session.setFence(box(-100, -100, 500, 500)));
+            get(session.fence().set(box(-100, -100, 500, 500)));
 
-            Judgement judged = get(session.judgeStart("explore-area", Map.of("@area", box(200, 0, 600, 300))));
+            Judgement judged = get(session.drafts().judgeStart("explore-area", Map.of("@area", box(200, 0, 600, 300))));
 
             assertThat(judged.doubts()).anyMatch(words -> words.startsWith("25 % of the area is outside the fence"));
         }
@@ -120,9 +124,9 @@ class JudgedAnswersTest {
         try (TestSession world = new TestSession(folder)) {
             Session session = world.opened(TestSession.library("explore-area"));
             session.begin();
-            get(session.setFence(box(-100, -100, 500, 500)));
+            get(session.fence().set(box(-100, -100, 500, 500)));
 
-            Judgement judged = get(session.judgeGlobal("@home", at(0, -120)));
+            Judgement judged = get(session.drafts().judgeGlobal("@home", at(0, -120)));
 
             assertThat(judged.doubts()).containsExactly("The place lies 20.0 m outside the fence");
             assertThat(judged.costs()).isEmpty();
@@ -130,7 +134,7 @@ class JudgedAnswersTest {
     }
 
     private static Judgement judge(Session session, Decision decision, Map<String, Value> values) throws Exception {
-        return get(session.judge(decision, DraftAnswer.of(values)));
+        return get(session.drafts().judge(decision, DraftAnswer.of(values)));
     }
 
     private static Decision decision(Session session, Class<? extends Question> asking) throws Exception {

@@ -80,7 +80,7 @@ class SessionResumeTest {
         session.close();
 
         Session again = world.resumed(journal);
-        assertThat(again.reconnect()).containsExactly("anna");
+        assertThat(again.earlierBoats().reconnect()).containsExactly("anna");
         again.begin();
 
         assertThat(TestSession.missions(again)).containsExactly(first, second);
@@ -189,7 +189,7 @@ class SessionResumeTest {
         TestSession.until("both ask", session, view -> view.decisions().size() == 2);
         session.close();
         Session again = world.resumed(journal);
-        again.reconnect();
+        again.earlierBoats().reconnect();
         again.begin();
         TestSession.get(again.start("p", "newer", Map.of()));
 
@@ -213,7 +213,7 @@ class SessionResumeTest {
         session.close();
 
         Session again = world.resumed(journal);
-        assertThat(again.reconnect()).containsExactly("sim1");
+        assertThat(again.earlierBoats().reconnect()).containsExactly("sim1");
         again.begin();
 
         GeoPoint here = awaitPosition(again, "sim1", at -> true);
@@ -255,7 +255,7 @@ class SessionResumeTest {
                     notices.add(text);
                 }
             });
-            again.reconnect();
+            again.earlierBoats().reconnect();
 
             Await.until("it is told", () -> !notices.isEmpty());
             assertThat(notices)
