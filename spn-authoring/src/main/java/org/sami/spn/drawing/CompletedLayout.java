@@ -9,7 +9,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 
-/** The layout of a plan with a point for each vertex that has none: beside what it is connected to, where nothing lies yet. */
+/** The layout of a plan with a point for each vertex that has none: next to the vertices that it is connected to, in free space. */
 final class CompletedLayout {
     private final Plan plan;
     private final double apart;

@@ -22,7 +22,7 @@ import org.sami.spn.model.Transition;
  * apart by one factor, so that there is room for words; each label then takes the nearest place that is free.
  */
 final class GivenLayout {
-    private static final double COMFORTABLE = 200;
+    private static final double TARGET_SPACING = 200;
     private static final double LEAST_FACTOR = 0.2;
     private static final double MOST_FACTOR = 4;
 
@@ -148,6 +148,6 @@ final class GivenLayout {
         }
         nearest.sort(null);
         double typical = nearest.get(nearest.size() / 4);
-        return Math.max(LEAST_FACTOR, Math.min(MOST_FACTOR, COMFORTABLE / Math.max(1, typical)));
+        return Math.max(LEAST_FACTOR, Math.min(MOST_FACTOR, TARGET_SPACING / Math.max(1, typical)));
     }
 }

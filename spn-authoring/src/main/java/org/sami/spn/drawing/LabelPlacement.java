@@ -53,7 +53,7 @@ final class LabelPlacement {
         bottom = Math.max(bottom, grown.maxY());
     }
 
-    /** Below the vertex, or else above, beside it, or farther away. */
+    /** Below the vertex, or else above it, at its side, or farther away. */
     void placeAtVertex(Vertex vertex, TextBlock text) {
         DrawingBox box = vertex.box();
         double apart = GAP + 1;
@@ -67,7 +67,7 @@ final class LabelPlacement {
         place(vertex.id(), text, corners, vertex.centre(), false);
     }
 
-    /** On the line, or else beside it. */
+    /** On the line, or else next to it. */
     void placeAtEdge(Edge edge, TextBlock text) {
         List<LayoutPoint> corners = new ArrayList<>();
         for (double part : ALONG) {

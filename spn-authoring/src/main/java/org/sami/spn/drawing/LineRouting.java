@@ -16,9 +16,9 @@ import org.sami.spn.model.LayoutPoint;
  */
 final class LineRouting {
     /** How near a line may pass a vertex that it has nothing to do with. */
-    private static final double CLEAR = 4;
+    private static final double CLEARANCE = 4;
 
-    private static final double ASIDE = 12;
+    private static final double LANE_OFFSET = 12;
     private static final double BEND = 24; // what one bend costs, as length
     private static final double NEXT_LANE = 6;
     private static final int LANES = 5;
@@ -29,7 +29,7 @@ final class LineRouting {
     private final CellGrid<LayoutPoint> bends = new CellGrid<>();
 
     LineRouting(Collection<Vertex> vertices) {
-        vertices.forEach(vertex -> grid.add(vertex.box().grown(CLEAR), vertex));
+        vertices.forEach(vertex -> grid.add(vertex.box().grown(CLEARANCE), vertex));
     }
 
     /**
@@ -78,7 +78,7 @@ final class LineRouting {
     /** Whether a straight line comes too near to a vertex. */
     static boolean isMet(Vertex vertex, LayoutPoint a, LayoutPoint b) {
         if (vertex.kind() == Kind.TRANSITION) {
-            return vertex.box().grown(CLEAR).isCrossedBy(a, b);
+            return vertex.box().grown(CLEARANCE).isCrossedBy(a, b);
         }
         double dx = b.x() - a.x();
         double dy = b.y() - a.y();
@@ -88,14 +88,14 @@ final class LineRouting {
         double distance = Math.hypot(
                 a.x() + part * dx - vertex.centre().x(),
                 a.y() + part * dy - vertex.centre().y());
-        return distance < NetDrawing.PLACE_RADIUS + CLEAR;
+        return distance < NetDrawing.PLACE_RADIUS + CLEARANCE;
     }
 
     /** The corners along which the shortest way leads; empty where there is none. */
     private static List<LayoutPoint> around(Vertex from, Vertex to, List<Vertex> obstacles) {
         List<LayoutPoint> points = new ArrayList<>(List.of(from.centre(), to.centre()));
         for (Vertex vertex : obstacles) {
-            DrawingBox box = vertex.box().grown(ASIDE);
+            DrawingBox box = vertex.box().grown(LANE_OFFSET);
             points.add(new LayoutPoint(box.x(), box.y()));
             points.add(new LayoutPoint(box.maxX(), box.y()));
             points.add(new LayoutPoint(box.x(), box.maxY()));

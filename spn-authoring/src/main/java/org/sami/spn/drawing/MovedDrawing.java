@@ -10,7 +10,7 @@ import org.sami.spn.model.LayoutPoint;
 
 /**
  * A drawing with some vertices elsewhere, while they are dragged: their edges follow as straight lines and words go along. Labels may lie on
- * each other until the drawing is made anew; that takes longer than a frame.
+ * each other until the drawing is made again; that takes longer than a frame.
  */
 public final class MovedDrawing {
     private MovedDrawing() {}

@@ -1,18 +1,18 @@
 package org.sami.spn.drawing;
 
 /**
- * How much is written on a net beside the names.
+ * How much is written on a net in addition to the names.
  *
  * @param events output events and sub-missions of places, input events of transitions
- * @param markups what people and services are told of an event, below it
+ * @param markups the markups of an event, below it
  * @param requirements on edges
  * @param missing a mark on edges without requirement, which carry nobody yet
  */
 public record NetDetail(boolean events, boolean markups, boolean requirements, boolean missing) {
-    /** What whoever reads a plan sees. */
+    /** For readers of a plan. */
     public static final NetDetail READER = new NetDetail(true, false, true, false);
 
-    /** What whoever writes a plan sees at first. */
+    /** For authors of a plan, at first. */
     public static final NetDetail AUTHOR = new NetDetail(true, false, true, true);
 
     /** The same with or without events. */

@@ -10,7 +10,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** Makes the drawing of a net: as its author has laid it out, or in layers. */
 public final class NetLayout {
-    private static final double APART = 130; // of vertices whose author has not said where they lie, in drawing units
+    private static final double DEFAULT_SPACING = 130; // of vertices without a position, in drawing units
 
     private NetLayout() {}
 
@@ -23,7 +23,7 @@ public final class NetLayout {
     }
 
     /**
-     * Draws a plan while it is edited: where its author has laid the vertices. A vertex without a point lies beside what
+     * Draws a plan while it is edited: with the author's positions. A vertex without a point lies next to what
      * it is connected to; a plan without any is drawn in layers. Two vertices may lie on each other.
      *
      * @param scale how many drawing units one unit of the plan's layout is: that of the drawing before, so that nothing moves that nobody
@@ -46,7 +46,7 @@ public final class NetLayout {
         }
         double factor = scale.orElseGet(
                 () -> GivenLayout.comfortableFactor(plan.layout().values()));
-        return new GivenLayout(plan, texts, CompletedLayout.of(plan, APART / factor), factor).draw();
+        return new GivenLayout(plan, texts, CompletedLayout.of(plan, DEFAULT_SPACING / factor), factor).draw();
     }
 
     /** Draws a plan in layers from left to right, whatever its author has laid out. */
@@ -55,7 +55,7 @@ public final class NetLayout {
     }
 
     /**
-     * Draws a plan in layers, and leaves off where that is no longer wanted.
+     * Draws a plan in layers, and stops when it is cancelled.
      *
      * @param cancelled is asked again and again, on the caller's thread
      * @throws java.util.concurrent.CancellationException when it was cancelled

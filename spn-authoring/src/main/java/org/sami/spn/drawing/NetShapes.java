@@ -14,7 +14,7 @@ import org.sami.spn.model.Transition;
 
 /** What the drawing knows of the plan's elements. */
 final class NetShapes {
-    private static final double TWIN_ASIDE = 7; // so that two edges between two vertices are told apart
+    private static final double TWIN_ASIDE = 7; // so that two edges between two vertices are distinguished
 
     private NetShapes() {}
 

@@ -1,6 +1,6 @@
 package org.sami.spn.drawing;
 
-/** Tells how wide a text will be; whoever paints knows the fonts. */
+/** Measures the width of a text; implemented by the painter, which knows the fonts. */
 @FunctionalInterface
 public interface TextMeasure {
     /** The width of a line, in drawing units. */

@@ -4,7 +4,7 @@ package org.sami.spn.drawing;
 public enum TextStyle {
     /** The plan's name. */
     TITLE(true, 22),
-    /** What is said about the whole drawing. */
+    /** The text about the whole drawing. */
     NOTE(false, 13),
     /** A vertex's name. */
     NAME(true, 13),

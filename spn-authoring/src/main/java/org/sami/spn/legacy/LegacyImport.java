@@ -63,7 +63,7 @@ public final class LegacyImport {
                     .orElse("");
         }
 
-        /** Whether the numbers add up: what is not in the project, a finding explains. */
+        /** Whether the counts agree: a finding explains everything that is not in the project. */
         public boolean isAccountedFor() {
             return imported.plus(explained).equals(source);
         }

@@ -59,7 +59,7 @@ final class LegacyReader {
         return root.map(this::project);
     }
 
-    /** A document of another format or version is named as that, and nothing else is said about it. */
+    /** A document of another format or version gets one finding that names it, and no other. */
     private boolean isOfThisFormat(JsonObjectReader root) {
         String format = root.text("format", "");
         if (!format.equals(FORMAT)) {

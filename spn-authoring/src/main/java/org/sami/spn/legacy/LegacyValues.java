@@ -28,7 +28,7 @@ import org.sami.spn.value.VariableReference;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Makes values of this language of the export's, by the type that is wanted. What cannot be one is empty: the caller says
+ * Makes values of this language of the export's, by the requested type. Empty where that is impossible: the caller says
  * where that happened and what it does without it.
  */
 final class LegacyValues {

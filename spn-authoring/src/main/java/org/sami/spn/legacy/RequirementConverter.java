@@ -12,7 +12,7 @@ import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 
 /**
- * Makes requirements of this language of the export's. Where a combination cannot be said here it is replaced by what the
+ * Makes requirements of this language of the export's. Where this language has no such combination it is replaced by what the
  * earlier system did with it, with a warning; an edge without any becomes unconditional.
  */
 final class RequirementConverter {

@@ -22,7 +22,7 @@ import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Declares the variables of imported plans. In the earlier system a variable was a name that whoever used it shared; here it
+ * Declares the variables of imported plans. In the earlier system a variable was a name shared by all its users; here it
  * belongs to the project or to a plan and is seen by the sub-missions below. So a name that is no global is declared by the
  * topmost plan that uses it, with the type of the fields that write or read it.
  */

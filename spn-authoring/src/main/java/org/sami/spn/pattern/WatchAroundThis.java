@@ -20,7 +20,7 @@ import org.sami.spn.wizard.EventTarget;
 /**
  * A watch that a domain draws around a place, such as one for low batteries: robots leave the place when something happens, and come back.
  * Whoever waits until nobody is left in the place, or until all there have answered, waits for those as well who are away (thesis 7.0.3);
- * whoever takes along all who are there takes them along.
+ * a transition that takes all takes them as well.
  */
 final class WatchAroundThis implements Pattern {
     private final Sequence.Manual sequence;
@@ -101,7 +101,7 @@ final class WatchAroundThis implements Pattern {
 
     /**
      * What a transition that looks at the watched place asks of those who are away: that none is, where it waits until nobody is left or until
-     * all have answered; to come along, where it takes whoever is there. Nothing where it takes one after the other.
+     * all have answered; to come along, where it takes all tokens there. Nothing where it takes one after the other.
      */
     private static List<InRequirement> away(Plan plan, InEdge edge) {
         List<InRequirement> absent = edge.requirements().stream()

@@ -19,7 +19,7 @@ public interface DeepCheck {
     /**
      * Runs on the caller's thread.
      *
-     * @param watch is told how far it is, and asked whether to stop
+     * @param watch receives how far it is, and asked whether to stop
      * @throws IllegalArgumentException with the reason, if the plan cannot start
      */
     DeepResult run(DeepRequest request, SearchWatch watch);

@@ -12,7 +12,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * @param robots names of the robots that are known at the start
  * @param locations how many locations the operator gives where some are asked for; each is tried
  * @param mostStates how many states are looked at before the search gives up
- * @param mostBytes how much memory the states may need, in bytes as far as that can be told
+ * @param mostBytes how much memory the states may need, in bytes, estimated
  */
 public record DeepRequest(
         Project project,

@@ -16,8 +16,8 @@ import org.sami.spn.stepping.NextStep;
 import org.sami.spn.stepping.Stepper;
 
 /**
- * Whom a mission leaves where when it ends. Who comes to the end decides of whom that is asked: where boats come to the end, of boats; where
- * tasks do, of tasks. Who stands in the start place or was not chosen takes no part; whom the operator left out, and an end that he makes by a
+ * Which tokens a mission leaves in which places when it ends. The kind of token that reaches the end decides which are counted: where boats do, boats; where
+ * tasks do, tasks. Tokens in the start place or not chosen take no part; those that the operator left out, and an end that he makes by a
  * button, is as he wants it.
  */
 final class EndsOfRuns implements StepObserver {
@@ -31,7 +31,7 @@ final class EndsOfRuns implements StepObserver {
         FORGOTTEN
     }
 
-    /** Which transition ends the mission, and whom it leaves in which place. */
+    /** The transition that ends the mission, and the tokens that it leaves in each place. */
     record Left(Why why, String transition, String place) {}
 
     /** The first run in which that was seen. */

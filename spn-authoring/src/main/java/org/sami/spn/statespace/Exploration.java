@@ -29,7 +29,7 @@ import org.sami.spn.stepping.Turns;
  * when a robot is dropped. States that go on alike ({@link AlikeRobots}) are one. A way on which tokens pile up is not followed further. The same request gives the same exploration.
  */
 final class Exploration {
-    private static final int TELL_EVERY = 64;
+    private static final int REPORT_INTERVAL = 64;
     private static final int LONGEST_RUN = 200;
     /** A state in memory needs so many times the bytes of its shortest form: 3 to 5 were measured on the plans of the boats. */
     private static final int BYTES_PER_BYTE = 6;
@@ -228,7 +228,7 @@ final class Exploration {
             node.stepper().ifPresent(at -> expand(node, at));
         }
         node.setLooked();
-        if (looked % TELL_EVERY == 0) {
+        if (looked % REPORT_INTERVAL == 0) {
             watch.looked(looked, nodes.size() - looked);
         }
     }

@@ -16,7 +16,7 @@ import org.sami.spn.stepping.NextStep;
 
 /**
  * Ways on which tokens pile up: between a state and a later one, again between that and a third, and so on until there are more than any
- * requirement counts to, the same tokens are added to the same places and nothing is taken away. What was done there can be done for ever, unless a
+ * requirement counts to, the same tokens are added to the same places and nothing is taken away. What was done there can be done forever, unless a
  * timer ends it that has run all the while.
  */
 final class PilesOfTokens {

@@ -16,7 +16,7 @@ public interface SearchWatch {
     };
 
     /**
-     * Is told now and then how far it is.
+     * Receives the search's progress from time to time.
      *
      * @param states that were looked at
      * @param waiting that are known and were not looked at yet

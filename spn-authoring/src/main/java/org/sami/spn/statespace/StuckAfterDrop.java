@@ -25,7 +25,7 @@ final class StuckAfterDrop implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Drops a robot at every state, one in a run, and looks for missions that then wait for it for ever while others are at work.";
+        return "Drops a robot at every state, one in a run, and looks for missions that then wait for it forever while others work.";
     }
 
     @Override
@@ -66,6 +66,6 @@ final class StuckAfterDrop implements SpaceQuestion {
         String tried = found.areAllDropsTried()
                 ? "a robot dropped at each of them leads to " + states + " more"
                 : "of the states after a robot was dropped " + states + " were looked at";
-        return findings(found, request).isEmpty() ? tried : tried + ", and the mission can wait for it for ever";
+        return findings(found, request).isEmpty() ? tried : tried + ", and the mission can wait for it forever";
     }
 }

@@ -15,8 +15,8 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.stepping.NextStep;
 
 /**
- * Finds states from which no run comes to an end: whatever robots, services and operator do, the mission goes on for ever or stands still.
- * Of states with tokens in the same places the one that is nearest to the start is told.
+ * Finds states from which no run comes to an end: whatever robots, services and operator do, the mission goes on forever or stands still.
+ * Of states with tokens in the same places the one nearest to the start is reported.
  */
 final class StuckStates implements SpaceQuestion {
     static final String STUCK = "W-STUCK";
@@ -128,7 +128,7 @@ final class StuckStates implements SpaceQuestion {
     @Override
     public String result(Exploration found, DeepRequest request) {
         if (SearchWords.isShared(request)) {
-            return "as a shared sub-mission it goes on with whoever enters";
+            return "as a shared sub-mission it continues when a token enters";
         }
         long stuck = stuck(found, request).stream()
                 .filter(node -> node.dropped().isEmpty())

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
 
-/** Finds steps that make ever more tokens, or ask for ever more, and never take any of it away. */
+/** Finds steps that make ever more tokens, or ask forever more, and never take any of it away. */
 final class TokensPileUp implements SpaceQuestion {
     static final String CODE = "W-PILES-UP";
     private static final int MOST = 5;

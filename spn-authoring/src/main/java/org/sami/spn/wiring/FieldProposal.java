@@ -41,7 +41,7 @@ public record FieldProposal(FieldType field, List<DataSource> sources, Optional<
      * The proposals for the fields of an event that stands in a plan, in the order of its type.
      *
      * @param event its id
-     * @param wanted fields that are proposed although they are not required
+     * @param wanted optional fields that are proposed all the same
      */
     public static List<FieldProposal> of(
             Project project, String plan, String event, Vocabulary vocabulary, Set<String> wanted) {

@@ -39,7 +39,7 @@ public record Wires(boolean proposed, Map<String, Optional<DataSource>> chosen) 
      * The project with the fields of the output events read that a plan did not have before.
      *
      * @param type of the added event, whose fields the author speaks of
-     * @param wanted by event type, fields that are proposed although they are not required
+     * @param wanted by event type, optional fields that are proposed all the same
      */
     public Project wired(
             Project before,

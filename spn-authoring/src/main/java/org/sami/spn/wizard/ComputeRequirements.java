@@ -9,7 +9,7 @@ import org.sami.spn.edit.PlanEdit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.sequence.AuthoringLibrary;
 
-/** Computes the requirements of some edges anew, whatever was written on them; locked ones keep theirs. */
+/** Computes the requirements of some edges again, whatever was written on them; locked ones keep theirs. */
 public record ComputeRequirements(String plan, Set<String> edges, AuthoringLibrary library) implements PlanEdit {
     public ComputeRequirements {
         Objects.requireNonNull(plan, "plan");

@@ -10,13 +10,13 @@ final class FreeSpace {
     private static final double STEP = 120;
 
     /** Nearer than this two vertices touch each other's names. */
-    private static final double CLEAR = 90;
+    private static final double CLEARANCE = 90;
 
     private static final int ROWS = 40;
 
     private FreeSpace() {}
 
-    /** A free point to the right of a vertex: beside it, else below or above; empty where the vertex has no point itself. */
+    /** A free point to the right of a vertex: level with it, else lower or higher; empty where the vertex has no point itself. */
     static Optional<LayoutPoint> behind(Plan plan, String vertex) {
         return Optional.ofNullable(plan.layout().get(vertex)).map(from -> {
             for (int row = 0; row < ROWS; row++) {
@@ -31,6 +31,6 @@ final class FreeSpace {
     }
 
     private static boolean apart(LayoutPoint a, LayoutPoint b) {
-        return Math.abs(a.x() - b.x()) >= CLEAR || Math.abs(a.y() - b.y()) >= CLEAR;
+        return Math.abs(a.x() - b.x()) >= CLEARANCE || Math.abs(a.y() - b.y()) >= CLEARANCE;
     }
 }

@@ -39,7 +39,7 @@ public record RemoveWithRequirements(String plan, Set<String> elements, Authorin
                 .collect(Collectors.partitioningBy(e -> joins(removed, e.place(), e.transition())));
         Plan joined = removed.withInEdges(in.get(true)).withOutEdges(out.get(true));
         Plan adjusted = new RequirementComputation(context.vocabulary(), library).adjusted(before, joined);
-        // edges without an end go along, and are told, as with every edit
+        // edges without an end are removed as well and reported, as with every edit
         return adjusted.withInEdges(both(adjusted.inEdges(), in.get(false)))
                 .withOutEdges(both(adjusted.outEdges(), out.get(false)));
     }

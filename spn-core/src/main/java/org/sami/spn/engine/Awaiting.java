@@ -76,7 +76,7 @@ final class Awaiting {
     private static Optional<String> answered(SentActivation sent, TransitionState t) {
         String place = "'" + sent.visit.place.place + "'";
         if (hasNobodyLeft(sent, t)) {
-            return Optional.of("whom " + place + " asked is there no longer");
+            return Optional.of("those that " + place + " asked are there no longer");
         }
         if (sent.output.decision != null && sent.decision == null) {
             return Optional.of("what " + place + " asked has been answered");

@@ -28,7 +28,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * <p>Implements R-DET-1, R-DET-2, R-DET-5, R-DET-6.
  */
 public final class Engine {
-    /** How often a mission may fire without new input, unless said otherwise. */
+    /** How often a mission may fire without new input, by default. */
     public static final int DEFAULT_LIVELOCK_LIMIT = 10_000;
 
     private final CompiledProject project;
@@ -89,7 +89,7 @@ public final class Engine {
      * to. Changes the state in place.
      *
      * @param nowMillis the session's clock; a time before the last one counts as the last one
-     * @param effects told in order, while the state changes: it must not call back into the engine
+     * @param effects receives effects in order, while the state changes: it must not call back into the engine
      */
     public void step(EngineState state, long nowMillis, Input input, Consumer<? super Effect> effects) {
         run(state, nowMillis, effects, rules -> take(rules, input));
@@ -115,7 +115,7 @@ public final class Engine {
      * Starts a root mission with a marking of one's own, for trying a plan from the middle. No input, so no journal holds it. What the
      * plan asks at its start and is not given has its default.
      *
-     * @param effects as for {@link #step}; nothing is told where it is refused
+     * @param effects as for {@link #step}; receives nothing where it is refused
      * @return why it cannot start so, in one sentence; empty where it started
      */
     public Optional<String> startAt(

@@ -16,8 +16,8 @@ import org.sami.spn.protocol.Token;
  * @param place the parent's place whose sub-mission it is, by its id; empty text for a root mission
  * @param marking tokens of each marked place in order of entry, by place id in the plan's order
  * @param projectVersion of which of the session's projects its plan is ({@code Effect.ProjectLoaded}); 1 where none was loaded
- * @param startedAtMillis on the session's clock; empty in a state that was written before states said it
- * @param firings how many there were since then, as far as states said it
+ * @param startedAtMillis on the session's clock; empty in a state of an earlier version
+ * @param firings how many there were since then, as far as the state has counted them
  */
 public record MissionView(
         long id,

@@ -5,8 +5,8 @@ import java.util.Optional;
 
 /**
  * Which rules of firing this program follows (docs/semantics.md), as a number that rises whenever the same inputs can lead to other firings.
- * Headers of journals name it: 1, which they do not name, until 26 November 2026; 2 since whoever is gone is struck from answers, returns go
- * together by whom they name and a filter that is left with nobody is given up (docs/decisions 0411, 0412, 0413).
+ * Headers of journals name it: 1, which they do not name, until 26 November 2026; 2 since robots that are gone are struck from answers, returns go
+ * together by the tokens that they name and a filter that is left with nobody is given up (docs/decisions 0411, 0412, 0413).
  */
 public final class RuleVersion {
     /** The version of this program. */
@@ -27,6 +27,6 @@ public final class RuleVersion {
                 : Optional.of(
                         "is of a program with other rules of firing (version " + version + ", this one's is " + CURRENT
                                 + "), which could take its missions elsewhere than they were; go on with it in the program that wrote it,"
-                                + " or begin anew; crw journal, crw export and replays read it");
+                                + " or begin a new one; crw journal, crw export and replays read it");
     }
 }

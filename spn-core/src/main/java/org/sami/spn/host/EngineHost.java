@@ -29,8 +29,8 @@ import org.sami.spn.vocabulary.EventFlag;
  * posted, tries again every second, and goes on where it waited; a journal that is not {@linkplain
  * InputJournal#isRecoverable recoverable} stops it (decision 0391).
  *
- * <p>The state is guarded by one fair lock, held from a batch's first step until its last effect has left: whoever asks
- * never sees what is not durable, except while the host waits for its journal; and nobody needs another executor's help
+ * <p>The state is guarded by one fair lock, held from a batch's first step until its last effect has left: a query never
+ * sees inputs that are not durable, except while the host waits for its journal; and nobody needs another executor's help
  * to ask. All methods may be called from any thread.
  */
 public final class EngineHost implements AutoCloseable {
@@ -184,7 +184,7 @@ public final class EngineHost implements AutoCloseable {
 
     /**
      * Asks about the state and waits for the answer: at most until the batch that is being processed has left. Needs no
-     * other executor, so that handlers may ask wherever they run. Not for the event thread of a window, and not while
+     * other executor, so that handlers may ask on any thread. Not for the event thread of a window, and not while
      * holding a lock that a listener takes.
      */
     public <T> T ask(Function<EngineView, T> question) {
@@ -224,7 +224,7 @@ public final class EngineHost implements AutoCloseable {
         timer.arm(view.nextDueMillis());
     }
 
-    /** Has it look, on the engine's executor, whether its journal can still be written where it writes by itself: telemetry beside the inputs. */
+    /** Has it look, on the engine's executor, whether its journal can still be written where it writes by itself: telemetry in addition to the inputs. */
     public void checkJournal() {
         checkDue = true;
         schedule();
@@ -270,7 +270,7 @@ public final class EngineHost implements AutoCloseable {
 
     /**
      * Ends in order: takes nothing more in, processes what was taken in on the calling thread, makes the journal survive
-     * the loss of power. What was given to the host (executors, journal, clock) is closed by whoever made it. Called by
+     * the loss of power. What was given to the host (executors, journal, clock) is closed by its maker. Called by
      * a listener, it takes effect after the batch that the listener hears of.
      */
     @Override
@@ -330,7 +330,7 @@ public final class EngineHost implements AutoCloseable {
     /** One batch; the next is handed to the executor again, so that others who use it get their turn. */
     private void drain() {
         if (lock.isHeldByCurrentThread()) {
-            again = true; // the executor runs on the spot: whoever holds the lock goes on, further up the stack
+            again = true; // the executor runs at once: the caller that holds the lock continues, further up the stack
             return;
         }
         lock.lock();

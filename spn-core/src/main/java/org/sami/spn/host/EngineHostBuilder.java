@@ -35,7 +35,7 @@ public final class EngineHostBuilder {
         return this;
     }
 
-    /** How many inputs one batch takes at most, if its last posting is not counted; 1,024 unless told. */
+    /** How many inputs one batch takes at most, if its last posting is not counted; 1,024 by default. */
     public EngineHostBuilder batchLimit(int value) {
         if (value < 1) {
             throw new IllegalArgumentException("a batch takes at least 1 input, not " + value);
@@ -44,13 +44,13 @@ public final class EngineHostBuilder {
         return this;
     }
 
-    /** From how many milliseconds on a listener's call is reported as slow; 50 unless told. */
+    /** From how many milliseconds on a listener's call is reported as slow; 50 by default. */
     public EngineHostBuilder slowListenerMillis(long value) {
         slowListenerMillis = value;
         return this;
     }
 
-    /** How long it waits for a journal that cannot be written before it stops; for as long as it takes unless told. */
+    /** How long it waits for a journal that cannot be written before it stops; without limit by default. */
     public EngineHostBuilder journalRetryMillis(long value) {
         journalRetryMillis = value;
         return this;

@@ -2,7 +2,7 @@ package org.sami.spn.host;
 
 import java.lang.System.Logger.Level;
 
-/** Whether a host works: tells its listeners when that changes. What has ended stays so. Safe for use by several threads. */
+/** Whether a host works: notifies its listeners when that changes. A host that has ended stays so. Safe for use by several threads. */
 final class HostLifecycle {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
 

@@ -29,7 +29,7 @@ public interface HostListener {
     default void onGoingOn() {}
 
     /**
-     * The host stopped by a fault: nothing will follow. On the engine's thread, or that of whoever found the fault.
+     * The host stopped by a fault: nothing will follow. On the engine's thread, or the thread that found the fault.
      *
      * @param status why it stopped
      */

@@ -36,7 +36,7 @@ public record HostStatus(Kind kind, String reason, String details) {
         return details.isEmpty() ? reason : reason + " (" + details + ")";
     }
 
-    /** It has stopped for the same reason, and for what more is said. */
+    /** It has stopped for the same reason, with further details. */
     HostStatus failed(String more) {
         return new HostStatus(Kind.FAILED, reason + "; " + more, details);
     }

@@ -34,12 +34,12 @@ public interface InputJournal extends AutoCloseable {
     void sync() throws IOException;
 
     /**
-     * Looks whether what is written beside the entries, by the journal itself, could be written.
+     * Checks whether the journal's own rows, in addition to the entries, could be written.
      *
      * @throws IOException if not: an append would fail as well
      */
     default void check() throws IOException {
-        // Nothing is written beside them.
+        // Only entries are written.
     }
 
     /** Whether it can be written again after an exception, once {@link #recover} has returned. */

@@ -60,7 +60,7 @@ final class InputQueue {
         return batch;
     }
 
-    /** The telemetry that waits and is still wanted; what is not wanted any longer is let go. */
+    /** The waiting telemetry that is still needed; the rest is dropped. */
     List<QueuedInput> takeTelemetry(Predicate<String> wanted) {
         List<Occurrence> latest;
         synchronized (telemetry) {

@@ -35,7 +35,7 @@ final class JournaledEngine {
         this.clock = clock;
     }
 
-    /** Questions about the state, also about that which is not durable yet. */
+    /** Queries of the state, including inputs that are not durable yet. */
     EngineView view() {
         return engine.view();
     }
@@ -49,7 +49,7 @@ final class JournaledEngine {
      * Steps the engine through a batch at the session's time, which never goes back, and makes the batch durable. It survives the loss of power where
      * an output event of it is a command, else that of the process.
      *
-     * @throws IOException if the journal fails: nothing that followed may be told, and no other batch comes before {@link #recover} has returned this one
+     * @throws IOException if the journal fails: no effect of it may leave, and no other batch comes before {@link #recover} has returned this one
      */
     List<Step> step(List<QueuedInput> inputs) throws IOException {
         List<Step> steps = new ArrayList<>(inputs.size());

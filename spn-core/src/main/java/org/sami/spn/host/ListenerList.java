@@ -11,8 +11,8 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
 /**
- * Calls listeners in the order in which they were added, each guarded from the others' faults. Whoever tells several listeners
- * of something tells them through this. Listeners may be added and removed from any thread.
+ * Calls listeners in the order in which they were added, each guarded from the others' faults. Every notification of several
+ * listeners goes through this. Listeners may be added and removed from any thread.
  */
 public final class ListenerList<L> {
     private static final System.Logger LOG = System.getLogger(ListenerList.class.getName());
@@ -32,7 +32,7 @@ public final class ListenerList<L> {
     /**
      * A list without listeners that must be quick.
      *
-     * @param held whom a slow listener holds up, such as {@code the engine}; for the log
+     * @param held what a slow listener delays, such as {@code the engine}; for the log
      * @param slowMillis from how many milliseconds on a call is logged and counted as slow; with {@link Long#MAX_VALUE} none is timed
      */
     public ListenerList(String held, long slowMillis) {
@@ -61,7 +61,7 @@ public final class ListenerList<L> {
     /**
      * Calls each listener; whatever one throws is logged and counted, and the next is called.
      *
-     * @param onFault told, when all have been called, who threw what; must not throw
+     * @param onFault receives, after all calls, which listener threw what; must not throw
      */
     @SuppressWarnings("CatchingUnchecked") // also what is thrown sneakily must not reach the caller
     public void each(Consumer<? super L> call, BiConsumer<? super L, Throwable> onFault) {

@@ -179,7 +179,7 @@ final class Database implements AutoCloseable {
         return file.resolveSibling(file.getFileName() + "-shm");
     }
 
-    /** Has the file, and what SQLite keeps beside it, be read by their user only. */
+    /** Makes the file, and SQLite's files next to it, readable by their user only. */
     void restrict() {
         PrivateFiles.restrictFile(file);
         PrivateFiles.restrictFile(log(file));
@@ -191,12 +191,12 @@ final class Database implements AutoCloseable {
         run("PRAGMA wal_checkpoint(TRUNCATE)");
     }
 
-    /** Folds the log into the file and forces that to the disk: what the disk refused is written anew. */
+    /** Folds the log into the file and forces that to the disk: what the disk refused is written again. */
     void rewriteLog() throws SQLException {
         try (Statement statement = connection.createStatement();
                 ResultSet result = statement.executeQuery("PRAGMA wal_checkpoint(FULL)")) {
             if (!result.next() || result.getInt(1) != 0 || result.getInt(2) != result.getInt(3)) {
-                throw new SQLException("somebody reads it, so that it cannot be written anew yet");
+                throw new SQLException("another program reads it, so it cannot be rewritten yet");
             }
         }
     }

@@ -35,7 +35,7 @@ public record JournalHeader(
     }
 
     /**
-     * Which documents differ now from those that ran: the journal's own are used all the same, the user is told.
+     * Which documents differ now from those that ran: the journal's own are used, and the user is notified.
      *
      * @param projectName how the project's file is called in the answer
      * @return names of documents that changed, came or went; empty where all is as it was

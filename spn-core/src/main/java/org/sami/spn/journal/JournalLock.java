@@ -14,7 +14,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.sami.spn.host.JournalException;
 
 /**
- * The right to write a journal: a lock on a file beside it, so that reading stays free to everybody, and one on a byte of the
+ * The right to write a journal: a lock on a file next to it, so that reading stays free to everybody, and one on a byte of the
  * journal itself, far behind its end, which keeps out who comes by another name (a hard link has a lock file, and a
  * write-ahead log, of its own). The system gives both back when the process dies; the empty file stays. Within one process
  * a set keeps the second writer out, because there closing any handle of a file would end its locks (docs/session.md).
@@ -40,7 +40,7 @@ final class JournalLock implements AutoCloseable {
         this.channel = channel;
     }
 
-    /** The file that a name leads to: SQLite keeps its log beside that, and not beside a symbolic link. */
+    /** The file that a name leads to: SQLite keeps its log next to that file, and not next to a symbolic link. */
     static Path file(Path journal) throws IOException {
         return Files.isSymbolicLink(journal) && Files.exists(journal) ? journal.toRealPath() : journal;
     }

@@ -99,7 +99,7 @@ public final class JournalReader implements AutoCloseable {
         return history.marks();
     }
 
-    /** The telemetry, in the order in which it was added, without what is damaged. Read anew at each call. */
+    /** The telemetry, in the order in which it was added, without what is damaged. Read again at each call. */
     public Telemetry telemetry() {
         return TelemetryTable.read(database);
     }

@@ -14,7 +14,7 @@ import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Input;
 
 /**
- * Makes journal files: new ones, and the valid part of a damaged one anew. Writing on into a file whose structure is
+ * Makes journal files: new ones, and the valid part of a damaged one again. Writing on into a file whose structure is
  * damaged could spoil what is still true in it; so that part is copied, the damaged files are kept, and the copy takes
  * their place by a rename (docs/decisions 0032).
  */
@@ -59,7 +59,7 @@ final class Rebuild {
             finish(rebuilt);
         } catch (SQLException fault) {
             deleteWithLog(copy);
-            throw new JournalException(file, 0, "cannot be written anew: " + fault.getMessage(), fault);
+            throw new JournalException(file, 0, "cannot be rewritten: " + fault.getMessage(), fault);
         }
         Path kept = keep(file);
         closeDamaged(damaged);

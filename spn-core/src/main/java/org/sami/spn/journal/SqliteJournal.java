@@ -21,8 +21,8 @@ import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Input;
 
 /**
- * A session's journal, open for writing (docs/decisions 0030, 0031, 0032). One writer at a time; anybody may read beside it
- * with {@link JournalReader}. Telemetry may be added from any thread, everything else is called by whoever runs the
+ * A session's journal, open for writing (docs/decisions 0030, 0031, 0032). One writer at a time; others may read meanwhile
+ * with {@link JournalReader}. Telemetry may be added from any thread, everything else is called by the owner of the
  * engine.
  *
  * <p>What a committed batch survives: the death of the process always; the loss of power within
@@ -99,7 +99,7 @@ public final class SqliteJournal implements InputJournal {
 
     /**
      * Opens an existing journal to go on after its last valid entry. Where the file is damaged behind that entry, the
-     * valid part is written anew and the damaged file is kept beside it; {@link #recovery()} says so.
+     * valid part is written again and the damaged file is kept next to it; {@link #recovery()} says so.
      *
      * @throws JournalException if it is written by somebody else, its header does not hold, or its missions ran by other rules of firing
      *     ({@link RuleVersion})
@@ -163,7 +163,7 @@ public final class SqliteJournal implements InputJournal {
         }
     }
 
-    /** What it said before its first entry. */
+    /** Its header. */
     public JournalHeader header() {
         return header;
     }
@@ -256,7 +256,7 @@ public final class SqliteJournal implements InputJournal {
         }
     }
 
-    /** How large its file is, with what is still in the log beside it. */
+    /** How large its file is, with the content of the log next to it. */
     public synchronized long bytes() throws IOException {
         try {
             return database.bytes();
@@ -270,7 +270,7 @@ public final class SqliteJournal implements InputJournal {
         return telemetry.lost();
     }
 
-    /** For tests: a disk on which the file has room for so many pages beside those that it has. */
+    /** For tests: a disk on which the file has room for so many further pages. */
     synchronized void leaveRoomFor(long pages) throws SQLException {
         database.limitPages(database.bytes() / options.pageBytes() + pages);
     }

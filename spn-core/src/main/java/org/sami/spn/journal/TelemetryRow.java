@@ -3,7 +3,7 @@ package org.sami.spn.journal;
 import java.util.Objects;
 
 /**
- * One reading beside the inputs: it changes no state and carries no checksum of its own.
+ * One row of telemetry: it changes no state and carries no checksum of its own.
  *
  * @param atMillis the session's time
  * @param kind what was read, such as "pose"

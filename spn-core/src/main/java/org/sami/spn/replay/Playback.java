@@ -2,7 +2,7 @@ package org.sami.spn.replay;
 
 import java.util.List;
 
-/** Plays a time line: whether it runs, how fast, and at which moment it is then. Knows no clock: whoever has one says how much time has passed. */
+/** Plays a time line: whether it runs, how fast, and at which moment it is then. Knows no clock: the caller says how much time has passed. */
 public final class Playback {
     /** The speeds that can be chosen. */
     public static final List<Double> SPEEDS = List.of(0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 50.0, 100.0);

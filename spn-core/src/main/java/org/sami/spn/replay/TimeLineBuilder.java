@@ -16,7 +16,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.replay.TimeLine.Kind;
 import org.sami.spn.replay.TimeLine.Mark;
 
-/** Makes a time line of a journal's entries, in order, and of what a domain marks beside them. */
+/** Makes a time line of a journal's entries, in order, and of the domain's own marks. */
 public final class TimeLineBuilder {
     private final List<Mark> marks = new ArrayList<>();
     private final NavigableSet<Long> moments = new TreeSet<>();

@@ -14,7 +14,7 @@ import org.sqlite.util.OSInfo;
 
 /**
  * SQLite's native library, unpacked once into the user's cache folder. The driver itself unpacks it into the temporary folder for each process, and what a
- * killed process unpacked stays there for ever, 1 MB each time (docs/session.md).
+ * killed process unpacked stays there forever, 1 MB each time (docs/session.md).
  */
 public final class SqliteLibrary {
     private static final System.Logger LOG = System.getLogger(SqliteLibrary.class.getName());

@@ -12,7 +12,7 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * A run at one moment: the engine's state and what effects have told that the state does not keep. It is changed while a step is taken, and
+ * A run at one moment: the engine's state and what effects have reported and the state does not keep. It is changed while a step is taken, and
  * not again.
  */
 final class Moment {

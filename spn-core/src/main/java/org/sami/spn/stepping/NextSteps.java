@@ -29,7 +29,7 @@ import org.sami.spn.vocabulary.TokenNeed;
  * operator says yes or no, chooses all robots or one of them, each option or none, and gives what is proposed, else a sample; lists of
  * locations of several lengths. Robots answer a command one by one and begin with their tasks one after the other; services answer for all
  * at once; who connects is a robot that was not known. Nothing is answered again that a transition keeps already. What cannot be tried,
- * as no value can be made up for it, is told.
+ * because no value can be made up for it, is reported.
  */
 public final class NextSteps {
     /** How many locations the operator gives where nobody says how many. */
@@ -265,7 +265,7 @@ public final class NextSteps {
         }
     }
 
-    /** News of one kind that is kept already is not told again: a newer one would only replace it. */
+    /** News of one kind that is kept already is not posted again: a newer one would only replace it. */
     private void addNews(NextStep.Kind kind, TestStep.Occur step) {
         boolean kept = view.missions().stream()
                 .flatMap(mission -> view.pendingAnswers(mission.id()).stream())

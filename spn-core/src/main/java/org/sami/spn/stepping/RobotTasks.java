@@ -30,7 +30,7 @@ final class RobotTasks {
         return copy;
     }
 
-    /** Follows what the engine tells: tasks get a robot or lose it, a plan says that tasks are complete, a mission ends. */
+    /** Follows the engine's effects: tasks get a robot or lose it, a plan says that tasks are complete, a mission ends. */
     void saw(Effect effect, Vocabulary vocabulary) {
         if (effect instanceof Effect.TasksAllocated allocated) {
             allocated.robots().forEach((task, robot) -> {

@@ -26,12 +26,12 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Makes up a small value of any type, for whoever tries a plan and means no value in particular: so many locations a list, one item any other
+ * Makes up a small value of any type, for trying a plan without a particular value in mind: so many locations a list, one item any other
  * list, one entry a map or one for each robot or task, points a hundred metres apart. Maps of tasks to robots give each robot a task in turn.
  * The same type gives the same value.
  */
 public final class SampleValues {
-    private static final double APART_DEG = 0.001;
+    private static final double SPACING_DEG = 0.001;
 
     private final Vocabulary vocabulary;
     private final List<String> robots;
@@ -83,7 +83,7 @@ public final class SampleValues {
     }
 
     private static GeoPoint point(int north, int east) {
-        return GeoPoint.of(north * APART_DEG, east * APART_DEG);
+        return GeoPoint.of(north * SPACING_DEG, east * SPACING_DEG);
     }
 
     /** A map whose keys are robots or tasks has one entry for each. */

@@ -86,7 +86,7 @@ final class StepMeaning {
     }
 
     /**
-     * The activation that a step answers: whoever is named answers what he was asked last, who names nobody the oldest question. What asks of
+     * The activation that a step answers: a step that names robots answers their last question, one that names nobody the oldest question. What asks of
      * nobody, or means none of those who entered, may be answered with somebody new, as by robots that connect.
      */
     Optional<Activation> activation(TestStep.Occur step) {
@@ -139,7 +139,7 @@ final class StepMeaning {
         return names.stream().map(name -> new TaskId(moment.mission, name)).toList();
     }
 
-    /** Tasks as whoever was asked knows them: in a sub-mission a task of the parent has a name of its own. */
+    /** Tasks by their names in the mission that asked: in a sub-mission a task of the parent has a name of its own. */
     private List<TaskId> tasks(List<String> names, Activation asked) {
         return names.stream()
                 .map(name -> asked.tasks().stream()

@@ -31,7 +31,7 @@ import org.sami.spn.value.Value;
 
 /**
  * Tries one plan step by step on the engine itself, forwards and back. Each step keeps the state before it, so a
- * stepper is for runs of people's length; a {@link #branch} begins anew from where it is. Steps that cannot be taken change nothing and say why. Used by one thread at a
+ * stepper is for runs of people's length; a {@link #branch} begins again from where it is. Steps that cannot be taken change nothing and say why. Used by one thread at a
  * time.
  */
 public final class Stepper {
@@ -452,7 +452,7 @@ public final class Stepper {
         for (int i = 0; i < past.size(); i++) {
             Optional<String> reason = past.get(i).notRecorded();
             if (reason.isPresent()) {
-                return Optional.of("step " + (i + 1) + " cannot be said in a test case: " + reason.get());
+                return Optional.of("step " + (i + 1) + " cannot be expressed in a test case: " + reason.get());
             }
         }
         return Optional.empty();

@@ -33,7 +33,7 @@ final class TasksNow {
     }
 
     /**
-     * Tasks whose tokens stand where a transition waits for news of that type. Of tasks that are said to start, those with which a robot
+     * Tasks whose tokens stand where a transition waits for news of that type. Of tasks that can start, those with which a robot
      * begins next.
      */
     List<TaskId> concernedBy(EventType type) {

@@ -20,17 +20,17 @@ import org.sami.spn.stepping.NextStep.Kind;
 
 /**
  * Who acts next where a plan is run on by itself. Operator, robots and services take turns: of what leads to a moment that was not there
- * yet, whoever acted least goes first, and an answer that was given many times comes after the others. Time passes where nobody else leads
+ * yet, the one that acted least goes first, and an answer that was given many times comes after the others. Time passes where nobody else leads
  * on. Where all that is expected leads back only, the run goes round; then the nearest end is looked for among everything that could happen,
- * and the step towards it that leads out is taken and told. Used by one thread at a time, which need not be the stepper's.
+ * and the step towards it that leads out is taken and reported. Used by one thread at a time, which need not be the stepper's.
  */
 public final class Turns {
     /** An answer that was given so often comes after the others. */
-    private static final int OFTEN = 8;
+    private static final int REPEAT_LIMIT = 8;
     /** After so many moments with one summary, another with it counts as reached before: only the order of tokens differs. */
     private static final int MOST_ALIKE = 3;
     /** After so many steps in which nobody came to where he was not yet, the run goes round. */
-    private static final int NOTHING_NEW = 40;
+    private static final int MOST_STEPS_WITHOUT_NEWS = 40;
     /** How many steps are tried for a way that leads on: less than 30 ms of processor time, measured on every plan of the library with 3 robots. */
     private static final int MOST_TRIED = 600;
 
@@ -147,9 +147,9 @@ public final class Turns {
 
     private Optional<NextStep> fresh(List<Candidate> candidates) {
         return candidates.stream()
-                .filter(candidate -> candidate.leadsOn() && stepsWithoutNews < NOTHING_NEW)
+                .filter(candidate -> candidate.leadsOn() && stepsWithoutNews < MOST_STEPS_WITHOUT_NEWS)
                 .map(Candidate::step)
-                .min(Comparator.comparing((NextStep step) -> uses.getOrDefault(step.step(), 0) >= OFTEN)
+                .min(Comparator.comparing((NextStep step) -> uses.getOrDefault(step.step(), 0) >= REPEAT_LIMIT)
                         .thenComparing(step -> step.kind() == Kind.TIME)
                         .thenComparing(step -> turns.getOrDefault(actor(step.step()), 0)));
     }
@@ -174,7 +174,7 @@ public final class Turns {
         return !before.contains(tried.key()) && summaries.getOrDefault(tried.summary(), 0) < MOST_ALIKE;
     }
 
-    /** Who does a step: a robot or a task, the operator at one question, whoever answers one event, time. */
+    /** The actor of a step: a robot or a task, the operator at one question, the answerer of one event, time. */
     private static String actor(TestStep step) {
         if (step instanceof TestStep.Answer answer) {
             return "operator " + answer.event();
@@ -199,7 +199,7 @@ public final class Turns {
         Predicate<Kind> expected = kind -> EXPECTED.contains(kind) && isPlayed.test(kind);
         Optional<Way> way = way(expected, true)
                 .or(() -> way(isPlayed, true))
-                .or(() -> stepsWithoutNews < NOTHING_NEW ? way(expected, false) : Optional.empty())
+                .or(() -> stepsWithoutNews < MOST_STEPS_WITHOUT_NEWS ? way(expected, false) : Optional.empty())
                 .or(() -> way(isPlayed, false));
         if (way.isPresent()) {
             NextStep first = way.get().steps().get(0);
@@ -241,7 +241,7 @@ public final class Turns {
         return unexpected.isEmpty() ? text.of(way.steps().get(0).step()) : String.join(", then ", unexpected);
     }
 
-    /** The shortest way of such steps to an end; else, unless only that is wanted, to a moment that was not there yet. */
+    /** The shortest way of such steps to an end; else, unless only an end is requested, to a moment that was not there yet. */
     private Optional<Way> way(Predicate<Kind> wanted, boolean onlyToEnd) {
         Set<MomentKey> known = new HashSet<>();
         known.add(stepper.key());

@@ -316,7 +316,7 @@ class StepperTest {
 
         assertThat(stepper.whyNotATestCase())
                 .hasValueSatisfying(
-                        why -> assertThat(why).startsWith("step 3 cannot be said in a test case: of the open"));
+                        why -> assertThat(why).startsWith("step 3 cannot be expressed in a test case: of the open"));
         assertThatThrownBy(() -> stepper.testCase("x")).isInstanceOf(IllegalStateException.class);
         stepper.back(1);
         assertThat(stepper.testCase("x").steps()).hasSize(2);

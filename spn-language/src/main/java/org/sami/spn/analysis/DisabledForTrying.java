@@ -7,7 +7,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 
-/** What is disabled is so only while the plan is tried: whoever starts a mission is told that it will happen there. */
+/** Disabled parts are left out only while the plan is tried: the operator who starts a mission is warned that they run there. */
 final class DisabledForTrying implements PlanCheck {
     private static final String CODE = "W-DISABLED";
 

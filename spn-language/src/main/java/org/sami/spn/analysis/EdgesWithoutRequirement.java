@@ -47,7 +47,7 @@ final class EdgesWithoutRequirement implements PlanCheck {
         return new EdgeEdit.SetInRequirements(plan.plan().id(), e.id(), List.of(requirement));
     }
 
-    /** Takes whom the place needs: whom the transition's input events name, all, or nobody in particular. */
+    /** Takes the tokens that the place needs: those that the transition's input events name, all, or any. */
     private static Finding taking(PlanContext plan, OutEdge e, Finding finding) {
         boolean needsTokens = plan.outputs().stream()
                 .filter(o -> o.place().id().equals(e.place()))
@@ -55,7 +55,8 @@ final class EdgesWithoutRequirement implements PlanCheck {
         boolean named = plan.transition(e.transition()).map(plan::inputsOf).orElse(List.of()).stream()
                 .anyMatch(i -> i.type().tokens() != TokenNeed.NONE);
         Finding fixed = named
-                ? finding.fixedBy("Take whom the event names", out(plan, e, OutRequirement.ALL, TokenKind.RELEVANT))
+                ? finding.fixedBy(
+                        "Take the tokens that the event names", out(plan, e, OutRequirement.ALL, TokenKind.RELEVANT))
                 : needsTokens
                         ? finding.fixedBy("Take all tokens", out(plan, e, OutRequirement.ALL, TokenKind.ANY_TOKEN))
                         : finding.fixedBy("Take 1 generic token", out(plan, e, 1, TokenKind.GENERIC));

@@ -7,7 +7,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.vocabulary.Reserved;
 
-/** What an operator is asked or told says something: no text is blank, and no list of what is asked for is empty. */
+/** Questions and messages to the operator are not empty: no text is blank, and no list of requested values is empty. */
 final class EmptyQuestions implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -35,7 +35,7 @@ final class EndlessRounds implements PlanCheck {
                     report.accept(Finding.warning(
                             "W-GOES-ROUND",
                             plan.at(place),
-                            "Tasks in the " + plan.name(place) + " go round and come back there for ever, unless"
+                            "Tasks in the " + plan.name(place) + " return there forever, unless"
                                     + " something fails: lead a transition of the round on to the end",
                             place.id()));
                 }

@@ -13,7 +13,7 @@ import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
 
 /**
- * Where a plan waits for an answer, it also waits for that which says that it failed: else the tokens stay in the place for good and the
+ * Where a plan waits for an answer, it also waits for the failure: else the tokens stay in the place for good and the
  * mission hangs. Which input events say so the vocabulary declares ({@link EventFlag#FAILURE}). A failure that also comes as news
  * may be waited for anywhere in the plan, or in one that runs it. Where no answer at all is awaited, {@link AnswersOfOutputs} says so.
  */

@@ -115,7 +115,7 @@ final class ForgottenPlaces implements PlanCheck {
         return before;
     }
 
-    /** Whether whoever enters a place is counted in another one that the transition asks to be empty. */
+    /** Whether tokens that enter a place count in another one that the transition requires to be empty. */
     private static boolean isCounted(PlanContext plan, Transition t, Place place, Set<Kind> kinds) {
         List<Transition> entering = plan.edgesInto(place).stream()
                 .filter(e -> meets(plan.flow().along(e), kinds))

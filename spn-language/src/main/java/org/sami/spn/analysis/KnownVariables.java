@@ -111,7 +111,7 @@ final class KnownVariables implements PlanCheck {
         List<String> reads = new ArrayList<>(plan.plan().reads());
         reads.add(variable);
         return finding.fixedBy(
-                "Expect " + variable + " of whoever runs the plan",
+                "Expect " + variable + " of the plan's parents",
                 new SetReads(plan.plan().id(), reads));
     }
 }

@@ -18,7 +18,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 /**
  * The findings about a project that is being edited. {@link #after} checks only the plans that an edit changed and, where that shows in
  * what other plans see of them, the plans that run them and that they run; the result is that of {@link PlanChecks#check(Project,
- * Vocabulary)}. What changed is told by identity, as edits leave untouched plans as they are. Immutable but for what is looked up lazily:
+ * Vocabulary)}. Changes are recognised by identity, because edits leave untouched plans as they are. Immutable but for what is looked up lazily:
  * one thread at a time, which need not be a window's.
  */
 public final class LiveChecks {

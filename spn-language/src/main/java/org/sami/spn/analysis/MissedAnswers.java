@@ -15,7 +15,7 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /**
- * Finds transitions that watch two places for one answer and ask that all whom it names stand in the first. Another transition
+ * Finds transitions that watch two places for one answer and require that all tokens that it names are in the first. Another transition
  * takes tokens from the first place to the second, where their commands go on: an answer that arrives then is never taken.
  */
 final class MissedAnswers implements PlanCheck {
@@ -62,7 +62,7 @@ final class MissedAnswers implements PlanCheck {
                 "W-ANSWER-MISSED",
                 plan.at(asking),
                 "The " + plan.name(t) + " watches the " + plan.name(first) + " and the "
-                        + plan.name(second) + ", but asks that all whom its answer names stand in the first: "
+                        + plan.name(second) + ", but requires that all tokens that its answer names are in the first: "
                         + "an answer of one that stands in the second is never taken. Ask for \"at least 1 relevant\","
                         + " or draw a transition for each place",
                 asking.id(),

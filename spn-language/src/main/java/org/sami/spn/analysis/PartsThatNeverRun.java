@@ -10,7 +10,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 
 /**
- * The parts of a plan that can never run: of them it is said once that nothing leads there, and not again for each event what would be
+ * The parts of a plan that can never run: one finding says that nothing leads there, and not one more for each event what would be
  * wrong if it ran.
  */
 final class PartsThatNeverRun {

@@ -86,7 +86,7 @@ public final class PlanChecks {
     private PlanChecks() {}
 
     /**
-     * What can be said of plans whose document has errors, and which are therefore not loaded: only what does not follow
+     * The findings about plans whose document has errors, and which are therefore not loaded: only what does not follow
      * from those errors, so that an author learns of everything at once and of nothing twice.
      */
     public static List<Finding> checkUnloaded(Project project, Vocabulary vocabulary) {

@@ -15,7 +15,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** A project while its plans are checked: who runs whom, and one context a plan, made when it is first needed. */
+/** A project while its plans are checked: which plan runs which, and one context a plan, made when it is first needed. */
 final class ProjectContext {
     private final Project project;
     private final Vocabulary vocabulary;

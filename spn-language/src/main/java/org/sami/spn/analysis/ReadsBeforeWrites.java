@@ -111,7 +111,7 @@ final class ReadsBeforeWrites implements PlanCheck {
             }
         }
 
-        /** Takes away what is not written on the way along a transition, and looks again at those behind it. */
+        /** Removes the variables that are not written on the way through a transition, and looks again at those behind it. */
         private void pass(Transition t, Deque<Transition> open) {
             BitSet after = before(t);
             t.inputs().forEach(input -> input.writes().values().forEach(v -> set(after, v)));

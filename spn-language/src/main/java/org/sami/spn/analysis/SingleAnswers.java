@@ -47,7 +47,7 @@ final class SingleAnswers {
         return alone ? inputs : List.of();
     }
 
-    /** The places in which those whom the event names must stand. */
+    /** The places that must hold the tokens that the event names. */
     private static List<Place> relevant(PlanContext plan, Transition t) {
         return plan.inEdges(t).stream()
                 .filter(SingleAnswers::isRelevant)

@@ -28,7 +28,7 @@ final class StartPlace implements PlanCheck {
             report.accept(Finding.error(
                             "E-TWO-STARTS",
                             plan.at(place),
-                            "A second start: " + plan.name(place) + " beside " + plan.name(starts.get(0)),
+                            "A second start: " + plan.name(place) + " in addition to " + plan.name(starts.get(0)),
                             starts.get(0).id(),
                             place.id())
                     .fixedBy(

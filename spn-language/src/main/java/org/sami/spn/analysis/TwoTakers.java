@@ -20,7 +20,7 @@ import org.sami.spn.vocabulary.EventRole;
 
 /**
  * Of two transitions after one place that wait for the same event, one asks for something that the other does not: else the one that is
- * looked at first takes whom both want, and the other fires for nobody. Interrupts of one name are {@link InterruptNames}' business.
+ * looked at first takes the tokens that both require, and the other fires for nobody. Interrupts of one name are {@link InterruptNames}' business.
  */
 final class TwoTakers implements PlanCheck {
     @Override
@@ -63,7 +63,7 @@ final class TwoTakers implements PlanCheck {
                 && one.get(0).spec().fields().equals(other.get(0).spec().fields());
     }
 
-    /** Whether the first fires wherever the second may, and leaves nothing of what the second wants. */
+    /** Whether the first fires whenever the second can, and leaves no token that the second requires. */
     private static boolean takesAll(PlanContext plan, Place place, Transition first, Transition second) {
         Set<Condition> wanted = conditions(plan, second);
         boolean relevant = speaksOfRelevant(plan, first);

@@ -56,7 +56,7 @@ final class UnknownRobots implements PlanCheck {
         return listed.isEmpty() ? Optional.empty() : Optional.of(listed.size());
     }
 
-    /** Whether an event names robots as it is said when the mission runs. */
+    /** Whether an event names robots that are given when the mission runs. */
     private static boolean namesLater(PlanContext plan) {
         return plan.outputs().stream().anyMatch(output -> {
             String field = plan.vocabulary().robotNames().get(output.type().name());

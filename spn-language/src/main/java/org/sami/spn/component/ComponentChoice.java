@@ -11,7 +11,7 @@ import org.sami.spn.value.ValueType;
 
 /**
  * Chooses the components of an interaction (thesis 5.2.4, Algorithms 4 and 6; {@link DirectChoice} is Algorithm 5). A function of
- * the library, the types and what is wanted; equal questions have equal answers. Immutable.
+ * the library, the types and the requested options; equal questions have equal answers. Immutable.
  *
  * <p>Where the thesis's pseudocode slips, this is what is done (docs/components.md): an element of a list and an entry of a map are
  * chosen for the same purpose as the whole; key and value are looked at each by itself; a part of a record may be a list or a map; and

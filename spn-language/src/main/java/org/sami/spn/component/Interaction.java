@@ -11,7 +11,7 @@ import org.sami.spn.value.ValueType;
  * What the operator is shown or asked, as far as the choice of components looks at it.
  *
  * @param values the types of the values by name, in order; at least one
- * @param wanted what the markups of the interaction choose
+ * @param wanted the choices of the interaction's markups
  */
 public record Interaction(Purpose purpose, Map<String, ValueType> values, List<MarkupOption> wanted) {
     public Interaction {

@@ -16,7 +16,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Says which interaction an open decision is, or an event type whatever plan uses it. Yes or no and what is filled in is created, what is
- * offered is selected from, and what an event that asks nothing tells is selected, that is, shown (thesis 5.2.4).
+ * offered is selected from, and the values of an event that asks nothing are selected, that is, shown (thesis 5.2.4).
  */
 public final class Interactions {
     /** The name of the value where a question asks for one that has none. */
@@ -52,7 +52,7 @@ public final class Interactions {
                 .map(option -> selection(option, wanted));
     }
 
-    /** The interaction of an event type; empty where only a plan says what it asks for, or it tells nothing. */
+    /** The interaction of an event type; empty where only the plan defines its question, or it shows nothing. */
     public Optional<Interaction> of(EventType event, List<MarkupSpec> markups) {
         List<MarkupOption> wanted = MarkupOption.of(markups, vocabulary);
         if (event.decision().isEmpty()) {

@@ -15,7 +15,7 @@ import org.sami.spn.value.ValueType;
  * @param shape the type, in which the name may stand
  */
 public record TypePattern(ValueType shape) {
-    /** Stands for every enumeration. No domain can declare a type of this name beside it. */
+    /** Stands for every enumeration. No domain can declare a type of this name. */
     public static final String ANY_ENUMERATION = "Enumeration";
 
     public TypePattern {

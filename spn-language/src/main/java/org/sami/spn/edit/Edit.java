@@ -14,13 +14,13 @@ public interface Edit {
     /**
      * Changes a project. Callers use {@link #apply}, which also takes along what lost its ground and refuses what could not be saved.
      *
-     * @throws EditRefusedException saying in one sentence what is not possible and where
+     * @throws EditRefusedException with one sentence on what is not possible and where
      */
     Project change(Project project, EditContext context) throws EditRefusedException;
 
     /**
      * Applies this edit. The result is whole or refused: never a project that could not be written and read back. What no longer has a
-     * meaning goes along and is told: edges without an end, places in a layout, steps of test cases.
+     * meaning are removed as well and reported: edges without an end, places in a layout, steps of test cases.
      */
     default EditResult apply(Project project, Vocabulary vocabulary) {
         EditContext context = new EditContext(vocabulary);

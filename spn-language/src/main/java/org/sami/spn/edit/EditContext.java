@@ -10,7 +10,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** What edits know while they are applied: the words of the domain, and whom to tell what went along. */
+/** The context in which edits are applied: the domain's vocabulary, and the list of parts that were removed along. */
 public final class EditContext {
     private final Vocabulary vocabulary;
     private final List<String> told = new ArrayList<>();
@@ -33,7 +33,7 @@ public final class EditContext {
         return told;
     }
 
-    /** Takes along what lost its ground, keeps plans that are equal to what they were, and refuses what is not well-formed. */
+    /** Removes parts that refer to removed ones, keeps plans that are equal to what they were, and refuses what is not well-formed. */
     Project settle(Project before, Project changed) throws EditRefusedException {
         Map<String, Plan> old = new LinkedHashMap<>();
         before.plans().forEach(p -> old.putIfAbsent(p.id(), p));

@@ -64,7 +64,7 @@ public final class EditHistory {
         return Optional.ofNullable(redo.peek()).map(Version::label);
     }
 
-    /** Takes the last edit back; the plans that differ then are told as those of an edit. Empty where there is nothing to undo. */
+    /** Undoes the last edit; the plans that differ then are reported as those of an edit. Empty where there is nothing to undo. */
     public Optional<EditResult.Done> undo() {
         return step(undo, redo);
     }

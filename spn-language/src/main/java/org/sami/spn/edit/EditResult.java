@@ -20,7 +20,7 @@ public sealed interface EditResult {
      *
      * @param changed the project after it
      * @param touched ids of the plans that were changed, added or removed; plans that are not named are the same objects as before
-     * @param told sentences for the author on what went along, or still speaks of what is gone
+     * @param told sentences for the author about parts that were removed along with others, or still refer to removed ones
      */
     record Done(Project changed, Set<String> touched, List<String> told) implements EditResult {
         public Done {

@@ -20,7 +20,7 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Removes from an edited plan what speaks of vertices and events that are gone, and tells it. */
+/** Removes from an edited plan all references to removed vertices and events, and reports them. */
 final class Leftovers {
     private final Plan plan;
     private final Consumer<String> tell;

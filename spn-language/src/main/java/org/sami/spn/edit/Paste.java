@@ -18,7 +18,7 @@ import org.sami.spn.model.VariableSpec;
 
 /**
  * Puts a copied part into a plan, shifted. Ids that are taken there get a number, and so do names of vertices; a second start place
- * becomes an ordinary one. Variables and tasks that the part speaks of and that the plan does not declare are declared, and told.
+ * becomes an ordinary one. Variables and tasks that the part uses and the plan does not declare are declared and reported.
  *
  * @param dx to the right, in drawing units
  * @param dy downwards, in drawing units

@@ -62,7 +62,7 @@ public final class PlanBuilder {
         return this;
     }
 
-    /** A few sentences for whoever chooses a plan. */
+    /** A few sentences for those who choose a plan. */
     public PlanBuilder describedAs(String sentences) {
         description = sentences;
         return this;

@@ -13,7 +13,7 @@ public interface PlanEdit extends Edit {
     /**
      * Changes the plan.
      *
-     * @throws EditRefusedException saying in one sentence what is not possible and where
+     * @throws EditRefusedException with one sentence on what is not possible and where
      */
     Plan change(Plan plan, EditContext context) throws EditRefusedException;
 

@@ -32,7 +32,7 @@ public sealed interface ProjectEdit extends Edit {
         }
     }
 
-    /** Removes a plan. Sub-missions that run it go along and are told; in the mission tree its children take its place. */
+    /** Removes a plan. Sub-missions that run it are removed as well and reported; in the mission tree its children take its place. */
     record RemovePlan(String plan) implements ProjectEdit {
         public RemovePlan {
             Objects.requireNonNull(plan, "plan");
@@ -64,7 +64,7 @@ public sealed interface ProjectEdit extends Edit {
         }
     }
 
-    /** Gives a plan another id wherever it is run, referred to or shown. */
+    /** Changes the id of a plan and all references to it. */
     record RenamePlan(String from, String to) implements ProjectEdit {
         public RenamePlan {
             Objects.requireNonNull(from, "from");

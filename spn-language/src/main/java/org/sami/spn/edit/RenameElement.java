@@ -6,7 +6,7 @@ import org.sami.spn.model.ImportOrigin;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 
-/** Gives a vertex, edge, event or sub-mission another id, wherever the plan speaks of it: edges, orders, layout, test cases. */
+/** Gives a vertex, edge, event or sub-mission another id, with all references in the plan: edges, orders, layout, test cases. */
 public record RenameElement(String plan, String from, String to) implements Edit {
     public RenameElement {
         Objects.requireNonNull(plan, "plan");

@@ -3,7 +3,7 @@ package org.sami.spn.edit;
 import java.util.Objects;
 import org.sami.spn.model.Project;
 
-/** Renames an interrupt wherever it is offered, taken, or pressed in a test case: in all plans, for a button reaches sub-missions. */
+/** Renames an interrupt in all plans, because a button reaches sub-missions: where it is offered, taken, or pressed in a test case. */
 public record RenameInterrupt(String from, String to) implements Edit {
     public RenameInterrupt {
         Objects.requireNonNull(from, "from");

@@ -11,7 +11,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
 
 /**
- * Renames a variable wherever it is spoken of: in the plan that declares it, in the plans that this runs and that see it, in what parents
+ * Renames a variable with all references: in the plan that declares it, in the plans that this runs and that see it, in what parents
  * give to sub-missions, and in test cases. A plan that others run as well, to which the name means something else, keeps it and is given
  * the variable under the old name.
  *

@@ -47,7 +47,7 @@ public sealed interface TaskEdit extends Edit {
         }
     }
 
-    /** Takes a task away; where it is still used is told. */
+    /** Removes a task; its remaining uses are reported. */
     record RemoveTask(String plan, String task) implements TaskEdit {
         public RemoveTask {
             Objects.requireNonNull(plan, "plan");
@@ -74,7 +74,7 @@ public sealed interface TaskEdit extends Edit {
         }
     }
 
-    /** Renames a task wherever it is spoken of: in requirements, in what parents and sub-missions give each other, in test cases. */
+    /** Renames a task with all references: in requirements, in what parents and sub-missions give each other, in test cases. */
     record RenameTask(String plan, String from, String to) implements TaskEdit {
         public RenameTask {
             Objects.requireNonNull(plan, "plan");

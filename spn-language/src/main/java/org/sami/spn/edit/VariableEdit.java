@@ -64,7 +64,7 @@ public sealed interface VariableEdit extends Edit {
         }
     }
 
-    /** Takes a declaration away; where the variable is still used is told. */
+    /** Removes a declaration; remaining uses of the variable are reported. */
     record RemoveVariable(Optional<String> plan, String variable) implements VariableEdit {
         public RemoveVariable {
             Objects.requireNonNull(plan, "plan");

@@ -13,7 +13,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Whether a project could be written and read back: what the reader would refuse, in words for whoever edits. What is well-formed may still
+ * Whether a project could be written and read back: what the reader would refuse, in words for the author. What is well-formed may still
  * make no sense as a plan; that is found by the checks.
  */
 final class WellFormed {

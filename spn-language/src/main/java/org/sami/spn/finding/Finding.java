@@ -15,7 +15,7 @@ import org.sami.spn.edit.Fix;
  * @param code a stable code, such as {@code E-TWO-STARTS}
  * @param pointer where in the document, as a JSON pointer (RFC 6901); empty text where there is no document
  * @param message one sentence that names the element, for the plan's author
- * @param plan id of the plan that it is about; empty text where it is about the project, or no plan could be told
+ * @param plan id of the plan that it is about; empty text where it is about the project, or no plan could be determined
  * @param elements what is concerned, for highlighting: ids of vertices, edges, events and sub-missions of the plan, names of variables
  *     (with {@code @}) and tasks
  * @param fixes edits that mend it where that is mechanical, the likeliest first; none adds an error

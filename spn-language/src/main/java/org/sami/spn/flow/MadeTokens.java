@@ -20,7 +20,7 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Which kinds of tokens the firings of a plan make from nothing: generic ones, and those of whom their input events name. */
+/** Which kinds of tokens the firings of a plan make from nothing: generic ones, and those of robots and tasks that their input events name. */
 final class MadeTokens {
     private final Map<String, Plan> plans = new HashMap<>();
     private final Vocabulary vocabulary;

@@ -65,7 +65,7 @@ final class PlanTokens {
         return more;
     }
 
-    /** Follows what is not followed yet. */
+    /** Follows the tokens that are not followed yet. */
     void follow() {
         while (!open.isEmpty()) {
             for (OutEdge edge : behind.getOrDefault(open.poll(), List.of())) {
@@ -144,7 +144,7 @@ final class PlanTokens {
         return moved;
     }
 
-    /** The relevant tokens: those of whom an event can name; a robot's name also speaks of its tasks (R-REL-3). */
+    /** The relevant tokens: those that an event can name; a robot's name also speaks of its tasks (R-REL-3). */
     private Set<Kind> relevant(Transition t) {
         Set<Kind> relevant = EnumSet.noneOf(Kind.class);
         relevant.addAll(makers.named(t, true));

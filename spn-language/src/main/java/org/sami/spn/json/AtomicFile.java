@@ -49,7 +49,7 @@ final class AtomicFile {
                 // another writer's, or left by one that was killed: take the next
             }
         }
-        throw new FileAlreadyExistsException(file + ": too many unfinished copies beside it");
+        throw new FileAlreadyExistsException(file + ": too many unfinished copies next to it");
     }
 
     private static void copyPermissions(Path from, Path to) throws IOException {

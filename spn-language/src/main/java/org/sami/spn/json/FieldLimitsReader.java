@@ -64,7 +64,7 @@ final class FieldLimitsReader {
         }
     }
 
-    /** Says which field is to be above one that is not beside it, or not of its type. */
+    /** Reports a limit by a field that the event does not have, or that has another type. */
     static void checkOrder(List<FieldType> fields, String pointer, Problems problems) {
         for (FieldType field : fields) {
             field.limits()
@@ -77,7 +77,7 @@ final class FieldLimitsReader {
                             Codes.BAD_VALUE,
                             pointer,
                             "The field " + field.name() + " is to be above \"" + above
-                                    + "\", which is no other field of its type beside it"));
+                                    + "\", which is no other field of the event with its type"));
         }
     }
 }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds where in a JSON text the values lie that pointers name, in one pass over its tokens for all of them. Whatever no pointer leads
- * to is skipped, so that a text without findings costs nothing and a long one little. A pointer to what is not there, such as a
+ * to is skipped, so that a text without findings costs nothing and a long one little. A pointer to an absent value, such as a
  * missing member, gets the place of the nearest value around it.
  */
 final class JsonPlaces {

@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * The plans of a project's document, each in the document itself or in a file of its own beside it.
+ * The plans of a project's document, each in the document itself or in a file of its own next to it.
  *
  * @param file the document's file; empty text where it came from none
- * @param beside the files beside it
+ * @param beside the files next to it
  * @param sources where the texts of the plans' files are kept for the places of findings
  */
 record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources) {

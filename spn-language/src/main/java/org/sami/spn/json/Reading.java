@@ -25,7 +25,7 @@ public record Reading<T>(Optional<T> result, List<Finding> findings) {
     /**
      * The same with the places of the findings in the text that was read.
      *
-     * @param file whence the text came; empty where whoever shows the findings knows
+     * @param file the file of the text; empty where the caller knows it
      * @param text in which their pointers, and the lines that a parser named, lie
      */
     public Reading<T> locatedIn(String file, String text) {

@@ -18,13 +18,13 @@ public final class DisabledParts {
                 .toList();
     }
 
-    /** What whoever starts a mission of a plan is told of its disabled vertices, to follow a sentence; empty text where it has none. */
+    /** The warning about disabled vertices for the operator who starts a mission of a plan, to follow a sentence; empty text where it has none. */
     public static String remark(Plan plan) {
         String disabled = names(plan);
         return disabled.isEmpty() ? "" : "; it also does what is disabled for trying: " + disabled;
     }
 
-    /** What whoever is about to start a mission of a plan is told of its disabled vertices, one sentence without a full stop; empty text where it has none. */
+    /** The same warning before a mission is started, one sentence without a full stop; empty text where it has none. */
     public static String warning(Plan plan) {
         String disabled = names(plan);
         return disabled.isEmpty() ? "" : "Also does what is disabled for trying: " + disabled;

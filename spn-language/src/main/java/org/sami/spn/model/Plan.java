@@ -11,7 +11,7 @@ import java.util.Optional;
  * A plan: one SAMI Petri Net (thesis 3.1). Order of lists is meaning: places, transitions and edges are looked at in it.
  *
  * @param id stable, unique in the project
- * @param description a few sentences for whoever chooses a plan
+ * @param description a few sentences for those who choose a plan
  * @param variables variables declared by this plan (it writes or owns them)
  * @param reads names of variables that it expects of its parents or the project
  * @param layout of vertices, by id

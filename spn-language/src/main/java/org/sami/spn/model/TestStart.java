@@ -9,7 +9,7 @@ import org.sami.spn.value.Value;
 /**
  * The marking from which a test case starts instead of the plan's start place.
  *
- * @param values answers to what the plan asks at its start, by {@code eventId.field} or the name of a variable; what is not given has
+ * @param values answers to what the plan asks at its start, by {@code eventId.field} or the name of a variable; values not given have
  *     its default
  */
 public record TestStart(StartMarking marking, Map<String, Value> values) {

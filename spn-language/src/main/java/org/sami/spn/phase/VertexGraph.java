@@ -67,17 +67,17 @@ final class VertexGraph {
         return Objects.requireNonNull(edges.get(vertex), vertex);
     }
 
-    /** The wanted vertices that are reached first from where missions begin: start places, and transitions without in place. */
+    /** The matching vertices that are reached first from where missions begin: start places, and transitions without in place. */
     List<String> nearestFromStart(Predicate<String> wanted) {
         return search(first, after, wanted);
     }
 
-    /** The wanted vertices that lie behind a vertex with no other wanted one between. */
+    /** The matching vertices behind a vertex without another one between. */
     List<String> nearestAfter(String vertex, Predicate<String> wanted) {
         return search(next(after, vertex), after, wanted);
     }
 
-    /** The wanted vertices before a vertex that are as few steps away as any. */
+    /** The matching vertices before a vertex with the fewest steps to it. */
     List<String> nearestBefore(String vertex, Predicate<String> wanted) {
         Set<String> seen = new LinkedHashSet<>(Set.of(vertex));
         Set<String> ring = next(before, vertex);

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import org.sami.spn.value.Value;
 
-/** The answer to a {@link Decision}; which kind fits is said by {@link Question}. */
+/** The answer to a {@link Decision}; {@link Question} names the kind that fits. */
 public sealed interface Answer {
     /** Yes or no. */
     record YesNo(boolean yes) implements Answer {}

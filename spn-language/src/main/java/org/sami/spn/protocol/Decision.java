@@ -30,7 +30,7 @@ public record Decision(
         OptionalLong deadlineMillis,
         Priority priority,
         List<MarkupSpec> markups) {
-    /** Begins the type of the question whom a pressed interrupt is for; its name follows. */
+    /** Prefix of the type of the question which robots a pressed interrupt is for; its name follows. */
     public static final String INTERRUPT = "interrupt:";
 
     /** Begins the type of the question what becomes of an aborted sub-mission's robots; the id of its place follows. */
@@ -46,7 +46,7 @@ public record Decision(
         markups = List.copyOf(markups);
     }
 
-    /** Whether it asks whom a pressed interrupt is for: {@link Answer.Rejected} withdraws the press then (R-INT-8). */
+    /** Whether it asks which robots a pressed interrupt is for: {@link Answer.Rejected} withdraws the press then (R-INT-8). */
     public boolean isInterruptChoice() {
         return activation == Ids.NONE && mission != Ids.NONE && type.startsWith(INTERRUPT);
     }

@@ -38,7 +38,7 @@ public sealed interface Effect {
      * Missions that start from now on have the plans of this project ({@link Input.LoadProject}).
      *
      * @param version the session's number for it: the project with which it began is 1, each that differs from the one before is
-     *     one more; a project equal to the newest changes nothing and is told with its number
+     *     one more; a project equal to the newest changes nothing and is reported with that number
      */
     record ProjectLoaded(int version, Project project) implements Effect {
         public ProjectLoaded {
@@ -62,7 +62,7 @@ public sealed interface Effect {
 
     /**
      * Tokens left a place, or a visit by nobody ended. Told whatever took them: a firing, a dropped robot, an interrupt in a
-     * parent, the return from a static sub-mission. Not told where the mission ends, for then nothing stands in it any longer.
+     * parent, the return from a static sub-mission. Not emitted where the mission ends, because then nothing stands in it any longer.
      *
      * @param visit the visit by which they had entered; of equal tokens of one visit the oldest leaves
      * @param tokens in the order in which they leave; empty where nobody had entered
@@ -109,7 +109,7 @@ public sealed interface Effect {
      * The operator has answered what the domain asked ({@link Input.AskOperator}).
      *
      * @param yes the answer; where robots were to be chosen, whether any was
-     * @param proxies whom the operator chose, where that was asked
+     * @param proxies the robots that the operator chose, where that was asked
      */
     record QuestionAnswered(String kind, String about, boolean yes, List<String> proxies) implements Effect {
         /** The answer to a question for a yes or a no. */
@@ -166,7 +166,7 @@ public sealed interface Effect {
 
     /**
      * A mission or instance is over; it never reacts again. Nothing stands in it any longer, unless it was halted: then its
-     * marking stays, and a second effect tells that it was aborted.
+     * marking stays, and a second effect reports that it was aborted.
      */
     record MissionEnded(long mission, Outcome outcome) implements Effect {}
 }

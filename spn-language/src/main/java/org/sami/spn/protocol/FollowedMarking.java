@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Follows the markings of all missions from effects alone, so that whoever hears a session's effects need not ask its engine. It
+ * Follows the markings of all missions from effects alone, so that a listener to a session's effects need not query its engine. It
  * must hear every effect in order, from the first one on, or from {@code EngineView.markingAsEffects()} on where it begins in
  * the middle of a session. Effects that move no token change nothing.
  *
@@ -55,7 +55,7 @@ public final class FollowedMarking implements Consumer<Effect> {
         List<Token> tokens = visits.get(e.visit());
         if (tokens == null) {
             throw new IllegalStateException("No visit " + e.visit() + " of '" + e.place() + "' in mission "
-                    + e.mission() + " was told of, but " + e.tokens() + " left it");
+                    + e.mission() + " was reported, but " + e.tokens() + " left it");
         }
         for (Token token : e.tokens()) {
             if (!tokens.remove(token)) {
@@ -71,7 +71,7 @@ public final class FollowedMarking implements Consumer<Effect> {
     private Mission mission(long id) {
         Mission mission = missions.get(id);
         if (mission == null) {
-            throw new IllegalStateException("The start of mission " + id + " was not told of");
+            throw new IllegalStateException("The start of mission " + id + " was not reported");
         }
         return mission;
     }

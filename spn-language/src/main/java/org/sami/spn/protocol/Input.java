@@ -37,7 +37,7 @@ public sealed interface Input {
     }
 
     /**
-     * Loads a project beside the missions that run: those keep the plans with which they started, missions that start later take
+     * Loads a project while missions run: those keep the plans with which they started, missions that start later take
      * the loaded ones (docs/decisions 0176). Whoever posts it has checked the project's plans.
      *
      * @param document the project as {@code ProjectWriter} writes it, in the words of the session's vocabulary
@@ -90,7 +90,7 @@ public sealed interface Input {
      * A button is pressed.
      *
      * @param mission the mission that offers it, or {@link Ids#NONE} for every running mission that does
-     * @param proxies whom it is about; empty for a general one, or where they are to be chosen
+     * @param proxies the robots concerned; empty for a general one, or where they will be chosen
      */
     record Interrupt(long mission, String name, List<String> proxies) implements Input {
         public Interrupt {
@@ -114,7 +114,7 @@ public sealed interface Input {
     }
 
     /**
-     * The operator wishes to decide alone: the timer of a decision that autonomy would answer is stopped, and autonomy does not answer it any
+     * The operator decides alone: the timer of a decision that autonomy would answer is stopped, and autonomy does not answer it any
      * longer.
      */
     record HoldDecision(long decision) implements Input {}
@@ -146,9 +146,9 @@ public sealed interface Input {
      * open, it changes nothing.
      *
      * @param kind names what is asked, such as {@code BoatRestarted}; becomes the decision's type
-     * @param about whom it is about; there is one open question of a kind about each
+     * @param about its subject; there is one open question of a kind for each subject
      * @param prompt one sentence for the operator
-     * @param proxies of whom any number, also none, is to be chosen; empty for a yes or a no
+     * @param proxies robots of which any number, also none, can be chosen; empty for a yes or a no
      */
     record AskOperator(String kind, String about, String prompt, Priority priority, List<String> proxies)
             implements Input {

@@ -38,7 +38,7 @@ public record AuthoringLibrary(
 
     /**
      * The sequences of an event type, the one to offer first first. One whose answers come robot by robot is there once for each way to go
-     * on, so that nobody waits for all without having been told; a way that a manual sequence draws is that sequence's.
+     * on, so that no plan waits for all unnoticed; a way that a manual sequence draws is that sequence's.
      */
     public List<Sequence> of(String event) {
         List<Sequence> written =

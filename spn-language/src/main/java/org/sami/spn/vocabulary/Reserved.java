@@ -56,7 +56,7 @@ public final class Reserved {
     /** Constant of {@link #SELECTION}: nothing is selected. */
     public static final String NONE = "NONE";
 
-    /** Begins the key under which the session remembers what a robot is called beside its name, as a text; its id follows. */
+    /** Prefix of the key under which the session remembers a robot's other name, as a text; its id follows. */
     public static final String DESCRIPTION_KEY = "description/";
 
     /** Markup: an event is an action of a phase (thesis 5.2.3). */

@@ -31,7 +31,7 @@ import org.sami.spn.value.Value;
 /**
  * Says what a state means in facts about robots, tasks, visits and activations, and not which of them is which, in what order they came, where
  * points lie or how long timers have to run. Robots and tasks of which plans speak by name keep their names. The order in which tokens entered
- * a place is said only where a requirement takes some number of them.
+ * a place is stated only where a requirement takes some number of them.
  */
 public final class AlikeState {
     private final NetState state;
@@ -67,7 +67,7 @@ public final class AlikeState {
         return facts.bytes();
     }
 
-    /** Says that a robot has a task left, as whoever follows its tasks knows. */
+    /** States that a robot has a task left, as observers of its tasks know. */
     public void left(String robot, int turn, TaskId task, boolean begun) {
         facts.fact("left " + turn + begun, robot(robot), task(task));
     }

@@ -166,7 +166,7 @@ final class CanonicalMission {
                 .thenComparing(t -> t instanceof Token.Task task ? task.task().name() : t.toString());
     }
 
-    /** Open interrupt places are pressed in the order in which they were entered, wherever they are. */
+    /** Open interrupt places are pressed in the order in which they were entered, in all places. */
     private void interrupts(MissionState m) {
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
             for (SentActivation s : v.sent) {

@@ -9,8 +9,8 @@ import java.util.Map;
 
 /**
  * Objects without names and facts about them, written so that two structures with equal facts have the same bytes whichever object is which
- * and in whatever order the facts came. Objects are told apart by colour refinement: the colour of each is made of its own and of the facts that
- * speak of it, until no more are told apart; of those that are left equal one is set apart, and so on. Where two of those are no mirror images
+ * and in whatever order the facts came. Objects are distinguished by colour refinement: the colour of each is made of its own and of the facts that
+ * speak of it, until no more are distinguished; of those that are left equal one is set apart, and so on. Where two of those are no mirror images
  * after all, two equal structures can have other bytes; other structures never have the same.
  */
 final class LabelledStructure {
@@ -86,7 +86,7 @@ final class LabelledStructure {
         return colours;
     }
 
-    /** Refines until no more objects are told apart. Returns the first of those with the least colour that several have; -1 where none is left. */
+    /** Refines until no more objects are distinguished. Returns the first of those with the least colour that several have; -1 where none is left. */
     private int refine(long[] colours) {
         int distinct = 0;
         while (true) {

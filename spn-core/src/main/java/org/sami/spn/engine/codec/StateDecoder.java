@@ -115,7 +115,7 @@ public final class StateDecoder {
         return version == 4 || version == StateEncoder.VERSION;
     }
 
-    /** Whether unused returns of static instances are still to be told: before version 3 one's value replaced the one before. */
+    /** Whether unused returns of static instances still have to be posted: before version 3 one's value replaced the one before. */
     public boolean leavesReturnsUntold() {
         return version < 3;
     }
@@ -314,7 +314,7 @@ public final class StateDecoder {
         return returnsOfVisits.computeIfAbsent(instance, i -> new Return(i, List.of(), i.returnValue));
     }
 
-    /** Before version 3 an occurrence that told the value of a visit's instance said only of which visit. */
+    /** Before version 3 an occurrence with the value of a visit's instance named only the visit. */
     private Return toldBefore(CompiledInput input, Visit bound) {
         return bound == null
                 ? null

@@ -167,7 +167,7 @@ final class Activating {
         }
     }
 
-    /** The engine's own answer to an activation: routed like any other, for whoever moved on may still be waited for. */
+    /** The engine's own answer to an activation: routed like any other, because a transition may still wait for tokens that have moved on. */
     void answer(SentActivation sent, EventRole role, List<String> proxies, List<TaskId> tasks) {
         if (!sent.mission().ended) {
             rules.routing.route(Occurrence.answer(answerType(sent, role), sent.activation, proxies, tasks, Map.of()));

@@ -94,7 +94,7 @@ public final class Decisions {
                 ""));
     }
 
-    /** An interrupt was pressed without saying for whom. */
+    /** An interrupt was pressed without naming robots. */
     public void openInterruptChoice(MissionState m, String interrupt, List<String> candidates) {
         Question question = new Question.ChooseProxies(candidates, 1, Integer.MAX_VALUE);
         add(new OpenDecision(

@@ -46,7 +46,7 @@ public final class Interrupts {
         }
     }
 
-    /** Removes presses that a transition could not use when it was looked at, and tells the operator. */
+    /** Removes presses that a transition could not use when it was looked at, and notifies the operator. */
     public void refuseKept(TransitionState t) {
         if (t.pending == 0 || t.mission.ended) {
             return; // with a mission end its pending occurrences
@@ -121,7 +121,7 @@ public final class Interrupts {
         return offered;
     }
 
-    /** Asks whom the press is for; where nobody stands whom it could take, it is refused. */
+    /** Asks which robots the press is for; where there is none that it could take, it is refused. */
     private boolean ask(MissionState m, SentActivation sent, String name) {
         List<String> candidates = candidates(sent);
         if (candidates.isEmpty()) {
@@ -150,7 +150,7 @@ public final class Interrupts {
         rules.routing.route(Occurrence.answer(type, sent.activation, proxies, List.of(), values));
     }
 
-    /** No transition can take a press: it is not kept, and the operator is told. */
+    /** No transition can take a press: it is not kept, and the operator is notified. */
     public void untaken(Occurrence press) {
         Value name = press.values().get(Reserved.INTERRUPT_NAME);
         MissionState m = rules.state.missions.get(press.mission());

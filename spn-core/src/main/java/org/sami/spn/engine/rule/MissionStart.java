@@ -104,7 +104,7 @@ public final class MissionStart {
         return m;
     }
 
-    /** The effect that tells the start of a mission. */
+    /** The effect of the start of a mission. */
     public static Effect.MissionStarted started(MissionState m) {
         return new Effect.MissionStarted(
                 m.id,

@@ -80,7 +80,7 @@ public final class PendingOccurrences {
     }
 
     /**
-     * Strikes from an answer, which is not added yet, whom the question named and who is gone since; those that it struck.
+     * Strikes from an answer, which is not added yet, the tokens that the question named and that are gone since; returns them.
      *
      * @param offered robots that the question offered because they stood in its place; it named them too
      */
@@ -156,7 +156,7 @@ public final class PendingOccurrences {
         }
     }
 
-    /** Tells all unused returns of static instances anew. */
+    /** Tells all unused returns of static instances again. */
     public void tellUnused() {
         for (MissionState m : rules.state.missions.values()) {
             for (PlaceState place : m.places) {
@@ -204,7 +204,7 @@ public final class PendingOccurrences {
     }
 
     /**
-     * One copy of a token left a place, its firing is complete: whoever named it may have to be struck.
+     * One copy of a token left a place, its firing is complete: occurrences that named it may have to be struck.
      *
      * @param before the stamp before the firing: what entered later has a greater order
      */
@@ -246,7 +246,7 @@ public final class PendingOccurrences {
                 for (PendingOccurrence p = q.first; p != null; p = p.next) {
                     if (p.names.length == 0 && p.visit() == visit) {
                         t.remove(p);
-                        if (p.told == null) { // a return's value goes with the return, which is told of
+                        if (p.told == null) { // a return's value goes with the return, which is reported
                             discarded(t, p);
                         }
                     }

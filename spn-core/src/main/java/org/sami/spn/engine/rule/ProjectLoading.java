@@ -20,7 +20,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
 /**
- * Loads a project beside the missions that run (decision 0176, docs/session.md). Those keep their plans; a global keeps its value
+ * Loads a project while missions run (decision 0176, docs/session.md). Those keep their plans; a global keeps its value
  * where its name and type stay.
  *
  * <p>Implements R-LOAD-1, R-LOAD-2 and R-LOAD-3.
@@ -89,7 +89,7 @@ public final class ProjectLoading {
                 .anyMatch(spec -> spec != null && spec.type().equals(type));
     }
 
-    /** Gives a global that has no value its initial one; tells where another initial value than before does not count. */
+    /** Gives a global that has no value its initial one; reports another initial value that does not count. */
     private void begin(VariableSpec declared, VariableSpec before) {
         if (declared.initial().isEmpty()) {
             return;

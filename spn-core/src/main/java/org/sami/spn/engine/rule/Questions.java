@@ -78,7 +78,7 @@ final class Questions {
         return kept.size() < Math.max(1, least) ? offered : kept;
     }
 
-    /** What the session remembers that a robot is called beside its name. */
+    /** The other names of a robot that the session remembers. */
     private String called(String robot) {
         return rules.state.memory.get(Reserved.DESCRIPTION_KEY + robot) instanceof TextValue text ? text.value() : "";
     }
@@ -106,7 +106,7 @@ final class Questions {
         return sent.activation.proxies().isEmpty() && !standing(sent).isEmpty();
     }
 
-    /** Whom an open choice would offer now without its filters, of those among whom it was asked. */
+    /** The robots that an open choice would offer now without its filters, among those for which it was asked. */
     List<String> all(OpenDecision open, Set<String> without) {
         SentActivation sent = open.sent;
         if (open.purpose != OpenDecision.Purpose.ACTIVATION) {

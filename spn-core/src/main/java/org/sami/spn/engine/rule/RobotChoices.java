@@ -14,7 +14,7 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Question;
 
 /**
- * Open choices of robots after robots that they offer have gone: asked anew without them, or given up.
+ * Open choices of robots after robots that they offer have gone: asked again without them, or given up.
  *
  * <p>Implements R-DEC-8, R-DEC-10.
  */
@@ -28,9 +28,9 @@ public final class RobotChoices {
     }
 
     /**
-     * Robots have gone: choices that offer them are asked anew without them, in the order in which they were asked.
+     * Robots have gone: choices that offer them are asked again without them, in the order in which they were asked.
      *
-     * @param gone by mission, whom its choices are to offer no longer
+     * @param gone by mission, the robots that its choices must no longer offer
      * @param how what became of them, as the end of a sentence: {@code dropped}
      */
     void gone(Map<MissionState, Set<String>> gone, String how) {

@@ -27,7 +27,7 @@ import org.sami.spn.protocol.Token;
  */
 public final class RobotRemoval {
     private final Rules rules;
-    /** Robots that instances have lost, by mission; their choices are to be asked anew. */
+    /** Robots that instances have lost, by mission; their choices are to be asked again. */
     private final Map<MissionState, Set<String>> withdrawn = new LinkedHashMap<>();
 
     public RobotRemoval(Rules rules) {
@@ -92,7 +92,7 @@ public final class RobotRemoval {
         }
     }
 
-    /** Nobody waits for the robot in instances of a mission any longer, wherever it stands. */
+    /** Nobody waits for the robot in instances of a mission any longer, in any place. */
     private void forget(MissionState m, Token token) {
         for (PlaceState place : m.places) {
             if (place == null) {
@@ -148,7 +148,7 @@ public final class RobotRemoval {
         rules.sharedInstances.pulled(removed, List.of(), before);
     }
 
-    /** Asks the choices of instances anew that offer robots which were withdrawn from them. */
+    /** Asks the choices of instances again that offer robots which were withdrawn from them. */
     void askWithoutWithdrawn() {
         if (!withdrawn.isEmpty()) {
             rules.robotChoices.gone(withdrawn, "withdrawn");

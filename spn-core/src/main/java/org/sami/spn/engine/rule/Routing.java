@@ -59,7 +59,7 @@ public final class Routing {
         this.rules = rules;
     }
 
-    /** Brings an occurrence to whom it is for, or notes why nobody wants it; says whether somebody does. */
+    /** Brings an occurrence to the transitions that it is for, or notes why there is none; returns whether there is one. */
     public boolean route(Occurrence o) {
         return route(o, List.of());
     }
@@ -98,7 +98,7 @@ public final class Routing {
     }
 
     /**
-     * Whether everybody whom an answer names is gone for all transitions that wait for it, and they ask for somebody.
+     * Whether all robots that an answer names are gone for all transitions that wait for it, and these require some.
      *
      * @param offered robots that the question offered because they stood in its place
      * @param isChoice whether an answer that names nobody is none, whatever transitions ask for (R-DEC-5)

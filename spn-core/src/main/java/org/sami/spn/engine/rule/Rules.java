@@ -87,7 +87,7 @@ public final class Rules {
         sink.accept(new Effect.Noted(kind, mission, message));
     }
 
-    /** Says something to itself, after what was said before and after the work list. */
+    /** Posts an input of the engine to itself, after earlier ones and after the work list. */
     public void post(Runnable ownInput) {
         ownInputs.add(ownInput);
     }

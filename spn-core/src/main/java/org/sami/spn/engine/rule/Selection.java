@@ -160,7 +160,7 @@ final class Selection {
         };
     }
 
-    /** Makes a token for each of the first names, wherever that token stands. */
+    /** Makes a token for each of the first names, even if such a token stands elsewhere. */
     private static void addRelevant(
             OutRequirement r, RelevantTokens relevant, CompiledTransition.Out out, Selected result, List<Token> added) {
         int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();

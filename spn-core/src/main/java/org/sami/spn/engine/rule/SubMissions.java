@@ -33,7 +33,7 @@ import org.sami.spn.vocabulary.EventRole;
  * <p>Implements R-LOOK-10, R-INT-7, R-TASK-5, R-SUB-1, R-SUB-5, R-SUB-7, R-SUB-8, R-SUB-9.
  */
 public final class SubMissions {
-    /** Instances within instances that are allowed; a plan that starts itself would go on for ever. */
+    /** Instances within instances that are allowed; a plan that starts itself would go on forever. */
     private static final int DEEPEST = 100;
 
     private final Rules rules;

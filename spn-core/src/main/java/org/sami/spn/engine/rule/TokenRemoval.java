@@ -22,7 +22,7 @@ final class TokenRemoval {
         this.rules = rules;
     }
 
-    /** Takes tokens out of the marking and tells so, in one effect for neighbours of one visit. */
+    /** Takes tokens out of the marking and emits one effect for neighbours of one visit. */
     void remove(List<PlacedToken> entries) {
         for (int i = 0; i < entries.size(); ) {
             Visit v = entries.get(i).visit;

@@ -51,13 +51,13 @@ final class WorkList {
         withdrawnFrom.add(place);
     }
 
-    /** Those who lost tokens in instances follow the places of whom it happened to first, from the outside inwards. */
+    /** Transitions of instances that lost tokens, in the order in which the instances lost them, from the outside inwards. */
     void addWithdrawn() {
         withdrawnFrom.forEach(this::left);
         withdrawnFrom.clear();
     }
 
-    /** Those whom a dropped robot left in a mission, whoever took it out; what it left in others waits for their turn. */
+    /** Transitions of places that a dropped robot left in a mission, by any cause; those of other missions wait for their turn. */
     void addDropped(MissionState mission) {
         for (PlaceState place : withdrawnFrom) {
             if (place.mission == mission) {

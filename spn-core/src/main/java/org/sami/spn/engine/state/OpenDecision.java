@@ -26,7 +26,7 @@ public final class OpenDecision {
     public final SentActivation sent;
     /** The aborted child, else null. */
     public final Instance instance;
-    /** The interrupt whose robots are chosen, or whom the domain's question is about, or {@link #STANDING}; else empty text. */
+    /** The interrupt whose robots are chosen, or the subject of the domain's question, or {@link #STANDING}; else empty text. */
     public final String subject;
 
     public RunningTimer deadline;

@@ -11,7 +11,7 @@ public final class PendingOccurrence {
     public final SentActivation answered;
     /** A visit with whose end it goes, though it answers no activation; else null. */
     public final Visit bound;
-    /** The return whose value it tells; else null. */
+    /** The return whose value it carries; else null. */
     public final Return told;
 
     public NamedToken[] names = {};

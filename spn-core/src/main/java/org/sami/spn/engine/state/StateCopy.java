@@ -8,7 +8,7 @@ import java.util.Map;
 import org.sami.spn.value.Value;
 
 /**
- * Copies a whole state, object by object: what a step changes is made anew, what is immutable is shared. Makes what decoding
+ * Copies a whole state, object by object: what a step changes is made again, what is immutable is shared. Makes what decoding
  * the state's bytes would make; between two steps only. Used once.
  */
 public final class StateCopy {

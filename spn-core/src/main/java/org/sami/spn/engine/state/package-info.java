@@ -2,7 +2,7 @@
  * What changes in a step: missions, markings, visits, pending occurrences, timers, open decisions. Used by the engine alone.
  *
  * <p>Belongs here: data and the bookkeeping that keeps one class's lists and counts together. Does not belong here: any rule of
- * the language; nothing here tells an effect. Knows {@code net}.
+ * the language; nothing here emits an effect. Knows {@code net}.
  *
  * <p>Read {@code NetState}, {@code Mission}, {@code PlaceState}, {@code Visit}, then {@code TransitionState}.
  */
