@@ -13,7 +13,7 @@ import org.sami.crw.cli.output.ExitCode;
 import picocli.CommandLine;
 
 /**
- * Does a little of everything that commands do, so that a process that is told to archive its classes has loaded those that
+ * Does a little of everything that commands do, so that a process that archives its classes has loaded those that
  * commands need. The start script runs it, once for each Java. The layout of nets in layers is not among it: JDK 17 breaks when it
  * archives the lambdas of that library.
  */

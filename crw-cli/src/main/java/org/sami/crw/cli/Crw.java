@@ -89,7 +89,7 @@ import picocli.CommandLine.Spec;
             "  crw check my-plan.json",
             "  crw events             what a plan may say",
             "",
-            "'crw help COMMAND' tells more about one of them."
+            "'crw help COMMAND' describes one of them."
         })
 public final class Crw implements Runnable {
     @Spec

@@ -18,7 +18,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
 import picocli.CommandLine.ScopeType;
 
-/** The options that every command has: how much is told beside the result, and where from options come. */
+/** The options that every command has: how much is printed in addition to the result, and the source of options. */
 final class GlobalOptions {
     @Option(
             names = "--quiet",
@@ -36,7 +36,7 @@ final class GlobalOptions {
             names = "--log-file",
             paramLabel = "FILE",
             scope = ScopeType.INHERIT,
-            description = "Append what is told on standard error to this file, with the time (UTC).")
+            description = "Append the lines of standard error to this file, with the time (UTC).")
     private Path logFile;
 
     @Option(

@@ -45,7 +45,10 @@ final class BoatCommands {
                         "add NAME LAT,LON [COUNT]", "Adds simulated boats, which move in real time.", this::add),
                 withBoat(
                         "drop BOAT [MISSION]", "Takes a boat out of a mission, or of all and gives it up.", this::drop),
-                withBoat("take BOAT", "Commands a boat, whoever did before.", told(Fleet::takeCommand, "taken")),
+                withBoat(
+                        "take BOAT",
+                        "Takes command of a boat, also from another base.",
+                        told(Fleet::takeCommand, "taken")),
                 withBoat(
                         "ask BOAT",
                         "Asks who commands a boat for its command.",
@@ -57,7 +60,7 @@ final class BoatCommands {
                 withBoat("give BOAT CLIENT", "Gives a boat's command to another base.", this::give),
                 withBoat(
                         "drive BOAT THRUST RUDDER [SECONDS]",
-                        "Drives a boat by hand, -1 to 1 each; 2 s if not said. Missions wait until it is given back.",
+                        "Drives a boat by hand, -1 to 1 each; 2 s by default. Missions wait until it is given back.",
                         this::drive),
                 withBoat(
                         "back BOAT",
@@ -145,7 +148,7 @@ final class BoatCommands {
         arguments.end();
         for (BoatAddress address : addresses) {
             out.accept("connecting to " + address);
-            context.session().fleet().connect(address); // the boat is told of when it answers
+            context.session().fleet().connect(address); // the boat is reported when it answers
         }
     }
 

@@ -12,7 +12,7 @@ import org.sami.crw.session.Session;
 import org.sami.spn.finding.Suggestions;
 
 /**
- * An operator's console on a session: reads commands line by line until there are no more or one ends it, and tells what happens
+ * An operator's console on a session: reads commands line by line until there are no more or one ends it, and prints what happens
  * meanwhile. Used by one thread, which is none of the session's.
  */
 public final class Console implements AutoCloseable {
@@ -21,7 +21,7 @@ public final class Console implements AutoCloseable {
     private final SessionCommands session;
     private int faults;
 
-    /** A console that has told nothing yet. */
+    /** A console that has printed nothing yet. */
     public Console(Session session) {
         context = new ConsoleContext(Objects.requireNonNull(session, "session"));
         this.session = new SessionCommands(context, commands::values);

@@ -102,7 +102,7 @@ final class ConsoleContext implements AutoCloseable {
                 .toList();
     }
 
-    /** Waits until all is told that follows from what the engine has done: also what handlers tell the operator, a little after the engine's step. */
+    /** Waits until all results of the engine's steps are printed: also messages of handlers, a little after the engine's step. */
     void catchUp() {
         await(session.ask(view -> true).thenCompose(left -> session.fleet().ask(boats -> left)));
     }

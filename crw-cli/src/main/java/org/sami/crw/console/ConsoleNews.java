@@ -23,7 +23,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Ids;
 
-/** What the console tells by itself, as it happens: decisions, messages, alarms, missions, links. Told on the models' thread. */
+/** The console's news, as they happen: decisions, messages, alarms, missions, links. Printed on the models' thread. */
 final class ConsoleNews implements AutoCloseable {
     private final AnswerText answers;
     private final Consumer<String> out;

@@ -12,7 +12,7 @@ import org.sami.crw.message.MessageEntry;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.protocol.Answer;
 
-/** Commands about what the operator is asked and told: decisions and messages. */
+/** Commands about decisions and messages. */
 final class OperatorCommands {
     /** How this operator is called to the others. */
     static final String NAME = "console";

@@ -52,10 +52,7 @@ final class SessionCommands {
                         "save FILE",
                         "Writes the variables' values into a project's file as its initial ones.",
                         this::save),
-                ConsoleCommand.of(
-                        "load FILE",
-                        "Loads a project beside the missions that run, which keep their plans.",
-                        this::load),
+                ConsoleCommand.of("load FILE", "Loads a project; running missions keep their plans.", this::load),
                 ConsoleCommand.of(
                         "wait decision|alarm|ended|tasks|boats N|SECONDS [within SECONDS]",
                         "Waits until something is asked, something is wrong, no mission runs, boats have tasks, N boats are linked and tell where they are, or for a time.",

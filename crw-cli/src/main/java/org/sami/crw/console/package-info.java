@@ -1,7 +1,7 @@
 /**
  * The operator's console: a session that is run by typed commands, at a terminal or from a script (docs/console.md).
  *
- * <p>Belongs here: the commands, their completion, and what the console tells by itself. Does not belong here: what a session does
+ * <p>Belongs here: the commands, their completion, and the console's news. Does not belong here: what a session does
  * ({@code org.sami.crw.session}), and the options of {@code crw session}.
  */
 package org.sami.crw.console;

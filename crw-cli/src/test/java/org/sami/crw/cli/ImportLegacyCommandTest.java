@@ -96,7 +96,7 @@ class ImportLegacyCommandTest {
         CommandResult json = CommandResult.crw("check", out.toString(), "--json");
 
         assertThat(text.out())
-                .contains("imported from old.json; the import said: W-HEADING 1, W-NO-REQUIREMENT 2")
+                .contains("imported from old.json; result of the import: W-HEADING 1, W-NO-REQUIREMENT 2")
                 .containsSubsequence("of the plans as they were drawn:", "E-NO-START");
         assertThat(new ObjectMapper()
                         .readTree(json.out())

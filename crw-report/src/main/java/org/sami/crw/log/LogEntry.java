@@ -9,7 +9,7 @@ sealed interface LogEntry {
     /**
      * Where the boat took itself to be, out of position fixes and sensors.
      *
-     * @param yawRad as logged: radians, the sense of turning is not said there
+     * @param yawRad as logged: radians, the sense of turning is not documented
      */
     record Pose(GeoPoint at, double yawRad) implements LogEntry {
         public Pose {
@@ -37,7 +37,7 @@ sealed interface LogEntry {
         }
     }
 
-    /** What the boat was told, or told its motors; as logged. */
+    /** A command to the boat or to its motors, as logged. */
     record Command(String text) implements LogEntry {
         public Command {
             Objects.requireNonNull(text, "text");

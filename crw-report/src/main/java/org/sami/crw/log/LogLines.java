@@ -18,7 +18,7 @@ final class LogLines implements Closeable {
     /** The longest line that is kept; those of the boats are below 1,000. */
     static final int MOST_BYTES = 65_536;
 
-    private static final int LOOKED_AT = 4096;
+    private static final int SAMPLE_BYTES = 4096;
 
     private final BufferedInputStream bytes;
     private long number;
@@ -45,9 +45,9 @@ final class LogLines implements Closeable {
     static LogLines open(Path file) throws IOException {
         InputStream raw = Files.newInputStream(file);
         try {
-            BufferedInputStream bytes = new BufferedInputStream(raw, 2 * LOOKED_AT);
-            bytes.mark(LOOKED_AT);
-            byte[] head = bytes.readNBytes(LOOKED_AT);
+            BufferedInputStream bytes = new BufferedInputStream(raw, 2 * SAMPLE_BYTES);
+            bytes.mark(SAMPLE_BYTES);
+            byte[] head = bytes.readNBytes(SAMPLE_BYTES);
             bytes.reset();
             refuseWhatIsNoText(head);
             return new LogLines(bytes);

@@ -21,7 +21,7 @@ import org.sami.spn.value.GeoPoint;
  * boats report before their first satellite fix, would shrink everything to a dot; the summary says that it is left out.
  */
 final class LogPicture {
-    private static final double NEAR_M = 5000;
+    private static final double MAX_GAP_M = 5000;
     private static final double MOST_LAT_DEG = 85;
 
     private LogPicture() {}
@@ -49,7 +49,7 @@ final class LogPicture {
     }
 
     private static boolean near(TrackSegment main, TrackSegment stretch) {
-        return Geodesy.distanceM(main.first(), stretch.first()) <= NEAR_M;
+        return Geodesy.distanceM(main.first(), stretch.first()) <= MAX_GAP_M;
     }
 
     private static byte[] draw(LogSummary summary, TrackSegment main) throws IOException {

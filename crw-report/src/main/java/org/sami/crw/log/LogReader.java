@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** Goes through a log once, sums it up, and on the way writes its tables where they are wanted. */
+/** Reads a log once, summarises it, and writes its tables where requested. */
 final class LogReader {
     /** If none of so many lines is an entry, the file is something else; a damaged log begins well. */
     private static final int TRIED = 1000;

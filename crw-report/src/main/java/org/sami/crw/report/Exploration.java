@@ -15,7 +15,7 @@ import java.util.Optional;
  */
 public record Exploration(long askedAtMillis, double spacingM, double areaM2, Left left, List<MapArea> uncovered) {
     /**
-     * Square metres that are left by the tracks that boats were given, by where they said that they were, and by where they truly were;
+     * Square metres that are left by the planned, the reported and the true tracks;
      * empty where that is not known.
      */
     public record Left(Optional<Double> plannedM2, Optional<Double> reportedM2, Optional<Double> trueM2) {

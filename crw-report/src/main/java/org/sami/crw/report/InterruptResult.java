@@ -6,7 +6,7 @@ import java.util.OptionalLong;
 /**
  * One interrupt that was to be pressed.
  *
- * @param boat whom it was about; empty text for all, names with spaces between them where several were chosen
+ * @param boat the boat concerned; empty text for all, names with spaces between them where several were chosen
  * @param trigger why it was pressed: {@link #TIME} or {@link #BATTERY}
  * @param pressedAtMillis simulated time of the first press; empty where the run was over before its time came
  * @param takenAtMillis simulated time at which a transition fired with it; empty where none ever did

@@ -25,8 +25,8 @@ public record LinkResult(String words, String bootId, int lost, int reconnected,
      * How many waypoint lists went to the boat.
      *
      * @param sent each counted once, however often it was sent again
-     * @param acknowledged the boat said that it took them
-     * @param readBackEqual the boat said what it holds, and that was equal
+     * @param acknowledged whether the boat acknowledged them
+     * @param readBackEqual whether the list that the boat read back was equal
      * @param failed given up before that
      */
     public record Uploads(int sent, int acknowledged, int readBackEqual, int failed) {

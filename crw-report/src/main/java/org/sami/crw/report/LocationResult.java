@@ -36,7 +36,7 @@ public record LocationResult(
     }
 
     /**
-     * Where boats truly were beside a location.
+     * The true positions of boats near a location.
      *
      * @param visit the first time at which one was within the radius that counts as a visit
      * @param nearestM how near any came; empty = not so near that anybody measured it
@@ -56,7 +56,7 @@ public record LocationResult(
         Objects.requireNonNull(truth, "truth");
     }
 
-    /** A location of which only is known what boats told. */
+    /** A location of which only reports of boats are known. */
     public LocationResult(
             int number, double latDeg, double lonDeg, double eastM, double northM, Optional<Visit> reported) {
         this(number, latDeg, lonDeg, eastM, northM, reported, Optional.empty());

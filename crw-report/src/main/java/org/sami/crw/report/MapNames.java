@@ -19,7 +19,7 @@ public final class MapNames {
                 ReportWords.duration(report.result().simulatedMillis()));
     }
 
-    /** By whom a location was visited and when; by how much it was truly missed. */
+    /** Which boat visited a location and when, and by how much it truly missed it. */
     public static String of(LocationResult location) {
         if (location.visited()) {
             return "visited by " + words(location.visit().orElseThrow());

@@ -31,7 +31,7 @@ public final class NoGoDepth {
                 .max();
     }
 
-    /** How deep boats might come inside at most, as the operator was told before they drove; 0 where nothing was told, empty where nothing is avoided. */
+    /** How deep boats might come inside at most, as announced to the operator before they drove; 0 where nothing was announced, empty where nothing is avoided. */
     public static OptionalDouble announced(RunReport report) {
         boolean isAvoided = report.map().areas().stream().anyMatch(area -> area.kind() == MapArea.Kind.AVOIDED);
         return isAvoided ? OptionalDouble.of(report.map().announcedM().orElse(0)) : OptionalDouble.empty();

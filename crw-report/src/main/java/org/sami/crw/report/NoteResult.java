@@ -11,7 +11,7 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** News that nobody had asked for and no transition waited for: nothing is lost by it. */
     public static final String NEWS = "news";
 
-    /** What the simulated operator was asked and could not answer as it was told to. */
+    /** A question that the simulated operator could not answer by its rules. */
     public static final String UNANSWERED = "unanswered";
 
     /** What a plan asked and nobody could do. */
@@ -23,13 +23,13 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** A mission could not go on by itself, or went on. */
     public static final String STUCK = "stuck";
 
-    /** What a handler or service told the operator. */
+    /** A message of a handler or service to the operator. */
     public static final String DOMAIN_MESSAGE = "domain message";
 
     /** What could not be written to the journal. */
     public static final String JOURNAL = "journal";
 
-    /** Whether something went wrong of which no plan is told: a run in which that happened is not quite right, however it ends. */
+    /** Whether it is a problem that no plan hears of: a run with one has problems, however it ends. */
     public boolean isProblem() {
         return kind.equals(HANDLER_FAILED) || kind.equals(UNANSWERED) || kind.equals(JOURNAL);
     }

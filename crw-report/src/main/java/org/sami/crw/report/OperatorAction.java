@@ -8,8 +8,8 @@ import java.util.Optional;
  * Something that an operator did, or noted.
  *
  * @param kind such as {@code answer} or {@code note}
- * @param mission whom it concerned; 0 for none in particular
- * @param boats whom it concerned; may be empty
+ * @param mission the mission concerned; 0 for none in particular
+ * @param boats the boats concerned; may be empty
  * @param latDeg where, with {@code lonDeg}, for a note about a place
  */
 public record OperatorAction(

@@ -6,7 +6,7 @@ import java.util.Objects;
 /**
  * What one channel of one of a boat's sensors measured.
  *
- * @param atMillis when the base was told, from the start of the run
+ * @param atMillis when the base received it, from the start of the run
  * @param values at least one
  * @param unit of the values; empty for none
  * @param latDeg where the boat took itself to be

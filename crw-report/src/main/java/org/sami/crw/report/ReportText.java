@@ -250,7 +250,7 @@ public final class ReportText {
         }
     }
 
-    /** Answers that no transition wanted are counted; news that nobody asked for is left out, problems were named. */
+    /** Answers without a transition are counted; news that no transition awaits is left out, problems were named. */
     private static void notes(StringBuilder text, RunReport report) {
         List<NoteResult> shown = report.notes().stream()
                 .filter(note ->

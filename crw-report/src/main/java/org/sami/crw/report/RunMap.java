@@ -5,14 +5,14 @@ import java.util.Objects;
 import java.util.OptionalDouble;
 
 /**
- * What the map of a run has beside tracks and locations.
+ * What the map of a run has in addition to tracks and locations.
  *
  * @param areas of the plan, each once, in the order in which the plan came to them
  * @param spots of the plan, likewise
  * @param explorations likewise
  * @param closest how near boats came to one another
  * @param paths that boats were given, in order of time
- * @param announcedM how deep boats might come into avoided areas at most, as the operator was told before they drove, in metres; empty where nothing was told
+ * @param announcedM how deep boats might come into avoided areas at most, as announced to the operator before they drove, in metres; empty where nothing was announced
  */
 public record RunMap(
         List<MapArea> areas,
@@ -30,12 +30,12 @@ public record RunMap(
         Objects.requireNonNull(closest, "closest");
     }
 
-    /** A map without paths, of a run in which nothing was told of depths. */
+    /** A map without paths, of a run in which no depths were announced. */
     public RunMap(List<MapArea> areas, List<MapSpot> spots, List<Exploration> explorations, ClosestApproach closest) {
         this(areas, spots, explorations, closest, List.of(), OptionalDouble.empty());
     }
 
-    /** The same, of a run in which the operator was told how deep boats may come into avoided areas; empty where nothing was told. */
+    /** The same, of a run in which the depth into avoided areas was announced to the operator; empty where nothing was announced. */
     public RunMap announcing(OptionalDouble depthM) {
         return new RunMap(areas, spots, explorations, closest, paths, depthM);
     }

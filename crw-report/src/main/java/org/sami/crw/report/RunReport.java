@@ -6,12 +6,12 @@ import java.util.Optional;
 import org.sami.crw.operator.mission.Wait;
 
 /**
- * Everything that is told about one run. Immutable; all writers read only this.
+ * Everything that is reported about one run. Immutable; all writers read only this.
  *
  * @param waits where the mission stood and what it waited for; empty where it is over
- * @param origin when it began, and who tells of it; empty where nobody wrote that down
+ * @param origin when it began, and which program reports it; empty where that was not recorded
  * @param map the areas and points of its plan, and how near boats came to one another
- * @param parts what stands by itself, in the order in which it is told, each kind once
+ * @param parts further parts, in the order of the report, each kind once
  */
 public record RunReport(
         RunHeader header,
@@ -103,7 +103,7 @@ public record RunReport(
         return with(readings, tasks, told, origin, map);
     }
 
-    /** The same with when it began and which program tells of it. */
+    /** The same with its start time and the reporting program. */
     public RunReport withOrigin(RunOrigin from) {
         return with(readings, tasks, waits, Optional.of(from), map);
     }

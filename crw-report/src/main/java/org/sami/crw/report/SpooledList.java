@@ -23,7 +23,7 @@ import java.util.zip.InflaterInputStream;
 
 /**
  * A list that only grows, of which no more than two blocks of rows are in memory: the rest is in a file of the system's temporary
- * folder, which goes with the list or with the process. A report tells of every firing, and hours of them do not fit into memory.
+ * folder, which goes with the list or with the process. A report contains every firing, and hours of them do not fit into memory.
  * Where that file cannot be written the rows stay in memory. Meant to be read in order. Safe for use by several threads.
  */
 public final class SpooledList<T> extends AbstractList<T> implements RandomAccess {

@@ -11,7 +11,7 @@ import java.util.OptionalLong;
  * @param boat who did it, or has it now; empty text where nobody has
  * @param allocations how often a boat got it that did not have it
  * @param startedAtMillis simulated time at which a boat first began with it
- * @param completedAtMillis simulated time at which its plan last said that it is complete; empty where it is not
+ * @param completedAtMillis simulated time at which its plan last completed it; empty where it is not
  */
 public record TaskResult(
         long mission,

@@ -19,7 +19,7 @@ import org.sami.spn.legacy.LegacyImport;
  *
  * @param source the export as it was named
  * @param target where the project was written
- * @param trials of its plans; empty where none were wanted
+ * @param trials of its plans; empty where none were requested
  */
 public record ImportReport(String source, String target, LegacyImport.Result result, Optional<TrialReport> trials) {
     public ImportReport {

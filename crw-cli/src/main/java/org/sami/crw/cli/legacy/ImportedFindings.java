@@ -52,13 +52,13 @@ public record ImportedFindings(ImportOrigin origin, List<Finding> ofImport, List
         return index < project.plans().size() ? project.plans().get(index).id() : "";
     }
 
-    /** Where the project came from and what the import said then, in one line. */
+    /** The project's origin and the result of the import, in one line. */
     public String heading() {
         Map<String, Long> codes = origin.remarks().stream()
                 .collect(Collectors.groupingBy(ImportOrigin.Remark::code, TreeMap::new, Collectors.counting()));
         String said = codes.entrySet().stream()
                 .map(e -> e.getKey() + " " + e.getValue())
                 .collect(Collectors.joining(", "));
-        return "imported from " + origin.file() + (said.isEmpty() ? "" : "; the import said: " + said);
+        return "imported from " + origin.file() + (said.isEmpty() ? "" : "; result of the import: " + said);
     }
 }

@@ -11,7 +11,7 @@ import org.sami.spn.finding.Finding;
  *
  * @param reason why it went wrong, in one sentence; empty where it did not
  * @param decisions how many questions the operator was asked
- * @param messages how many the operator was told
+ * @param messages how many the operator got
  * @param waitsFor where it stood at the end of its time and what for; empty unless it still ran
  * @param findings what came to light of the plan, by the checks and by the run
  */

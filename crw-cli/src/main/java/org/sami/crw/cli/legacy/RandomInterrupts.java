@@ -8,7 +8,7 @@ import org.sami.crw.sim.run.settings.PlanInterrupts;
 
 /**
  * Draws at which times of a trial run which interrupts are pressed: each independently of the others, at random distances, and
- * where it is for boats every second time for one boat, else for those whom the operator chooses.
+ * one for boats every second time for one boat, else for those that the operator chooses.
  */
 final class RandomInterrupts {
     private static final double NAMES_A_BOAT = 0.5;

@@ -17,7 +17,7 @@ import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * What the simulated operator is told for trial runs, where plans ask at their start for what it makes up nothing of: a boat that
+ * The simulated operator's answers in trial runs, for values asked at the start that it cannot make up: a boat that
  * can be connected, and for any other field some value of its type, so that the plan goes on.
  */
 final class TrialAnswers {
@@ -44,7 +44,7 @@ final class TrialAnswers {
         project.plans()
                 .forEach(plan -> plan.places()
                         .forEach(place -> place.outputs().forEach(output -> answers.add(output, plan.id()))));
-        answers.rules // the plan is tried wherever its places are
+        answers.rules // the plan is tried at its own places
                 .addObject()
                 .put("event", DomainQuestion.DOUBTFUL_WAY.kind())
                 .putObject("answer")

@@ -73,7 +73,7 @@ public final class ConditionsOptions {
             paramLabel = "SECONDS",
             defaultValue = "600",
             description =
-                    "For how long what a metre costs a boat's battery stays the same, before it is drawn anew within "
+                    "For how long the battery cost of a metre stays the same for a boat, before it is drawn again within "
                             + "10 %% of the mean; 0 = ten times a second (default ${DEFAULT-VALUE}).")
     private double dischargeIntervalS;
 

@@ -14,7 +14,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import picocli.CommandLine.Option;
 
-/** The option {@code --domain}: with whose words plans are read, those of the boats unless told. */
+/** The option {@code --domain}: the domain with whose vocabulary plans are read; boats by default. */
 public final class DomainOption {
     private static final String SHIPPED = "/org/sami/domain/";
 

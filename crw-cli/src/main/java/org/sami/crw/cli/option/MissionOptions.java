@@ -119,7 +119,7 @@ public final class MissionOptions {
             description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
     private String battery;
 
-    /** What decides a run beside these options. */
+    /** What determines a run in addition to these options. */
     public record Rest(long seed, Conditions water, Speed speed, List<BoatAddress> addresses) {}
 
     /**

@@ -12,7 +12,7 @@ import org.sami.crw.report.file.ReportFolder;
 import org.sami.crw.report.file.ReportJson;
 import picocli.CommandLine.Option;
 
-/** How a run is told of. */
+/** Where a run's report goes. */
 public final class OutputOptions {
     @Option(
             names = "--json",
@@ -44,8 +44,8 @@ public final class OutputOptions {
     /**
      * Makes the report's folder now: a run whose report could not be written would be lost.
      *
-     * @param err where it is said that a report will be replaced
-     * @throws UsageFault if it cannot be made or written to, or holds a report that is not to be replaced
+     * @param err receives the notice that a report will be replaced
+     * @throws UsageFault if it cannot be made or written to, or holds a report that must not be replaced
      */
     public void prepare(PrintWriter err) {
         if (folder == null) {
@@ -76,7 +76,7 @@ public final class OutputOptions {
     }
 
     /**
-     * Tells the report everywhere it is wanted: first on standard output, which needs no folder. Files that cannot be written are named
+     * Writes the report to every requested output: first to standard output, which needs no folder. Files that cannot be written are named
      * on standard error.
      *
      * @return whether all files were written

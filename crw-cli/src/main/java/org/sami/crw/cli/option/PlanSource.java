@@ -99,7 +99,7 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
     /**
      * The plan to run.
      *
-     * @param wanted id or name of a plan; empty text where the user did not say
+     * @param wanted id or name of a plan; empty text where the user named none
      * @throws UsageFault if there is none such, or several could be meant
      */
     public Plan choose(String wanted) {

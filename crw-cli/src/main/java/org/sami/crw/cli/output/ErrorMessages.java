@@ -13,14 +13,14 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** What is said when a command line makes no sense or something breaks: one or two lines, no stack of calls. */
+/** The message for a wrong command line or an internal fault: one or two lines, no stack trace. */
 public final class ErrorMessages {
     /** Set to see where a fault came from. */
     private static final String TRACE = "crw.trace";
 
     private ErrorMessages() {}
 
-    /** Has faults be told with the calls that led to them, or no longer. */
+    /** Prints faults with their stack traces, or no longer. */
     public static void trace(boolean on) {
         System.setProperty(TRACE, String.valueOf(on));
     }
@@ -73,7 +73,7 @@ public final class ErrorMessages {
         return ExitCode.FAILED;
     }
 
-    /** What is said when the Java machine itself fails. */
+    /** The message when the Java virtual machine itself fails. */
     public static int onError(Error fault, CommandLine command) {
         PrintWriter err = TerminalWriter.of(command.getErr());
         if (fault instanceof OutOfMemoryError) {

@@ -9,7 +9,7 @@ import java.util.function.BooleanSupplier;
  * does the process end. A run that does not come to its end within some seconds is left behind; its journal is safe.
  */
 public final class StopOnInterrupt implements BooleanSupplier, AutoCloseable {
-    private static final long PATIENCE_S = 10;
+    private static final long TIMEOUT_S = 10;
 
     private final CountDownLatch done = new CountDownLatch(1);
     private final Thread hook = new Thread(this::stop, "stop on interrupt");
@@ -30,13 +30,13 @@ public final class StopOnInterrupt implements BooleanSupplier, AutoCloseable {
         asked = true;
         running.interrupt(); // out of the pacer's wait
         try {
-            done.await(PATIENCE_S, TimeUnit.SECONDS);
+            done.await(TIMEOUT_S, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** Everything is said and closed: the process may end. */
+    /** Everything is printed and closed: the process may end. */
     @Override
     public void close() {
         done.countDown();

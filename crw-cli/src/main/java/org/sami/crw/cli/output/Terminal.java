@@ -10,7 +10,7 @@ public final class Terminal {
 
     private Terminal() {}
 
-    /** Whether what is told of progress is seen at a terminal. */
+    /** Whether progress is shown at a terminal. */
     public static boolean onStandardError() {
         return is(2);
     }

@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
         name = "components",
         mixinStandardHelpOptions = true,
         description = {
-            "Says with which components windows ask the operator what an event asks, or show what it tells, and why.",
+            "Lists the components with which windows ask the operator for an event's values, or show them, and why.",
             "Of each component it says how it does with the type and the markup. Without an event or type, lists the components."
         },
         footerHeading = "%nExamples:%n",
@@ -108,7 +108,7 @@ public final class ComponentsCommand implements Callable<Integer> {
                 .orElseThrow(() -> new UsageFault(found.name()
                         + (found.decision().isPresent()
                                 ? " asks for variables of the plan; name their types with --type"
-                                : " tells nothing that could be shown")));
+                                : " has nothing to show")));
     }
 
     private static MarkupOption markup(Vocabulary vocabulary, String text) {

@@ -51,7 +51,7 @@ public final class NewCommand implements Callable<Integer> {
     @Option(
             names = "--schema",
             description =
-                    "Name the JSON Schema of projects in the file, and put it beside the file unless it is there: "
+                    "Name the JSON Schema of projects in the file, and put it next to the file unless it is there: "
                             + "an editor then checks and completes as you type.")
     private boolean schema;
 

@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {"  crw schema > project-1.schema.json", "  crw schema vocabulary"})
 public final class SchemaCommand implements Callable<Integer> {
-    /** The file of a project's schema, beside which projects name it. */
+    /** The file name of a project's schema, as projects next to it name it. */
     static final String PROJECT = "project-1.schema.json";
 
     private static final Map<String, String> FILES = new TreeMap<>(Map.of(

@@ -27,7 +27,7 @@ final class VocabularyText {
         writer = new VocabularyWriter(vocabulary);
     }
 
-    /** Name and side of an event, what it does, its other names, whom it needs, its fields, what answers it. */
+    /** Name and side of an event, what it does, its other names, the tokens that it needs, its fields, what answers it. */
     String of(EventType event) {
         boolean output = event.direction() == Direction.OUTPUT;
         StringBuilder text = new StringBuilder(event.name());

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code crw export}: what is in a journal as tables and a map, for other programs. Changes nothing, also beside a running writer. */
+/** {@code crw export}: what is in a journal as tables and a map, for other programs. Changes nothing; a writer may be running. */
 @Command(
         name = "export",
         mixinStandardHelpOptions = true,

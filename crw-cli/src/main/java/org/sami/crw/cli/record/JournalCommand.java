@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code crw journal}: what a session knew after any entry of its journal. Changes nothing, also beside a running writer. */
+/** {@code crw journal}: what a session knew after any entry of its journal. Changes nothing; a writer may be running. */
 @Command(
         name = "journal",
         mixinStandardHelpOptions = true,

@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
-                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and tells what it holds: the "
+                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and prints what it holds: the "
                         + "track, sensor readings, commands, and every line that could not be read.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code crw boat}: one simulated boat that is reached over TCP, until it is told to stop. */
+/** {@code crw boat}: one simulated boat that is reached over TCP, until it is stopped. */
 @Command(
         name = "boat",
         mixinStandardHelpOptions = true,
@@ -123,7 +123,7 @@ public final class BoatServerCommand implements Callable<Integer> {
             paramLabel = "DIR",
             description =
                     "A folder for its log, NAME.log. One that is there already is taken up again: the boat knows what "
-                            + "it has executed, and does not move before it is told to.")
+                            + "it has executed, and does not move before a command.")
     private Path log;
 
     @Option(
@@ -174,7 +174,7 @@ public final class BoatServerCommand implements Callable<Integer> {
                     try {
                         System.in.transferTo(OutputStream.nullOutputStream());
                     } catch (IOException e) {
-                        // whoever held it is gone
+                        // its holder is gone
                     } finally {
                         ended.countDown();
                     }

@@ -55,7 +55,7 @@ public final class DemoCommand implements Callable<Integer> {
     private static final long CONNECT_WITHIN_MILLIS = 20_000;
     private static final List<String> NAMES = List.of("anna", "bert", "cleo");
     private static final GeoPoint QUAY = GeoPoint.of(45.7, 10.72);
-    private static final double APART_DEG = 1e-4;
+    private static final double SPACING_DEG = 1e-4;
     private static final Path BUILD = Path.of("build");
 
     @Spec
@@ -89,7 +89,7 @@ public final class DemoCommand implements Callable<Integer> {
         List<BoatProcess> boats = new ArrayList<>();
         try {
             for (String name : NAMES) {
-                GeoPoint berth = GeoPoint.of(QUAY.latDeg(), QUAY.lonDeg() + boats.size() * APART_DEG);
+                GeoPoint berth = GeoPoint.of(QUAY.latDeg(), QUAY.lonDeg() + boats.size() * SPACING_DEG);
                 boats.add(new BoatProcess(thisProgram(), name, berth));
             }
             List<BoatAddress> addresses = new ArrayList<>();

@@ -75,7 +75,7 @@ final class Execution {
     private final Clock clock;
     private Optional<Path> answersFile = Optional.empty();
 
-    /** What is run, watched by somebody, with what is to be said at once. */
+    /** The run with its observer and the first messages. */
     @FunctionalInterface
     private interface Mission {
         RunReport run(RunObserver observer, Consumer<String> lines) throws IOException;
@@ -230,7 +230,7 @@ final class Execution {
         }
     }
 
-    /** The run is not moved to where the plan is: whoever wants that says so. */
+    /** The run is not moved to the plan's place: the user requests that. */
     private static void checkPlace(RunPlan plan, RunSettings settings, Collection<Value> parameters) {
         GeoPoint centre = settings.fleet().site().centreInProcess();
         PlanLocations places = new PlanLocations(plan.project(), plan.plan(), parameters);
@@ -247,7 +247,7 @@ final class Execution {
         }
     }
 
-    /** What the simulated operator is told to answer; findings where the text of the answers file has faults. */
+    /** The answers of the simulated operator; findings where the text of the answers file has faults. */
     static Reading<AnswersFile> answers(RunSettings settings, Vocabulary vocabulary) {
         return settings.answers().isEmpty()
                 ? new Reading<>(Optional.of(AnswersFile.EMPTY), List.of())
@@ -326,7 +326,7 @@ final class Execution {
         }
     }
 
-    /** A run that stopped at its {@code --for} is over with it: whoever takes it up wants more of it. */
+    /** A run that stopped at its {@code --for} is over with it: a resume continues it. */
     private static RunSettings beyondItsLimit(EarlierProcesses resumed) {
         RunSettings recorded = resumed.record().settings();
         boolean reached = recorded.limitMillis().isPresent()
@@ -365,7 +365,7 @@ final class Execution {
         }
     }
 
-    /** Why the exit code is what it is, beside the report, which may be for a program or be lost in a pipe. */
+    /** The reason for the exit code, in addition to the report, which may be for a program or be lost in a pipe. */
     private void tellFailure(RunReport report) {
         report.problems().forEach(problem -> err.println("crw: problem: " + problem.message()));
         if (report.result().outcome() == RunOutcome.FAILED) {
@@ -401,7 +401,7 @@ final class Execution {
         RunReport report;
         boolean told;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            tellSettings(record.settings()); // whoever reads them may interrupt it
+            tellSettings(record.settings()); // the reader may interrupt it
             Consumer<String> lines = line -> {
                 progress.end();
                 err.println(line);

@@ -82,7 +82,7 @@ public final class ExperimentRuns {
     }
 
     /**
-     * The cases of a file. A line has a plan and options of {@code crw run}; files that it names are looked for beside it.
+     * The cases of a file. A line has a plan and options of {@code crw run}; files that it names are relative to its folder.
      *
      * @throws UsageFault that begins with the line where one makes no sense
      */

@@ -99,7 +99,7 @@ public final class SessionCommand implements Callable<Integer> {
             paramLabel = "NAME",
             description =
                     "How simulated boats fare, and boats that do not say it: calm, field or rough; ways keep as far off "
-                            + "what is not to be entered (default: calm for simulated boats, else field; of a session that is gone on with, what it had).")
+                            + "no-go areas (default: calm for simulated boats, else field; of a session that is resumed, its own).")
     private NamedConditions conditions;
 
     @Option(
@@ -236,7 +236,7 @@ public final class SessionCommand implements Callable<Integer> {
         return new PlainLines("standard input", new InputStreamReader(System.in, StandardCharsets.UTF_8), out);
     }
 
-    /** Where typed lines are kept, beside the command's configuration. */
+    /** Where typed lines are kept, in the folder of the command's configuration. */
     private static Path history() {
         return Path.of(System.getProperty("user.home"), ".config", "sami", "crw-session-history");
     }

@@ -24,11 +24,12 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "stop",
         mixinStandardHelpOptions = true,
-        description = "Stops the boats at these addresses, whoever commands them: motors to zero, latched until it is "
-                + "released, also over lost links and restarts. Says what each boat answered.",
+        description =
+                "Stops the boats at these addresses, even if another base commands them: motors to zero, latched until it is "
+                        + "released, also over lost links and restarts. Says what each boat answered.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:every boat did as it was told",
+            "0:every boat obeyed",
             "2:wrong usage, or the release was not confirmed",
             "4:a boat did not answer: it may be moving"
         },

@@ -213,7 +213,7 @@ final class ReportTables {
         return table;
     }
 
-    /** What the operator was told, and what the engine noted. */
+    /** Messages to the operator, and notes of the engine. */
     static CsvTable messages(RunReport report) {
         CsvTable table = new CsvTable("at_s", "kind", "mission", "message");
         for (NoteResult note : report.notes()) {

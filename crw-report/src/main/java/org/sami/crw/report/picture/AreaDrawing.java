@@ -14,7 +14,7 @@ import org.sami.crw.report.MapNames;
 import org.sami.crw.report.MapPoint;
 import org.sami.crw.report.RunReport;
 
-/** The areas of the plan on the map: told apart by rim and hatching, not by colour alone. */
+/** The areas of the plan on the map, distinguished by rim and hatching, not by colour alone. */
 final class AreaDrawing {
     private static final int HATCH = 9;
 

@@ -94,7 +94,7 @@ final class FleetDrawing {
         labels.take(at(spot.at()), 9);
     }
 
-    /** A disc that would cover another stands beside its location, with a line to it. */
+    /** A disc that would cover another is drawn next to its location, with a line to it. */
     private void location(Graphics2D g, LocationResult location) {
         Point2D at = at(location);
         boolean numbered = report.locations().size() <= NUMBERED_LOCATIONS;
@@ -111,7 +111,7 @@ final class FleetDrawing {
         MapSymbols.location(g, disc, numbered ? String.valueOf(location.number()) : "", visitor, locationRadius);
     }
 
-    /** The quay's sign stands beside the boats that begin there. */
+    /** The quay's sign is next to the boats that begin there. */
     private void quay(Graphics2D g, Point2D at) {
         Rectangle2D box = labels.place(at, 20, 20);
         Point2D sign = new Point2D.Double(box.getCenterX(), box.getCenterY());

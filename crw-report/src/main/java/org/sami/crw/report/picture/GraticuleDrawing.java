@@ -11,7 +11,7 @@ import org.sami.crw.report.MapPoint;
 
 /** Meridians and parallels over the map, with degrees along its edges. */
 final class GraticuleDrawing {
-    private static final double APART_PIXELS = 170;
+    private static final double LINE_SPACING_PIXELS = 170;
 
     private final Rectangle frame;
     private final MapScale scale;
@@ -70,7 +70,7 @@ final class GraticuleDrawing {
 
     /** 1, 2 or 5 at some digit, about so many degrees as lie between two lines. */
     private static double step(double spanDeg, int pixels) {
-        double wanted = spanDeg * APART_PIXELS / pixels;
+        double wanted = spanDeg * LINE_SPACING_PIXELS / pixels;
         double power = Math.pow(10, Math.floor(Math.log10(wanted)));
         double digit = wanted / power;
         return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;

@@ -69,7 +69,7 @@ final class LabelSpace {
         taken.add(new Rectangle2D.Double(centre.getX() - radius, centre.getY() - radius, 2 * radius, 2 * radius));
     }
 
-    /** Where a label beside a point goes; the place is taken from then on. */
+    /** Where a label next to a point goes; the place is taken from then on. */
     Rectangle2D place(Point2D beside, double width, double height) {
         Rectangle2D best = null;
         double least = Double.MAX_VALUE;

@@ -17,7 +17,7 @@ import org.sami.crw.report.ReportWords;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.RunResult;
 
-/** The panel beside the map: who is who, what the signs mean, how the run came out. */
+/** The panel next to the map: the boats, the signs, the run's outcome. */
 final class LegendDrawing {
     /** Headings, gaps and the lines below "Run". */
     private static final int RUN_HEIGHT = 3 * 32 + 2 * 18 + 18 + 9 * 24;

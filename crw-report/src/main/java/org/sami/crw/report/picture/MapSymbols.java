@@ -44,7 +44,7 @@ final class MapSymbols {
         centred(g, at, "Q", 14);
     }
 
-    /** North is up: an arrow with the letter beside it. */
+    /** North is up: an arrow with the letter next to it. */
     static void north(Graphics2D g, Point2D at) {
         for (int side = -1; side <= 1; side += 2) {
             Path2D half = new Path2D.Double();

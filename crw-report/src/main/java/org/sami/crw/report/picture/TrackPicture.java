@@ -31,7 +31,7 @@ public final class TrackPicture {
     private final List<Point2D> dots;
 
     /**
-     * The words beside the map.
+     * The text next to the map.
      *
      * @param title above the picture
      * @param subtitle below the title
@@ -52,7 +52,7 @@ public final class TrackPicture {
     /**
      * A line on the map.
      *
-     * @param told what is said of it beside its name
+     * @param told the text next to its name
      * @param points metres east and north, at least one
      */
     public record Track(String name, String told, List<Point2D> points) {

@@ -30,7 +30,7 @@ import org.sami.crw.sim.hull.SimulatedHull;
  * machine.
  *
  * <p>A boat whose log is there already takes back what it had executed, and lies where the settings say: it does not move
- * before it is told to. Safe for use by several threads.
+ * before a command. Safe for use by several threads.
  */
 public final class BoatOnTcp implements Closeable {
     private static final double LONGEST_STEP_S = 1; // after the machine was suspended the hull goes on where it was
@@ -70,7 +70,7 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
-    /** What the boat's server tells its log goes to the file, where there is one. */
+    /** Writes the server's log entries to the file, where there is one. */
     private final class Log implements ServerLog {
         @Override
         public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
@@ -90,7 +90,7 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
-    /** The boat takes back entry by entry: a log grows for ever, and only its last list counts. */
+    /** The boat restores entry by entry: a log grows without limit, and only its last list counts. */
     private Optional<CommandLogFile> openLog(BoatSettings settings, BoatServer boat, TcpServerListener listener)
             throws IOException {
         if (settings.logFile().isEmpty()) {
@@ -125,7 +125,7 @@ public final class BoatOnTcp implements Closeable {
         return restored;
     }
 
-    /** How many lines of the log are damaged; what they said is forgotten. */
+    /** How many lines of the log are damaged; their content is lost. */
     public int unreadLogLines() {
         return log.map(CommandLogFile::unreadLines).orElse(0);
     }

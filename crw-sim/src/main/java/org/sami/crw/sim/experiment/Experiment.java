@@ -60,7 +60,7 @@ public final class Experiment {
      *
      * @param threads how many runs go at a time
      * @param stop asked often, from several threads: whether somebody wants it to stop; who wants it at once interrupts the caller's thread as well
-     * @param progress is told on the caller's thread how many runs are done
+     * @param progress receives on the caller's thread how many runs are done
      */
     public List<ExperimentRow> run(int threads, BooleanSupplier stop, IntConsumer progress) {
         Objects.requireNonNull(progress, "progress");
@@ -103,7 +103,7 @@ public final class Experiment {
                                     RunJournal.none())
                             .run(Pacer.UNPACED, RunObserver.stopping(stop)));
             return stop.getAsBoolean() ? List.of() : List.of(row);
-        } catch (RuntimeException fault) { // a row that says so, beside those of all other runs
+        } catch (RuntimeException fault) { // a row that says so, among those of the other runs
             return List.of(ExperimentRow.broken(
                     label, trial.conditions(), trial.settings().fleet().seed(), fault));
         }

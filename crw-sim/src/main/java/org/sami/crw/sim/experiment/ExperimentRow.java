@@ -49,7 +49,7 @@ public record ExperimentRow(
      * How a run ended.
      *
      * @param reason why it failed, in one sentence; else empty text
-     * @param problems how many things went wrong of which no plan is told
+     * @param problems how many problems occurred that no plan hears of
      * @param hash equal for equal runs; empty text where the program broke
      */
     public record Ending(RunOutcome outcome, String reason, int problems, long simulatedMillis, String hash) {
@@ -125,7 +125,7 @@ public record ExperimentRow(
      * How near boats came to one another, and to what was to be avoided.
      *
      * @param insideM how deep a boat came into what was to be avoided; empty where nothing was
-     * @param announcedM how deep they might come at most, as the operator was told; empty where nothing was to be avoided
+     * @param announcedM how deep they might come at most, as announced to the operator; empty where nothing was to be avoided
      * @param closestM how near two boats came to one another
      * @param underWayM the same, once both were under way
      * @param nearMillis how long two boats were nearer than 3 m to one another, summed over all pairs
@@ -137,7 +137,7 @@ public record ExperimentRow(
             OptionalDouble underWayM,
             long nearMillis) {
         /** Depths are announced to a tenth of a metre. */
-        private static final double TOLD_TO_M = 0.1;
+        private static final double ANNOUNCED_RESOLUTION_M = 0.1;
 
         static final Distances NONE = new Distances(
                 OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty(), 0);
@@ -151,9 +151,9 @@ public record ExperimentRow(
                     report.map().closest().nearMillis());
         }
 
-        /** Whether a boat came deeper into what was to be avoided than the operator was told. */
+        /** Whether a boat came deeper into avoided areas than announced to the operator. */
         public boolean areDeeperThanAnnounced() {
-            return insideM.orElse(0) > announcedM.orElse(0) + TOLD_TO_M / 2;
+            return insideM.orElse(0) > announcedM.orElse(0) + ANNOUNCED_RESOLUTION_M / 2;
         }
 
         private static OptionalDouble metres(Optional<Approach> approach) {
@@ -187,7 +187,7 @@ public record ExperimentRow(
         return boat.batteryPercent() <= 0 || boat.track().stream().anyMatch(point -> point.batteryPercent() <= 0);
     }
 
-    /** Whether the mission ended, nothing went wrong beside it, and no boat came where it was not to be expected. */
+    /** Whether the mission ended without problems, and no boat came deeper into avoided areas than announced. */
     public boolean isGreen() {
         return ending.outcome() == RunOutcome.ENDED && ending.problems() == 0 && !distances.areDeeperThanAnnounced();
     }

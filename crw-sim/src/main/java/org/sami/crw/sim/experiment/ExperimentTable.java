@@ -152,7 +152,7 @@ public final class ExperimentTable {
         String reason =
                 row.ending().reason().isEmpty() ? "" : ": " + row.ending().reason();
         String depth = row.distances().areDeeperThanAnnounced()
-                ? "; a boat came deeper into what is avoided than the operator was told: "
+                ? "; a boat came deeper into avoided areas than announced: "
                         + metres(row.distances().insideM()) + ", not "
                         + metres(row.distances().announcedM()) + " at most"
                 : "";

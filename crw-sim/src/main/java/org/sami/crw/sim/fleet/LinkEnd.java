@@ -50,7 +50,7 @@ final class LinkEnd implements FrameSink {
         }
     }
 
-    /** The tick is over: what the boat said is sent, on the clock's thread. */
+    /** The tick is over: sends the boat's messages, on the clock's thread. */
     void endTick() {
         if (!said.isEmpty()) {
             for (Frame frame : said) {

@@ -19,8 +19,8 @@ import org.sami.crw.sim.link.InMemoryPipe;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * One boat of a simulated fleet: its hull, the server on it, the pipes to the base, and its proxy there. The hull tells the
- * truth; the proxy knows what telemetry has told it.
+ * One boat of a simulated fleet: its hull, the server on it, the pipes to the base, and its proxy there. The hull has the
+ * true state; the proxy knows the reported one.
  *
  * <p>A tick of the boat begins at one moment of the fleet's time and is over by the next; another thread may do it meanwhile. Whoever asks what the
  * boat truly does gets it as of the end of the tick that has begun last.
@@ -176,7 +176,7 @@ public final class SimulatedBoat {
         hull.setUnderWay(server.mode().isUnderWay());
     }
 
-    /** The tick is over, and what the boat said leaves; on the clock's thread, boat by boat in order. */
+    /** The tick is over: the boat's messages leave, on the clock's thread, boat by boat in order. */
     void endTick() {
         linkEnd.endTick();
     }

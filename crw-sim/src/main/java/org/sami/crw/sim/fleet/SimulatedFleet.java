@@ -134,9 +134,9 @@ public final class SimulatedFleet {
     }
 
     /**
-     * Has more threads than the clock's tick the boats, until they are told to end; equal runs with any number of them.
+     * Lets further threads tick the boats, until they are ended; runs are equal with any number of them.
      *
-     * @param count of threads beside the clock's
+     * @param count of threads in addition to the clock's
      */
     public void startHelpers(int count) {
         use(new TickHelpers(count));

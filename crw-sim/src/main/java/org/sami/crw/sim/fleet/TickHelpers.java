@@ -12,21 +12,20 @@ import java.util.function.IntConsumer;
  * caller needs it done it takes part, a few at a time until none is left. It waits for nothing but what a helper has begun: where the machine has no core for
  * helpers, it does all itself, and where one has lost its core in between it does so for a while.
  *
- * <p>A helper without work looks out for it for a while before it sleeps, since waking it takes as long as the work. For one calling thread; closed helpers
+ * <p>A helper without work spins for a while before it sleeps, because waking it takes as long as the work. For one calling thread; closed helpers
  * help no more.
  */
 class TickHelpers implements AutoCloseable {
     private static final int AT_A_TIME = 8;
-    private static final int LOOKS = 2000; // some ten microseconds
+    private static final int SPINS = 2000; // some ten microseconds
     private static final long YIELD_NANOS = 20_000;
-    private static final int LOST_CORE_PARKS = 10; // so many, and the helper's core has gone to another process
-    // so many times the caller then does all itself: at first the former, and twice as many each time that it happens
-    // again before it has been
-    // forgotten, up to the latter
+    private static final int LOST_CORE_PARKS = 10; // after so many parks the helper's core belongs to another process
+    // ticks that the caller then computes alone: first the former, doubled up to the latter each time that a core is lost
+    // again within RESET_TIMES shared ticks
     private static final int LEAST_ALONE_TIMES = 50;
     private static final int MOST_ALONE_TIMES = 800;
-    private static final int FORGOTTEN_TIMES = 1000;
-    // longer than what comes between two ticks of a run at full speed
+    private static final int RESET_TIMES = 1000;
+    // longer than the pause between two ticks of a run at full speed
     private static final long LOOKOUT_NANOS = 300_000;
 
     private final List<Helper> helpers = new ArrayList<>();
@@ -34,7 +33,7 @@ class TickHelpers implements AutoCloseable {
     private Optional<Work> begun = Optional.empty(); // and not awaited yet; for the caller
     private int aloneFor; // so many times more
     private int aloneNext = LEAST_ALONE_TIMES;
-    private int sharedTimes = FORGOTTEN_TIMES; // since a helper lost its core
+    private int sharedTimes = RESET_TIMES; // since a helper lost its core
     private volatile boolean closed;
 
     /** Starts so many of them; with none, the caller does all itself. */
@@ -81,7 +80,7 @@ class TickHelpers implements AutoCloseable {
     }
 
     private void goOnAlone() {
-        aloneNext = sharedTimes < FORGOTTEN_TIMES ? Math.min(MOST_ALONE_TIMES, 2 * aloneNext) : LEAST_ALONE_TIMES;
+        aloneNext = sharedTimes < RESET_TIMES ? Math.min(MOST_ALONE_TIMES, 2 * aloneNext) : LEAST_ALONE_TIMES;
         aloneFor = aloneNext;
         sharedTimes = 0;
     }
@@ -155,14 +154,14 @@ class TickHelpers implements AutoCloseable {
         int await() {
             int looks = 0;
             for (; done.get() < size; looks++) {
-                if (looks < LOOKS) {
+                if (looks < SPINS) {
                     Thread.onSpinWait();
                 } else {
                     LockSupport.parkNanos(YIELD_NANOS);
                 }
             }
             rethrow();
-            return Math.max(0, looks - LOOKS);
+            return Math.max(0, looks - SPINS);
         }
 
         private synchronized void rethrow() {

@@ -8,10 +8,10 @@ import org.sami.boat.server.vehicle.PlaneMath;
  * a boat that is under way, though it may wait at the quay for others to pass.
  */
 final class BatterySwap {
-    private static final double STILL_MPS = 0.3;
+    private static final double REST_SPEED_MPS = 0.3;
 
     /** A boat that is taken hold of sways; one that goes farther than this, in metres, has left. */
-    private static final double HELD_M = 8;
+    private static final double RELEASE_DISTANCE_M = 8;
 
     private final Quay quay;
     private boolean used;
@@ -38,16 +38,16 @@ final class BatterySwap {
      * @param underWay whether the boat has a way to go now
      */
     boolean pass(double seconds, double eastM, double northM, double speedMps, boolean underWay) {
-        boolean still = Math.abs(speedMps) < STILL_MPS;
+        boolean still = Math.abs(speedMps) < REST_SPEED_MPS;
         used |= !still && !isHeld; // who is held and sways has not left
-        still |= PlaneMath.length(eastM - lastEastM, northM - lastNorthM) < STILL_MPS * seconds;
+        still |= PlaneMath.length(eastM - lastEastM, northM - lastNorthM) < REST_SPEED_MPS * seconds;
         lastEastM = eastM;
         lastNorthM = northM;
         boolean reached = quay.reaches(eastM, northM);
         if (underWay) {
             isHeld = false;
         } else if (isHeld) {
-            isHeld = reached && PlaneMath.length(eastM - heldEastM, northM - heldNorthM) <= HELD_M;
+            isHeld = reached && PlaneMath.length(eastM - heldEastM, northM - heldNorthM) <= RELEASE_DISTANCE_M;
         } else if (reached && still) {
             isHeld = true;
             heldEastM = eastM;

@@ -19,7 +19,7 @@ import org.sami.crw.service.water.CrossTrackError;
  * @param current how the water flows; its direction is the one it flows to
  * @param wind how the wind blows; its direction is the one it comes from
  * @param sensors what boats measure, each kind at most once
- * @param dischargeIntervalS for how many seconds what a metre costs a boat stays the same before its random part is drawn anew, the interval τ
+ * @param dischargeIntervalS for how many seconds the cost of a metre stays the same for a boat before its random part is drawn again, the interval τ
  *     of thesis 7.1.1; 0 = with each step
  */
 public record Conditions(
@@ -36,7 +36,7 @@ public record Conditions(
     /** The largest standard deviation of a heading. */
     public static final double MOST_COMPASS_NOISE_DEG = 90;
 
-    /** As long as a leg takes, so that what is not modelled makes one boat's leg dearer and another's cheaper. */
+    /** About the duration of a leg, so that unmodelled effects make one boat's leg dearer and another's cheaper. */
     public static final double USUAL_DISCHARGE_INTERVAL_S = 600;
 
     /** The longest such interval, a day: one draw for each battery. */
@@ -110,7 +110,7 @@ public record Conditions(
         return gpsNoiseM == 0 && gpsJumpM == 0;
     }
 
-    /** How far boats may be beside their ways in it: what planners are told. */
+    /** The cross-track error of boats in it, for planners. */
     public CrossTrackError crossTrackError() {
         TrackingError error = trackingError();
         return CrossTrackError.of(error.positionM(), error.driftMps());
@@ -121,7 +121,7 @@ public record Conditions(
         return new TrackingError(Math.hypot(gpsNoiseM, jumpM), current.speedMps() + Weather.LEEWAY * wind.speedMps());
     }
 
-    /** What a boat server in it is told of it. */
+    /** What a boat server in it knows of it. */
     public ServerConfig.Builder describeTo(ServerConfig.Builder server) {
         return server.trackingError(trackingError());
     }

@@ -5,7 +5,7 @@ import org.sami.spn.value.TextNumbers;
 
 /**
  * Something that flows evenly over the whole area. Whether the direction is the one it goes to (a current) or the one it comes
- * from (a wind) is said where it is used.
+ * from (a wind) is stated where it is used.
  *
  * @param speedMps 0 to {@link #FASTEST_MPS}
  * @param directionDeg clockwise from true north, 0 to 360

@@ -47,7 +47,7 @@ public record HullConfig(
                 mps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, batteryPercentPerM);
     }
 
-    /** What a boat server on it is told of it. */
+    /** What a boat server on it knows of it. */
     public ServerConfig.Builder describeTo(ServerConfig.Builder server) {
         ServerConfig.Builder told = server.fullThrustSpeedMps(topSpeedMps);
         return batteryPercentPerM > 0 ? told.metresPerPercent(1 / batteryPercentPerM) : told;

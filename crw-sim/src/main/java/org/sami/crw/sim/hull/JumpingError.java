@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
  * within some seconds.
  */
 final class JumpingError {
-    private static final double BETWEEN_S = 30; // on the average
+    private static final double MEAN_INTERVAL_S = 30; // on the average
 
     private final double mostM;
     private final double fadingS;
@@ -42,7 +42,7 @@ final class JumpingError {
         double left = StrictMath.exp(-seconds / fadingS);
         eastM *= left;
         northM *= left;
-        if (random.nextDouble() < 1 - StrictMath.exp(-seconds / BETWEEN_S)) {
+        if (random.nextDouble() < 1 - StrictMath.exp(-seconds / MEAN_INTERVAL_S)) {
             double sizeM = mostM * random.nextDouble();
             double directionRad = 2 * Math.PI * random.nextDouble();
             eastM = sizeM * StrictMath.sin(directionRad);

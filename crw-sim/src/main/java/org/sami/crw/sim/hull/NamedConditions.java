@@ -28,7 +28,7 @@ public enum NamedConditions {
         return conditions;
     }
 
-    /** Services that plan for boats which do not say how far they may be beside their ways as if they were in these. */
+    /** Services that plan for boats which report no cross-track error as if they were in these conditions. */
     public CrwServices services() {
         return CrwServices.STANDARD.drivenWith(conditions.crossTrackError());
     }

@@ -2,7 +2,7 @@ package org.sami.crw.sim.hull;
 
 /**
  * A quay of the simulated world: a line from west to east and the water near it. There people swap batteries: a boat that has
- * driven, or was told to, and comes to rest for {@link #SWAP_SECONDS} gets a full one. Who was only launched there keeps the
+ * driven, or was commanded to, and comes to rest for {@link #SWAP_SECONDS} gets a full one. A boat that was only launched there keeps the
  * battery that it has.
  *
  * @param westM western end, in metres east of the world's origin

@@ -38,7 +38,7 @@ public final class SimulatedHull implements Vehicle {
     private double starboard;
     private double batteryPercent = 100;
     private double spread; // R of thesis 7.1.1
-    private double spreadForS; // until it is drawn anew
+    private double spreadForS; // until it is drawn again
     private double distanceM;
     private int recharges;
     private int pictures;
@@ -147,7 +147,7 @@ public final class SimulatedHull implements Vehicle {
         swap = Optional.of(new BatterySwap(quay));
     }
 
-    /** The boat was told to go somewhere, even if it is there already: at the quay its battery is looked after from now on. */
+    /** The boat was commanded to go somewhere, even if it is there already: at the quay its battery is swapped from now on. */
     public void putToUse() {
         swap.ifPresent(BatterySwap::use);
     }

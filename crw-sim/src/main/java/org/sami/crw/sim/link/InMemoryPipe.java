@@ -11,7 +11,7 @@ import org.sami.crw.sim.clock.VirtualScheduler;
 /**
  * One direction of a simulated link: what is sent arrives after a while of virtual time, in order, unless it is lost.
  *
- * <p>While the pipe is cut, nothing that is sent gets in; what was under way still arrives. Nobody is told, as with a radio
+ * <p>While the pipe is cut, nothing that is sent gets in; frames under way still arrive. Neither end is notified, as with a radio
  * out of range. Messages are immutable, so frames are passed as they are, unless the {@link PipeConfig} wants them written and read.
  */
 public final class InMemoryPipe implements FrameSink {

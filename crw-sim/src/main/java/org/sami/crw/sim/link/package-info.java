@@ -1,4 +1,4 @@
 /**
- * Simulated links: frames travel between a proxy and a boat server in virtual time, without sockets and, unless wanted, without the codec.
+ * Simulated links: frames travel between a proxy and a boat server in virtual time, without sockets and, by default, without the codec.
  */
 package org.sami.crw.sim.link;

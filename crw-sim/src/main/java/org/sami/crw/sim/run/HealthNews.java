@@ -15,7 +15,7 @@ import org.sami.spn.host.Registration;
 
 /**
  * Tells the faults of the session itself, of its engine, journal, disk, memory and threads, and of missions that cannot go on, as they begin, become worse
- * and are over. Those of boats are told elsewhere. Told on the models' thread.
+ * and are over. Those of boats are reported elsewhere. On the models' thread.
  */
 public final class HealthNews implements AutoCloseable {
     private static final Set<HealthKind> TOLD = EnumSet.of(

@@ -154,7 +154,7 @@ final class InProcessFleet implements RunFleet {
         return new RunObserver.News(line -> tellIfNew(line, news), news.isDetailed());
     }
 
-    /** What happened before the process died was told then. */
+    /** Events before the process died were reported then. */
     private void tellIfNew(String line, RunObserver.News news) {
         if (!catchingUp) {
             news.lines().accept(line);

@@ -43,7 +43,7 @@ public final class InProcessRun {
     /**
      * Puts the world together; nothing happens in it yet.
      *
-     * @param answers what the simulated operator is told to answer
+     * @param answers the rules of the simulated operator's answers
      * @throws IllegalArgumentException naming the parameter or the interrupt, if a given one does not fit the plan
      */
     public InProcessRun(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {

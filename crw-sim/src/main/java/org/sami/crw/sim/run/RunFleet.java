@@ -10,19 +10,19 @@ import org.sami.crw.sim.run.record.ReportFolds;
 
 /**
  * The boats of one run and how their time passes: simulated ones in this process on a virtual clock, or other processes over TCP in real time.
- * All else of a run is the same for both, and stands in {@link RunHarness}. For the engine's thread, but where said.
+ * All else of a run is the same for both, and stands in {@link RunHarness}. For the engine's thread, unless stated otherwise.
  */
 public interface RunFleet {
     /** In metres around the area's centre. */
     LocalFrame plane();
 
-    /** What the simulated operator takes where nobody tells it what to answer. */
+    /** The simulated operator's answers where no rule gives one. */
     OperatorDefaults operatorDefaults();
 
     /** The boats that interrupts may name, in the order in which they are counted. */
     List<String> names();
 
-    /** As they are now: simulated ones as they truly are, others as they told last. */
+    /** Their present state: the true one of simulated boats, the last reported one of others. */
     List<BoatState> boats();
 
     /** How a boat's link went. */

@@ -20,10 +20,10 @@ import org.sami.crw.sim.run.settings.RunPlan;
 
 /**
  * One run on a fleet of either kind: has the simulated operator answer and interrupts pressed, starts the mission, feeds the report, knows when
- * and how the run is over, and reports. The fleet says how time passes. Used once; for the engine's thread, but where said.
+ * and how the run is over, and reports. The fleet says how time passes. Used once; for the engine's thread, unless stated otherwise.
  */
 public final class RunHarness {
-    private static final long LOOK_MILLIS = 200;
+    private static final long POLL_MILLIS = 200;
     private static final long TRACK_MILLIS = 1000;
     private static final long STALL_MILLIS = 1000;
 
@@ -89,7 +89,7 @@ public final class RunHarness {
      * @param afterLook is done after each look
      */
     public void followBoats(Runnable afterLook) {
-        repeat(LOOK_MILLIS, () -> {
+        repeat(POLL_MILLIS, () -> {
             fleet.lookForVisits(now());
             afterLook.run();
         });

@@ -22,7 +22,7 @@ public interface RunJournal {
      */
     void mark(long atMillis, Supplier<String> fingerprint) throws IOException;
 
-    /** The run stops here before its mission is over; whoever takes it up will know how far it came. */
+    /** The run stops here before its mission is over; a resume knows how far it came. */
     void stopped(long atMillis) throws IOException;
 
     /** Whether the run is still where an earlier process has been already. */

@@ -104,7 +104,7 @@ public final class RunLifecycle {
 
     /**
      * Looks whether anything can happen any longer; the run fails where nothing can. Looks a little later, when the fleet's thread has
-     * said which boats missions want: on a busy machine what a mission began to want may not have reached them yet.
+     * reported which boats have commands: on a busy machine a new command may not have reached them yet.
      *
      * @param boats as they are then
      */

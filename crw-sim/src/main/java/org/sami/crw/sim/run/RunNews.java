@@ -20,7 +20,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 
 /**
- * Tells, line by line, what the operator of a run is asked and told: decisions as they open, who answers them and what, messages, alarms
+ * Prints, line by line, what the operator of a run sees: decisions as they open, who answers them and what, messages, alarms
  * that a boat is or is sent where it may not. Told on
  * the models' thread.
  */
@@ -116,7 +116,7 @@ public final class RunNews implements AutoCloseable {
                 .forEach(this::message);
     }
 
-    /** Leaves out what was told within the last minute, unless something else was told of the same since: the last line always says what is so now. */
+    /** Leaves out news repeated within the last minute, unless something else was printed about the same subject since: the last line is always the present state. */
     private void message(MessageEntry entry) {
         String text = entry.message().text();
         long atMillis = entry.message().atMillis();

@@ -8,9 +8,9 @@ import org.sami.crw.sim.run.record.RunProgress;
 /**
  * Who watches a run, on its thread.
  *
- * @param progress is told how far it is, often; must be quick
+ * @param progress receives the progress, often; must be quick
  * @param stop asked often: whether the user wants it to stop
- * @param news where it is told what the operator is asked and told
+ * @param news receives decisions and messages of the operator
  */
 public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, News news) {
     /** Nobody. */
@@ -20,7 +20,7 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
      * What a person follows of a run.
      *
      * @param lines is given it line by line; must be quick
-     * @param isDetailed whether descriptions, long answers and repeated messages are wanted as well
+     * @param isDetailed whether descriptions, long answers and repeated messages are included
      */
     public record News(Consumer<String> lines, boolean isDetailed) {
         /** Nobody follows. */
@@ -31,7 +31,7 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
         }
     }
 
-    /** Is told how far it is, and does nothing with it. */
+    /** Ignores the progress. */
     private enum Nobody implements Consumer<RunProgress> {
         LOOKS;
 

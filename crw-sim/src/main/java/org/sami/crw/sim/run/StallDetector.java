@@ -22,23 +22,23 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 
 /**
- * Finds out that nothing can happen any longer: no timer runs, no answer is on its way, no interrupt is to be pressed, and no boat does
- * anything for a mission. Boats that nobody wants may drift. Without it a mission that is stuck would only end with the run's time.
+ * Detects that a run is stuck: no timer runs, no answer is under way, no interrupt is due, and no boat executes a command of a
+ * mission. Boats without a command may drift. Without it a stuck mission would end only with the run's time.
  */
 final class StallDetector {
-    /** After so long without an input nothing comes of what was asked of services and sensors either. */
+    /** After this time without an input no answer of a service or sensor is expected either. */
     private static final long QUIET_MILLIS = 300_000;
 
-    /** For so long no boat gets anywhere of which more can be expected: a path without headway is given up in half of that (docs/command-line.md). */
+    /** A run is stuck when no boat with a command has made progress for this long; a path without headway is given up after half of it (docs/command-line.md). */
     private static final long STUCK_MILLIS = 600_000;
 
-    /** Farther than a boat that keeps a station, or that waits, drifts. */
-    private static final double SOMEWHERE_M = 15;
+    /** Progress of a boat, in metres: more than the drift of one that keeps a station or waits. */
+    private static final double PROGRESS_M = 15;
 
-    /** Within this time everything has been asked and said that follows from an input. */
+    /** Within this time all questions and messages that follow from an input have been posted. */
     private static final long SETTLED_MILLIS = 5_000;
 
-    private static final double STILL_MPS = 0.05;
+    private static final double REST_SPEED_MPS = 0.05;
 
     private final EngineHost host;
     private final DecisionQueue decisions;
@@ -80,8 +80,8 @@ final class StallDetector {
                 || host.ask(EngineView::nextDueMillis).isPresent()) {
             return Optional.empty();
         }
-        boolean nobodyMoves =
-                boats.stream().allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < STILL_MPS);
+        boolean nobodyMoves = boats.stream()
+                .allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < REST_SPEED_MPS);
         boolean nobodyIsWanted = boats.stream().noneMatch(boat -> isWanted.test(boat.id()));
         boolean atOnce = nobodyIsWanted
                 && !interrupts.waitForBatteries()
@@ -98,7 +98,7 @@ final class StallDetector {
         for (BoatState boat : boats) {
             BoatState before = places.putIfAbsent(boat.id(), boat);
             if (before != null
-                    && PlaneMath.length(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > SOMEWHERE_M) {
+                    && PlaneMath.length(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > PROGRESS_M) {
                 places.put(boat.id(), boat);
                 if (isWanted.test(boat.id()) && boat.batteryPercent() > 0) {
                     lastSomewhereMillis = nowMillis;

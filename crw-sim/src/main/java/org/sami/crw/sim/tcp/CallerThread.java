@@ -44,7 +44,7 @@ final class CallerThread {
         }
     }
 
-    /** The run is over: whoever called it hears of the interrupt. */
+    /** The run is over: its caller gets the interrupt. */
     void restoreInterrupt() {
         if (interrupted) {
             Thread.currentThread().interrupt();

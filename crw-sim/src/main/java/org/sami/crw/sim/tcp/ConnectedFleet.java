@@ -26,7 +26,7 @@ import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Boats that are other processes, in real time: known by what they tell, which is written to the session's journal for whoever reports the run
+ * Boats that are other processes, in real time: known by their reports, which are written to the session's journal for the report of the run
  * again. The run lives on the session's threads while the caller waits.
  */
 final class ConnectedFleet implements RunFleet {
@@ -172,7 +172,7 @@ final class ConnectedFleet implements RunFleet {
         }
     }
 
-    /** Writes visits down with the time that the report has, so that the journal tells the same again. */
+    /** Records visits with the time of the report, so that the journal gives the same again. */
     @Override
     public void lookForVisits(long nowMillis) {
         for (LocationResult news : report.orElseThrow().visits().look(nowMillis, boats())) {

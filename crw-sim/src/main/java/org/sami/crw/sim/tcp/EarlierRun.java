@@ -18,7 +18,7 @@ import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What earlier processes of a run wrote beside the inputs. How links went and what was told is taken up at once; tracks and visits
+ * The telemetry of earlier processes of a run. Link histories and messages are restored at once; tracks and visits
  * when the area and its locations are known ({@link #feed}).
  */
 final class EarlierRun implements SessionTelemetry.Reader {
@@ -45,7 +45,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
         return area;
     }
 
-    /** The area that was told otherwise. */
+    /** An area that differs. */
     void know(RunArea found) {
         area = Optional.of(found);
     }

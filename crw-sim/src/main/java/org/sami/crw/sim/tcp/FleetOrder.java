@@ -20,12 +20,12 @@ import org.sami.crw.session.SessionDefaults;
 
 /**
  * Tells the boats at some addresses one thing, outside of any run: the fleet stop, its release, or nothing, to see how they are. Each
- * address has a base of its own, so that two boats of one name are told both. A boat that somebody else commands is taken over.
+ * address has a base of its own, so that two boats of one name both get the command. A boat that another base commands is taken over.
  */
 public final class FleetOrder {
-    private static final long LOOK_MS = 20;
+    private static final long POLL_MS = 20;
 
-    /** What is told. */
+    /** The command. */
     public enum Kind {
         /** Motors to zero, latched. */
         STOP,
@@ -39,8 +39,8 @@ public final class FleetOrder {
      * What came of it at one address.
      *
      * @param boat the boat that answered; empty if none did
-     * @param done whether it has done what it was told
-     * @param stopped whether a fleet stop holds it now, as far as it said
+     * @param done whether it has obeyed
+     * @param stopped whether a fleet stop holds it now, as far as it has reported
      * @param words the same for a person, in one line
      */
     public record Answer(BoatAddress address, String boat, boolean done, boolean stopped, String words) {}
@@ -60,7 +60,7 @@ public final class FleetOrder {
         base.connect(address.toSocketAddress());
     }
 
-    /** Takes every boat that answers; what it is told, this class asks for by itself. */
+    /** Takes every boat that answers; this class sends the command itself. */
     private final class Finder implements BaseListener {
         @Override
         public BoatListener found(String boatId) {
@@ -80,7 +80,7 @@ public final class FleetOrder {
      *
      * @param withinMs how long a boat may take
      * @return the answers, in the order of the addresses
-     * @throws InterruptedException if somebody wants an end; boats may have been told
+     * @throws InterruptedException if it is to end; boats may have the command already
      */
     public static List<Answer> give(Kind kind, List<BoatAddress> addresses, long withinMs) throws InterruptedException {
         List<FleetOrder> orders =
@@ -89,7 +89,7 @@ public final class FleetOrder {
             long end = System.nanoTime() + withinMs * 1_000_000;
             List<Answer> answers = look(orders);
             while (!answers.stream().allMatch(Answer::done) && System.nanoTime() < end) {
-                Thread.sleep(LOOK_MS);
+                Thread.sleep(POLL_MS);
                 answers = look(orders);
             }
             return answers;

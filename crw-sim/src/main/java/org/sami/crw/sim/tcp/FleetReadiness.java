@@ -11,11 +11,11 @@ import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.session.Fleet;
 
 /**
- * Waits, for a bounded time, until every boat has answered, takes commands from this base, and has said where it is. For the
+ * Waits, for a bounded time, until every boat has answered, takes commands from this base, and has reported its position. For the
  * thread that starts the run.
  */
 final class FleetReadiness {
-    private static final long LOOK_MS = 50;
+    private static final long POLL_MS = 50;
 
     private final Fleet fleet;
     private final List<BoatAddress> addresses;
@@ -37,7 +37,7 @@ final class FleetReadiness {
         long end = clockMs.getAsLong() + withinMs;
         List<String> missing = look();
         while (!missing.isEmpty() && clockMs.getAsLong() < end) {
-            Thread.sleep(LOOK_MS);
+            Thread.sleep(POLL_MS);
             missing = look();
         }
         return missing;

@@ -49,7 +49,7 @@ record RunArea(GeoPoint centre, List<String> boats) {
                 boats);
     }
 
-    /** Notes it beside the engine's inputs. */
+    /** Records it as telemetry. */
     void note(SessionTelemetry telemetry, long atMillis) {
         ObjectNode json = JSON.createObjectNode().put("latDeg", centre.latDeg()).put("lonDeg", centre.lonDeg());
         boats.forEach(json.putArray("boats")::add);
@@ -57,7 +57,7 @@ record RunArea(GeoPoint centre, List<String> boats) {
     }
 
     /**
-     * What an earlier process noted beside the engine's inputs; empty if the row is of another kind.
+     * The area that an earlier process recorded as telemetry; empty if the row is of another kind.
      *
      * @throws IllegalArgumentException if it makes no sense
      */

@@ -22,12 +22,12 @@ final class RunBoats {
         this.plane = plane;
     }
 
-    /** The boats that have ever said where they are, by name, as they were last. */
+    /** The boats that have ever reported a position, by name, with their last state. */
     List<BoatState> all() {
         return status.boats().stream().map(this::state).toList();
     }
 
-    /** One boat, if it has ever said where it is. */
+    /** One boat, if it has ever reported a position. */
     Optional<BoatState> find(String boat) {
         return status.boat(boat).map(this::state);
     }

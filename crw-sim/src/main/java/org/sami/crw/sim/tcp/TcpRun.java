@@ -44,7 +44,7 @@ public final class TcpRun {
     /**
      * Puts a run together; nothing happens yet.
      *
-     * @param answers what the simulated operator is told to answer
+     * @param answers the rules of the simulated operator's answers
      * @param lines gets what the operator must know at once, on the caller's thread
      * @throws IllegalArgumentException naming the parameter, if a given one does not fit the plan
      */
@@ -185,7 +185,7 @@ public final class TcpRun {
         }
     }
 
-    /** The area lies where somebody said, else around the boats. */
+    /** The area lies at the given place, else around the boats. */
     private RunArea area(List<GeoPoint> positions, List<String> boats) {
         return settings.fleet()
                 .site()

@@ -134,8 +134,8 @@ class ExperimentTest {
 
         assertThat(rows).extracting(ExperimentRow::isGreen).containsExactly(true, false, true);
         assertThat(ExperimentTable.text(rows).lines().skip(2))
-                .containsExactly("rocks, rough, seed 2: ended after 1 min 0 s; a boat came deeper into what is avoided "
-                        + "than the operator was told: 8.4 m, not 8.3 m at most");
+                .containsExactly("rocks, rough, seed 2: ended after 1 min 0 s; a boat came deeper into avoided areas "
+                        + "than announced: 8.4 m, not 8.3 m at most");
     }
 
     private static ExperimentRow inside(long seed, double insideM, double announcedM) {

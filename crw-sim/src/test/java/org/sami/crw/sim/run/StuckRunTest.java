@@ -59,11 +59,11 @@ class StuckRunTest {
                                 "Go there",
                                 List.of("generic"),
                                 "other tokens: It waits for ProxyPathCompleted, which can come no longer: "
-                                        + "whom 'Go there' asked is there no longer.",
+                                        + "those that 'Go there' asked are there no longer.",
                                 List.of(new BlockedTransition(
                                         "There",
                                         List.of("It waits for ProxyPathCompleted, which can come no longer: "
-                                                + "whom 'Go there' asked is there no longer.")))),
+                                                + "those that 'Go there' asked are there no longer.")))),
                         new Wait(
                                 1,
                                 "drifting",

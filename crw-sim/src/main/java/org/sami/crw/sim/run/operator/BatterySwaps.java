@@ -16,7 +16,7 @@ final class BatterySwaps {
     private static final double NEW_PERCENT = 99;
 
     /** After so long nobody swaps the battery of a boat that lies there: it was only launched. Long enough for one that wind and current move. */
-    private static final long PATIENCE_MILLIS = 60_000;
+    private static final long TIMEOUT_MILLIS = 60_000;
 
     private final FleetHistory boats;
     private final GeoPoint quay;
@@ -33,7 +33,7 @@ final class BatterySwaps {
 
     /** Whether one of the boats is still to get its battery, so long after somebody was asked to see to them. */
     boolean areUnderWay(Collection<String> some, long afterMillis) {
-        return afterMillis < PATIENCE_MILLIS && some.stream().anyMatch(this::waits);
+        return afterMillis < TIMEOUT_MILLIS && some.stream().anyMatch(this::waits);
     }
 
     private boolean waits(String boat) {

@@ -15,7 +15,7 @@ final class InterruptPress {
         AHEAD,
         /** Posted; the engine has not looked at it. */
         POSTED,
-        /** The operator is asked whom it is for. */
+        /** The operator is asked which boats it is for. */
         ASKED,
         /** Nobody took it; it is pressed again when something has changed. */
         REFUSED,
@@ -23,7 +23,7 @@ final class InterruptPress {
         DUE_AGAIN,
         /** A transition fired with it. */
         TAKEN,
-        /** It is not wanted any longer: the boat's battery is well again. */
+        /** It is no longer needed: the boat's battery has recovered. */
         GIVEN_UP
     }
 

@@ -36,7 +36,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     private static final String WORK = "OperatorBackgroundAction";
 
     /** How often somebody who works looks whether it is done. */
-    private static final long LOOK_MILLIS = 500;
+    private static final long POLL_MILLIS = 500;
 
     private static final Comparator<Asked> IN_TURN = DecisionQueue.order(Asked::decision, Asked::atMillis);
 
@@ -53,7 +53,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     /**
      * An operator who has not been asked yet.
      *
-     * @param answerAfterMillis how long every answer takes; what is work takes its own time beside, and where batteries are swapped ends when they are in
+     * @param answerAfterMillis delay of each answer, in ms; manual work such as a battery swap adds its own duration, and a swap ends when the batteries are in
      * @param quay where they are
      */
     public SimulatedOperatorDriver(SimulatedOperator operator, Scheduler clock, long answerAfterMillis, GeoPoint quay) {
@@ -64,7 +64,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     }
 
     /**
-     * Tells it whom to answer; before the first decision, or when the past of the run has been gone through. What was answered there
+     * Connects it to the session; before the first decision, or when the past of the run has been gone through. What was answered there
      * and is open all the same is answered once more.
      */
     public void connect(Session answered) {
@@ -113,7 +113,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
                 clock.after(NOT_SHOWN_MILLIS, this::answerNext);
             }
         } else if (isStillAtWork(next.get())) {
-            thinkFor(next.get(), LOOK_MILLIS);
+            thinkFor(next.get(), POLL_MILLIS);
         } else {
             thinkingUntil.remove(next.get().decision().id());
             answer(next.get().decision(), plan(next.get()).orElseThrow());

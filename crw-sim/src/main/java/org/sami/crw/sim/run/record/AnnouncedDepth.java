@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 
-/** How deep boats may come into what they are to avoid, as the operator is told in a run before they drive. From any thread. */
+/** How deep boats may come into avoided areas, as announced to the operator in a run before they drive. From any thread. */
 final class AnnouncedDepth implements Consumer<FleetEvent>, ReportFold {
     private OptionalDouble mostM = OptionalDouble.empty();
 

@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.Objects;
 
 /**
- * A boat: in process as it truly is, behind TCP as the base was told last.
+ * A boat: in process its true state, over TCP the last reported one.
  *
  * @param eastM metres east of the area's centre
  * @param northM metres north of the area's centre

@@ -18,7 +18,7 @@ import org.sami.spn.value.GeoPoint;
 /** An area that boats were to explore from a time on: measured are the tracks that they were given, that they reported and that they truly drove. */
 final class ExplorationRequest {
     /** Smaller pieces are left out of the map; their sum is not. */
-    private static final double CRUMB_M2 = 1;
+    private static final double NEGLIGIBLE_AREA_M2 = 1;
 
     private final long askedAtMillis;
     private final double spacingM;
@@ -63,7 +63,7 @@ final class ExplorationRequest {
         List<MapArea> uncovered = truly.orElse(reported).parts().stream()
                 .filter(part -> AreaCoverage.of(part, spacingM, List.of(), Optional.empty())
                                 .areaM2()
-                        >= CRUMB_M2)
+                        >= NEGLIGIBLE_AREA_M2)
                 .map(piece)
                 .toList();
         return new Exploration(

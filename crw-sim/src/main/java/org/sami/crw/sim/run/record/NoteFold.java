@@ -5,7 +5,7 @@ import java.util.List;
 import org.sami.crw.report.NoteResult;
 import org.sami.crw.session.SessionNote;
 
-/** What the operator was told. Safe for use by several threads. */
+/** The messages to the operator. Safe for use by several threads. */
 public final class NoteFold implements ReportFold {
     private final List<NoteResult> told = new ArrayList<>();
 

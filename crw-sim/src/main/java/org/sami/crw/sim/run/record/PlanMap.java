@@ -33,7 +33,7 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
 /**
- * Takes down the areas and points that the plan's output events speak of, as they do, the project's no-go areas, and where boats were told to
+ * Records the areas and points that the plan's output events name, the project's no-go areas, and where boats were commanded to
  * gather: what the map of the run shows. A list of places for each boat is what a service made of others, and is left out.
  */
 final class PlanMap implements ReportFold {
@@ -94,7 +94,7 @@ final class PlanMap implements ReportFold {
         }
     }
 
-    /** Empty for areas that are no simple polygons, which nobody explores: the plan is told why. */
+    /** Empty for areas that are no simple polygons, which cannot be explored: the plan gets the reason. */
     private static Optional<ExplorationRequest> explorationOf(
             Activation activation, GeoArea area, double spacingM, long atMillis, EngineView view) {
         Optional<GeoArea> within =

@@ -8,7 +8,7 @@ import org.sami.crw.report.SpooledList;
 import org.sami.crw.session.SensorValue;
 
 /**
- * Notes down what the base is told of the boats' sensors: the first {@link #MOST} readings, which lie in a file. Readings are
+ * Records the readings of the boats' sensors that the base receives: the first {@link #MOST}, in a file. Readings are
  * no input of the engine. Safe for use by several threads.
  */
 public final class ReadingRecorder implements ReportFold {

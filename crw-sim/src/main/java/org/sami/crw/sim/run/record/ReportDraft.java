@@ -78,7 +78,7 @@ public final class ReportDraft {
         return locations;
     }
 
-    /** How deep boats might come into avoided areas at most, as the operator was told, in metres. */
+    /** How deep boats might come into avoided areas at most, as announced to the operator, in metres. */
     void announcedM(OptionalDouble mostM) {
         announcedM = mostM;
     }
@@ -105,7 +105,7 @@ public final class ReportDraft {
         waits = all;
     }
 
-    /** Adds a part that stands by itself; parts are told in the order in which they are added. */
+    /** Adds a further part; the report has them in the order in which they are added. */
     public void add(ReportPart part) {
         parts.add(part);
     }

@@ -10,7 +10,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Follows a run and owns one part of its report: a fold over the entries of the journal and the telemetry beside them. Whoever has them feeds
+ * Follows a run and owns one part of its report: a fold over the journal's entries and telemetry. The caller that reads them feeds
  * it, a run as they are made or a reader of a journal; a fold does not know which. Entries come in order, telemetry of each kind in order of time.
  */
 public interface ReportFold extends HostListener {
@@ -18,7 +18,7 @@ public interface ReportFold extends HostListener {
     @Override
     default void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {}
 
-    /** The operator was told something. */
+    /** A message to the operator. */
     default void onNote(SessionNote note) {}
 
     /** A boat measured something. */

@@ -14,7 +14,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * The report of a run as a function of its journal and telemetry: a list of folds, each of which owns one part. Runs in process and over TCP, runs
- * that are taken up and whoever exports a journal feed the same list. A new figure of the report is one more fold here. For the engine's
+ * that are resumed and exports of journals feed the same list. A new figure of the report is one more fold here. For the engine's
  * thread, but where a fold says otherwise.
  */
 public final class ReportFolds {
@@ -29,7 +29,7 @@ public final class ReportFolds {
      *
      * @param missions how many root missions the run starts; 1 where nobody knows
      * @param plane around the area's centre
-     * @param notes what the operator is told, perhaps already before the area is known
+     * @param notes the messages to the operator, perhaps from before the area is known
      */
     public ReportFolds(Project project, Vocabulary vocabulary, int missions, LocalFrame plane, NoteFold notes) {
         mission = new RunMission(missions);
@@ -82,7 +82,7 @@ public final class ReportFolds {
         return map.hasExplorations();
     }
 
-    /** The operator was told something. */
+    /** A message to the operator. */
     public void note(SessionNote note) {
         folds.forEach(fold -> fold.onNote(note));
     }

@@ -38,7 +38,7 @@ public final class RunHeaders {
     }
 
     /**
-     * Of a session, in which people started what they wanted.
+     * Of a session, in which people started missions.
      *
      * @param plane around the area's centre
      */

@@ -5,7 +5,7 @@ import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.SessionNote;
 import org.sami.crw.sim.run.RunNews;
 
-/** Gives what the operator is told in a run to its report, and shows at once what is said of boats and links. Safe for several threads. */
+/** Passes the messages to the operator to the run's report, and shows those about boats and links at once. Safe for several threads. */
 public final class RunNotes implements SessionListener {
     private final NoteFold fold = new NoteFold();
     private final Consumer<String> shown;

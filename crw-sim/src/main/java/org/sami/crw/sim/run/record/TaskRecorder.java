@@ -61,7 +61,7 @@ final class TaskRecorder implements ReportFold {
                                 robot, Optional.ofNullable(allocated.before().get(task)))));
     }
 
-    /** What is told of a task, under the name that its owner has for it; nothing of one whose mission is over unseen. */
+    /** An event of a task, under its owner's name for it; none for a task whose mission ended unobserved. */
     private Optional<Told> told(TaskId name, EngineView view) {
         if (tasks.containsKey(name)) {
             return Optional.of(tasks.get(name));

@@ -18,13 +18,13 @@ import org.sami.crw.report.TrackPoint;
  * at a steady speed from each point to the next is, at every moment, within 0.2 m of where it was.
  *
  * <p>Memory does not grow with the length of a run: where tracks have more than {@link #MOST} points together, points of the longest
- * ones are left out, of which the rest tells enough ({@link TrackThinning}); a note says how exact they still are.
+ * ones are left out, that the rest describes well enough ({@link TrackThinning}); a note says how exact they still are.
  */
 public final class TrackRecorder implements ReportFold {
     /** So many points of all boats together are kept, about 15 MB. */
     static final int MOST = 200_000;
 
-    private static final double STILL_M = 0.2;
+    private static final double REST_DISTANCE_M = 0.2;
     private static final double FIRST_TOLERANCE_M = 0.25;
     private static final int LEAST = 100; // of each boat, however many there are
 
@@ -76,7 +76,7 @@ public final class TrackRecorder implements ReportFold {
         for (BoatState boat : boats) {
             Track track = track(boat);
             Noted seen = new Noted(nowMillis, boat);
-            if (track.isEmpty() || moved(track.last(), boat) > STILL_M) {
+            if (track.isEmpty() || moved(track.last(), boat) > REST_DISTANCE_M) {
                 track.lay.ifPresent(noted::add); // it has lain there until then
                 noted.add(seen);
                 track.lay = Optional.empty();
@@ -115,7 +115,7 @@ public final class TrackRecorder implements ReportFold {
         return tracks.computeIfAbsent(boat.id(), id -> new Track());
     }
 
-    /** Says of whom points were left out, if of any, and how exact the tracks are. */
+    /** Names the boats whose points were left out, if any, and the tolerance of their tracks. */
     public List<NoteResult> notes(long atMillis) {
         double worst = tracks.values().stream().mapToDouble(t -> t.offM).max().orElse(0);
         long thinned = tracks.values().stream().filter(t -> t.toleranceM > 0).count();
@@ -132,7 +132,7 @@ public final class TrackRecorder implements ReportFold {
                                 thinned,
                                 tracks.size(),
                                 most,
-                                worst + STILL_M)));
+                                worst + REST_DISTANCE_M)));
     }
 
     private static double moved(TrackPoint from, BoatState to) {

@@ -1,5 +1,5 @@
 /**
- * What is noted down of a run, in process, over TCP and from a journal: tracks, visits, tasks, readings, phases, what the operator was told,
+ * The record of a run, in process, over TCP and from a journal: tracks, visits, tasks, readings, phases, messages to the operator,
  * and the hash of the run. Each is a {@link org.sami.crw.sim.run.record.ReportFold};
  * {@link org.sami.crw.sim.run.record.ReportFolds} is the list of them and makes the report.
  *

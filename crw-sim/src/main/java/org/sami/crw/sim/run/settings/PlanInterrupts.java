@@ -120,7 +120,7 @@ public final class PlanInterrupts {
     }
 
     /**
-     * Reads what a user said.
+     * Reads the user's interrupts.
      *
      * @param boats the names of the run's boats, in order
      * @throws IllegalArgumentException naming the first that makes no sense, and why
@@ -134,7 +134,7 @@ public final class PlanInterrupts {
     }
 
     /**
-     * Finds out whether what a user said makes sense, as far as can be said before the boats are known.
+     * Checks the user's interrupts, as far as possible before the boats are known.
      *
      * @throws IllegalArgumentException naming the first that makes no sense, and why
      */

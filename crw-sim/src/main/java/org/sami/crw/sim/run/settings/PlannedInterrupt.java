@@ -8,7 +8,7 @@ import java.util.OptionalLong;
  * An interrupt that a run is to press: at a time, or for each boat that turns critical.
  *
  * @param name of the interrupt, as in the plan
- * @param boat whom it is for; empty for all, or for those whom the operator chooses then
+ * @param boat the boat that it is for; empty for all, or for those that the operator chooses then
  * @param afterMillis when, in milliseconds since the mission's start; empty = when a boat's battery turns critical
  *     (thesis 7.1.1)
  */

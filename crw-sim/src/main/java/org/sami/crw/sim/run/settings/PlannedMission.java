@@ -50,7 +50,7 @@ public record PlannedMission(Plan plan, String name, Map<String, Value> paramete
                 return Math.round(value * 1000);
             }
         } catch (NumberFormatException noNumber) {
-            // told with those that are none
+            // reported together with those that are none
         }
         throw new IllegalArgumentException("'" + seconds + "' in '" + text + "' is no number of seconds");
     }

@@ -10,7 +10,7 @@ import org.sami.crw.decision.AnswersFile;
  * All that a run is put together of, on whatever fleet.
  *
  * @param plan of the first mission, with its project
- * @param answers what the simulated operator is told to answer
+ * @param answers the rules of the simulated operator's answers
  * @param missions what the run starts, by time; the first when all boats are there. The run is over when all of them are
  */
 public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, List<PlannedMission> missions) {

@@ -12,7 +12,7 @@ import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.hull.Conditions;
 
 /**
- * Everything that decides a run, beside its plans and its vocabulary. A run in process is a function of these; of the speed only
+ * Everything that determines a run, in addition to its plans and its vocabulary. A run in process is a function of these; of the speed only
  * how long it takes.
  *
  * @param plan id of the plan
@@ -25,7 +25,7 @@ import org.sami.crw.sim.hull.Conditions;
  * @param answers text of the answers file; empty text where there is none
  * @param connect where the boats' servers listen, as many as the fleet has boats; empty = the boats are in this process
  * @param interrupts which interrupts are pressed, as they were given ({@link PlanInterrupts}), in order
- * @param also which missions are started beside the first, as they were given ({@link PlannedMission#parse}), in order
+ * @param also which missions are started in addition to the first, as they were given ({@link PlannedMission#parse}), in order
  */
 public record RunSettings(
         String plan,
@@ -39,7 +39,7 @@ public record RunSettings(
         List<BoatAddress> connect,
         List<String> interrupts,
         List<String> also) {
-    /** A run that is not told when to stop gives up after one simulated day. */
+    /** A run without an end stops after one simulated day. */
     public static final long LONGEST_MILLIS = 86_400_000;
 
     /** After how long the simulated operator answers unless somebody says otherwise, in simulated milliseconds. */
@@ -197,7 +197,7 @@ public record RunSettings(
         return change().interrupts(others).build();
     }
 
-    /** The same run with these missions beside the first. */
+    /** The same run with these missions in addition to the first. */
     public RunSettings withAlso(List<String> others) {
         return change().also(others).build();
     }

@@ -9,14 +9,14 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Where on earth a run takes place, as far as somebody said so. Nothing else moves a run: neither what its plan names nor how many
+ * Where on earth a run takes place, as far as the user has given it. Nothing else moves a run: neither what its plan names nor how many
  * boats it has (docs/command-line.md).
  *
  * @param centre of the square in which locations lie; empty = {@link #USUAL_CENTRE}, or the middle of boats behind TCP
  * @param quay the middle of the line in which boats of this process lie at the start; empty = {@link #QUAY_M} south of the square
  */
 public record Site(Optional<GeoPoint> centre, Optional<GeoPoint> quay) {
-    /** The centre of runs in process that are not told another: open water of Lake Garda. */
+    /** The default centre of runs in process: open water of Lake Garda. */
     public static final GeoPoint USUAL_CENTRE = GeoPoint.of(45.7000, 10.7200);
 
     /** The quay lies this far south of the square, in metres. */
@@ -25,7 +25,7 @@ public record Site(Optional<GeoPoint> centre, Optional<GeoPoint> quay) {
     /** The plane of the simulated water is exact to about this distance from its centre, in metres. */
     public static final double REACH_M = RunSettings.Fleet.LONGEST_AREA_M;
 
-    /** Nobody said where. */
+    /** No place is given. */
     public static final Site USUAL = new Site(Optional.empty(), Optional.empty());
 
     private static final String CENTRE = "at";
@@ -73,7 +73,7 @@ public record Site(Optional<GeoPoint> centre, Optional<GeoPoint> quay) {
         return new LocalFrame(origin.latDeg(), origin.lonDeg());
     }
 
-    /** As text by name, for the header of a journal; what nobody said is left out. */
+    /** As text by name, for the header of a journal; values not given are left out. */
     Map<String, String> toMap() {
         Map<String, String> map = new TreeMap<>();
         centre.ifPresent(at -> map.put(CENTRE, at.latDeg() + "," + at.lonDeg()));

@@ -24,7 +24,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Where boats of a run in process come from while it runs: behind each server's address lies one simulated boat, on the line
- * beside the others, which joins when a plan first connects to it. Nothing is sent to the address.
+ * in addition to the others, which joins when a plan first connects to it. Nothing is sent to the address.
  */
 public final class SimulatedBoatConnector implements FleetConnector {
     private final Executor executor;
@@ -42,7 +42,7 @@ public final class SimulatedBoatConnector implements FleetConnector {
         listener = Optional.of(newListener);
     }
 
-    /** What the base is told of a boat. */
+    /** The base's data of a boat. */
     public BoatListener listenerOf(String boat) {
         return listener.orElseThrow().found(boat);
     }
@@ -74,7 +74,7 @@ public final class SimulatedBoatConnector implements FleetConnector {
 
     @Override
     public void expect(String boat) {
-        // Every boat of this world is there from the start, or made when it is wanted.
+        // Every boat of this world is there from the start, or made on request.
     }
 
     @Override

@@ -73,7 +73,7 @@ public final class SimulatedWater {
         return states;
     }
 
-    /** All boats that have said where they are, each where it said last. */
+    /** All boats that have reported a position, each with its last one. */
     public List<BoatState> reportedBoats() {
         List<BoatState> states = new ArrayList<>();
         fleet.boats()
