@@ -25,8 +25,8 @@ import org.sami.ui.net.NetView;
  * edge, and on free space it selects what a box holds. The middle and the right button pan.
  */
 final class EditTool implements NetTool {
-    private static final double STILL = 4;
-    private static final double GRIP = 11; // pixels from a frame's corner at which it is taken
+    private static final double CLICK_TOLERANCE = 4;
+    private static final double CORNER_TOLERANCE = 11; // pixels from a frame's corner at which it is taken
     private static final BasicStroke BOX = new BasicStroke(1.5f);
     private static final BasicStroke GUIDE =
             new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
@@ -140,7 +140,9 @@ final class EditTool implements NetTool {
 
     /** The selected frame whose corner the pointer is at. */
     private Optional<FrameBox> grip(NetPointer pointer) {
-        return actions.edits().frames().gripAt(view.selected(), pointer.x(), pointer.y(), GRIP / view.zoom());
+        return actions.edits()
+                .frames()
+                .gripAt(view.selected(), pointer.x(), pointer.y(), CORNER_TOLERANCE / view.zoom());
     }
 
     @Override
@@ -148,7 +150,7 @@ final class EditTool implements NetTool {
         last = Optional.of(pointer);
         double dx = pointer.x() - fromX;
         double dy = pointer.y() - fromY;
-        moved |= Math.hypot(dx, dy) * view.zoom() > STILL;
+        moved |= Math.hypot(dx, dy) * view.zoom() > CLICK_TOLERANCE;
         switch (gesture) {
             case MOVE -> dragSelection(dx, dy);
             case BOX -> box.setFrameFromDiagonal(fromX, fromY, pointer.x(), pointer.y());

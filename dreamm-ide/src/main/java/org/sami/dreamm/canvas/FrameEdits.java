@@ -21,7 +21,7 @@ import org.sami.spn.model.NetFrame;
 
 /** What gestures and keys mean as edits of frames. A frame carries along what lies in it. Coordinates are those of the drawing. Knows no window. */
 final class FrameEdits {
-    private static final double AROUND = 24;
+    private static final double FRAME_MARGIN = 24;
     private static final double HEAD = 24;
     private static final double LEAST = 48;
     private static final double FIRST_WIDTH = 320;
@@ -81,7 +81,7 @@ final class FrameEdits {
                         .filter(label -> selection.contains(label.of()))
                         .map(NetDrawing.Label::box)
                         .reduce(box, DrawingBox::union)
-                        .grown(AROUND));
+                        .grown(FRAME_MARGIN));
         DrawingBox box = around.map(b -> new DrawingBox(b.x(), b.y() - HEAD, b.width(), b.height() + HEAD))
                 .orElse(new DrawingBox(at.x(), at.y(), FIRST_WIDTH, FIRST_HEIGHT));
         return new NetEdits.Made(

@@ -16,25 +16,28 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
  */
 record Handles(Vertex vertex, double unit) {
     private static final double RADIUS = 10;
-    private static final double AWAY = 15;
-    private static final double APART = 12;
+    private static final double HANDLE_OFFSET = 15;
+    private static final double HANDLE_SPACING = 12;
     private static final double REACH = 10; // around both, so that they stay while the pointer goes there
 
     private DrawingBox handle(double dy) {
         DrawingBox box = vertex.box();
         double radius = RADIUS * unit;
         return new DrawingBox(
-                box.maxX() + (AWAY - RADIUS) * unit, vertex.centre().y() + dy * unit - radius, 2 * radius, 2 * radius);
+                box.maxX() + (HANDLE_OFFSET - RADIUS) * unit,
+                vertex.centre().y() + dy * unit - radius,
+                2 * radius,
+                2 * radius);
     }
 
     /** From where an edge is drawn. */
     DrawingBox connect() {
-        return handle(-APART);
+        return handle(-HANDLE_SPACING);
     }
 
     /** What opens the menu of what can come next. */
     DrawingBox append() {
-        return handle(APART);
+        return handle(HANDLE_SPACING);
     }
 
     /** Whether a point is on one of the handles. */

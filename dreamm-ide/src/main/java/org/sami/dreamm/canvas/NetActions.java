@@ -31,7 +31,7 @@ import org.sami.ui.net.NetView;
 
 /** What gestures, keys and menus do on the net: each is an edit of the document, and what it made is selected. On the event thread. */
 final class NetActions {
-    private static final double BESIDE = 140;
+    private static final double PASTE_OFFSET = 140;
 
     private final DreammContext context;
     private final NetView view;
@@ -163,7 +163,7 @@ final class NetActions {
     /** Where something has room behind a vertex, in drawing units. */
     LayoutPoint behind(String vertex) {
         LayoutPoint at = net.vertex(vertex).map(Vertex::centre).orElse(new LayoutPoint(0, 0));
-        return net.free(at.x() + BESIDE, at.y());
+        return net.free(at.x() + PASTE_OFFSET, at.y());
     }
 
     // ---- Copies

@@ -14,7 +14,7 @@ record SnapGuide(double dx, double dy, Optional<Double> column, Optional<Double>
     /** The distance of the grid's lines, in drawing units. */
     static final double GRID = 20;
 
-    private static final double NEAR = 7;
+    private static final double SNAP_DISTANCE = 7;
 
     /** As it is dragged, without a grid. */
     static SnapGuide free(double dx, double dy) {
@@ -45,7 +45,8 @@ record SnapGuide(double dx, double dy, Optional<Double> column, Optional<Double>
         Double best = null;
         for (LayoutPoint other : others) {
             double line = x ? other.x() : other.y();
-            if (Math.abs(line - value) <= NEAR && (best == null || Math.abs(line - value) < Math.abs(best - value))) {
+            if (Math.abs(line - value) <= SNAP_DISTANCE
+                    && (best == null || Math.abs(line - value) < Math.abs(best - value))) {
                 best = line;
             }
         }

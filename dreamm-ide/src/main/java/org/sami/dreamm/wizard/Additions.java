@@ -36,7 +36,7 @@ import org.sami.spn.wizard.PlanChange;
  * of the one that came with it. On the event thread; knows no Swing.
  */
 public final class Additions {
-    private static final double BELOW = 140;
+    private static final double OFFSET_BELOW = 140;
     private static final LayoutPoint FIRST = new LayoutPoint(60, 200);
 
     private final ProjectDocument document;
@@ -165,7 +165,7 @@ public final class Additions {
                     : plan.layout().values().stream()
                             .map(LayoutPoint::y)
                             .max(Double::compare)
-                            .map(y -> new LayoutPoint(FIRST.x(), y + BELOW));
+                            .map(y -> new LayoutPoint(FIRST.x(), y + OFFSET_BELOW));
         });
     }
 

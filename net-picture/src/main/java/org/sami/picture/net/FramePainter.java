@@ -20,7 +20,7 @@ final class FramePainter {
     private static final double ASCENT = 0.98;
     private static final double TINT = 0.12;
     private static final double CORNER = 10;
-    private static final double GRIP = 10;
+    private static final double HANDLE_SIZE = 10;
     private static final BasicStroke RIM = new BasicStroke(1.4f);
     private static final BasicStroke CHOSEN = new BasicStroke(3);
 

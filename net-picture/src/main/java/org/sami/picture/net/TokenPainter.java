@@ -24,7 +24,7 @@ final class TokenPainter {
     private static final int MOST = 5;
     private static final double CHIP = 11.5;
     private static final double DOT = 8;
-    private static final double APART = 7.5;
+    private static final double TOKEN_SPACING = 7.5;
     private static final double[][][] PLACES = {
         {{0, 0}},
         {{-1, 0}, {1, 0}},

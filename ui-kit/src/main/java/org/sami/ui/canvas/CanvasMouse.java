@@ -15,7 +15,7 @@ import javax.swing.SwingUtilities;
  * @param <P> what is known of where the pointer is
  */
 public final class CanvasMouse<P> extends MouseAdapter {
-    private static final int STILL_PX = 4;
+    private static final int CLICK_TOLERANCE_PX = 4;
 
     private final Surface<P> surface;
     private int fromX;
@@ -75,7 +75,7 @@ public final class CanvasMouse<P> extends MouseAdapter {
     public void mouseDragged(MouseEvent e) {
         if (taken) {
             surface.tool().drag(surface.pointer(e));
-        } else if (panning || Math.hypot(e.getX() - fromX, e.getY() - fromY) > STILL_PX) {
+        } else if (panning || Math.hypot(e.getX() - fromX, e.getY() - fromY) > CLICK_TOLERANCE_PX) {
             panning = true;
             surface.pan(lastX - e.getX(), lastY - e.getY());
             lastX = e.getX();

@@ -5,7 +5,7 @@ package org.sami.ui.command;
  * event thread.
  */
 public final class OnePress {
-    private static final long APART_NANOS = 500_000_000L;
+    private static final long MIN_INTERVAL_NANOS = 500_000_000L;
 
     private long lastNanos;
     private boolean pressed;
@@ -19,7 +19,7 @@ public final class OnePress {
     }
 
     boolean isOwn(long nowNanos) {
-        boolean own = !pressed || nowNanos - lastNanos > APART_NANOS;
+        boolean own = !pressed || nowNanos - lastNanos > MIN_INTERVAL_NANOS;
         pressed = true;
         lastNanos = nowNanos; // a held key goes on repeating
         return own;

@@ -2,7 +2,7 @@ package org.sami.ui.map;
 
 /** The rectangles of a map that are painted on already: names ask it where they hide least. For one painting, in pixels. */
 class MapLabels {
-    private static final int EACH = 5;
+    private static final int VALUES_PER_LABEL = 5;
     private static final double OF_TEXT = 8; // a letter that is hidden makes another name
 
     private double[] edges = new double[320]; // left, top, right, bottom and weight of each
@@ -24,7 +24,7 @@ class MapLabels {
     }
 
     private void add(double left, double top, double width, double height, double weight) {
-        if (used + EACH > edges.length) {
+        if (used + VALUES_PER_LABEL > edges.length) {
             edges = java.util.Arrays.copyOf(edges, 2 * edges.length);
         }
         edges[used++] = left;
@@ -62,7 +62,7 @@ class MapLabels {
     /** How much a rectangle would hide, in square pixels, of text many times as much; counted until it is not less than {@code enough}. */
     private double hidden(double left, double top, double width, double height, double enough) {
         double hidden = 0;
-        for (int i = 0; i < used && hidden < enough; i += EACH) {
+        for (int i = 0; i < used && hidden < enough; i += VALUES_PER_LABEL) {
             double across = Math.min(left + width, edges[i + 2]) - Math.max(left, edges[i]);
             if (across > 0) {
                 double down = Math.min(top + height, edges[i + 3]) - Math.max(top, edges[i + 1]);

@@ -23,7 +23,7 @@ import org.sami.ui.look.Spacing;
 /** The strip below a map: coordinates under the pointer, their notation, a field to type some, what to do, and zoom. */
 final class MapStatusBar extends JPanel {
     private static final String HEIGHT = "hmin " + Spacing.HIT_TARGET_FIELD + ", wmin " + Spacing.HIT_TARGET_FIELD;
-    private static final int ROOMY_PX = 860;
+    private static final int WIDE_PX = 860;
     private static final GeoPoint LONGEST = GeoPoint.of(-88.888888, -178.888888);
 
     private final JButton coordinates = new JButton("Pointer: –");
@@ -130,7 +130,7 @@ final class MapStatusBar extends JPanel {
     /** On a narrow map only what is needed most has room; typing makes some. */
     @Override
     public void doLayout() {
-        boolean roomy = getWidth() >= Look.px(ROOMY_PX);
+        boolean roomy = getWidth() >= Look.px(WIDE_PX);
         if (notations.isVisible() != roomy) {
             notations.setVisible(roomy);
             field.setVisible(roomy);

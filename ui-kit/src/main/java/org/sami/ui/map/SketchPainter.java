@@ -18,7 +18,7 @@ import org.sami.ui.geo.MapFrame;
 final class SketchPainter {
     private static final double HANDLE_PX = 6;
     private static final double MIDDLE_PX = 4;
-    private static final double ROOM_PX = 44; // a shorter line has no handle in its middle
+    private static final double LEAST_LINE_PX = 44; // a shorter line has no handle in its middle
 
     private final GeoSketch sketch;
     private final boolean measuring;
@@ -57,7 +57,8 @@ final class SketchPainter {
     /** Whether there is room for a handle in the middle of the line that ends at that index of {@link #ring}. */
     boolean hasMiddle(MapFrame frame, int index) {
         GeoPoint a = ring().get(index - 1);
-        return frame.distancePx(a, frame.px(ring().get(index)), frame.py(ring().get(index))) >= Painting.px(ROOM_PX);
+        return frame.distancePx(a, frame.px(ring().get(index)), frame.py(ring().get(index)))
+                >= Painting.px(LEAST_LINE_PX);
     }
 
     void paint(MapPaint paint) {

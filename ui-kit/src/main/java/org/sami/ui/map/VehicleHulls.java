@@ -13,7 +13,7 @@ import org.sami.ui.map.Sprites.Sprite;
 final class VehicleHulls {
     private static final double HALF_PX = 13; // from the middle to the bow
     static final double RING_PX = 5; // between a hull and the ring around one that is chosen
-    private static final double AHEAD_S = 10;
+    private static final double LOOKAHEAD_S = 10;
     private static final double LEAST_VECTOR_PX = 4;
     private static final int HEADINGS = 120; // three degrees apart
     private static final Path2D HULL = hull();
@@ -44,7 +44,7 @@ final class VehicleHulls {
     }
 
     private static double vectorPx(MapPaint paint, ShownVehicle vehicle) {
-        double px = vehicle.speedMps() * AHEAD_S / paint.frame().metresPerPixel();
+        double px = vehicle.speedMps() * LOOKAHEAD_S / paint.frame().metresPerPixel();
         return px >= LEAST_VECTOR_PX && !vehicle.isStale() ? px : 0;
     }
 

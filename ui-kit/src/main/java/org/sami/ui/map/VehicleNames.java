@@ -20,7 +20,7 @@ import org.sami.ui.map.Sprites.Sprite;
  */
 final class VehicleNames {
     private static final double MOST_HIDDEN = 0.2; // of a name's plate
-    private static final int FEW = 8; // of so many, each has its name, if need be away from its hull
+    private static final int MAX_FULLY_LABELLED = 8; // of so many, each has its name, if need be away from its hull
     private static final int PLACES = 8; // around a hull
 
     private final Sprites<Name> sprites = new Sprites<>();
@@ -41,14 +41,15 @@ final class VehicleNames {
         }
         List<ShownVehicle> order = new ArrayList<>(vehicles);
         order.sort(Comparator.comparing(vehicle -> !isImportant(paint, vehicle)));
-        order.forEach(vehicle -> write(paint, vehicle, isImportant(paint, vehicle), vehicles.size() <= FEW));
+        order.forEach(
+                vehicle -> write(paint, vehicle, isImportant(paint, vehicle), vehicles.size() <= MAX_FULLY_LABELLED));
     }
 
     /** Where many are spoken of, none of them is more important than others. */
     private static boolean isImportant(MapPaint paint, ShownVehicle vehicle) {
         return vehicle.selected()
                 || vehicle.isStale()
-                || (paint.highlighted().size() <= FEW && paint.isHighlighted(vehicle.id()));
+                || (paint.highlighted().size() <= MAX_FULLY_LABELLED && paint.isHighlighted(vehicle.id()));
     }
 
     private void write(MapPaint paint, ShownVehicle vehicle, boolean important, boolean few) {

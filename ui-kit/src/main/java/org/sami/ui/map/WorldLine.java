@@ -14,7 +14,7 @@ import org.sami.ui.geo.Mercator;
 /** A line through points, projected once: a pan or zoom scales it only. */
 final class WorldLine {
     private static final double LEAST_PX = 1.5;
-    private static final double BEYOND_PX = 10; // as wide as a line and its dots are
+    private static final double MARGIN_PX = 10; // as wide as a line and its dots are
 
     private final List<GeoPoint> points;
     private final double[] xs;
@@ -117,10 +117,10 @@ final class WorldLine {
             top = Math.min(top, ys[i]);
             bottom = Math.max(bottom, ys[i]);
         }
-        return frame.px(right) >= -BEYOND_PX
-                && frame.px(left) <= frame.width() + BEYOND_PX
-                && frame.py(bottom) >= -BEYOND_PX
-                && frame.py(top) <= frame.height() + BEYOND_PX;
+        return frame.px(right) >= -MARGIN_PX
+                && frame.px(left) <= frame.width() + MARGIN_PX
+                && frame.py(bottom) >= -MARGIN_PX
+                && frame.py(top) <= frame.height() + MARGIN_PX;
     }
 
     /** How far the nearest part of the line is from a pixel, in pixels; infinite where there is no line. */

@@ -19,8 +19,8 @@ import org.sami.spn.model.Plan;
  * points with a fixed seed, so that equal nets are laid out equally.
  */
 public final class ForceLayout {
-    private static final double ROOM = 190; // that a vertex with its words takes in both directions
-    private static final double SHAPE = 1.6; // wider than high, as windows are
+    private static final double VERTEX_EXTENT = 190; // that a vertex with its words takes in both directions
+    private static final double ASPECT_RATIO = 1.6; // wider than high, as windows are
     private static final int STEPS = 500;
 
     private ForceLayout() {}
@@ -34,8 +34,8 @@ public final class ForceLayout {
      */
     public static Map<String, LayoutPoint> of(Plan plan, NetDrawing drawing, BooleanSupplier cancelled) {
         Graph<String, String> graph = NetGraph.layout(plan, drawing).getGraph();
-        double height = ROOM * Math.sqrt(Math.max(1, graph.getVertexCount()) / SHAPE);
-        Dimension size = new Dimension((int) (height * SHAPE), (int) height);
+        double height = VERTEX_EXTENT * Math.sqrt(Math.max(1, graph.getVertexCount()) / ASPECT_RATIO);
+        Dimension size = new Dimension((int) (height * ASPECT_RATIO), (int) height);
         Map<String, Point2D> begin = new HashMap<>();
         RandomLocationTransformer<String> spread =
                 new RandomLocationTransformer<>(size, plan.id().hashCode());

@@ -20,7 +20,7 @@ final class NetNavigation {
 
     private static final double NET_MARGIN_PX = 24;
     /** Room around what is followed, in parts of the view's lesser side. */
-    private static final double ROOM = 0.2;
+    private static final double FOLLOW_MARGIN = 0.2;
 
     private final NetView view;
     private final NetViewport viewport;
@@ -119,7 +119,8 @@ final class NetNavigation {
 
     /** Whether a box is seen and what lies around it in the net as well. */
     private boolean isSeenWithRoom(DrawingBox box) {
-        double room = ROOM * Math.min(view.canvas().getWidth(), view.canvas().getHeight()) / viewport.scale();
+        double room =
+                FOLLOW_MARGIN * Math.min(view.canvas().getWidth(), view.canvas().getHeight()) / viewport.scale();
         return isSeen(pixels(box.grown(room))
                 .createIntersection(pixels(view.scene().shownBounds().union(box))));
     }

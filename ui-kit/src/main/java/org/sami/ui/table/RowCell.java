@@ -20,7 +20,7 @@ import org.sami.ui.look.Spacing;
 /** Draws the cells of a {@link RowTable}: words in as many lines as they need, numbers at the right in one. */
 final class RowCell<R> extends DefaultTableCellRenderer {
     private static final int LEAST_HEIGHT = 30;
-    private static final int AIR = 12;
+    private static final int PADDING = 12;
 
     private List<String> lines = List.of();
 
@@ -55,7 +55,7 @@ final class RowCell<R> extends DefaultTableCellRenderer {
     }
 
     private static int heightOf(int lines, FontMetrics metrics) {
-        return Math.max(leastHeight(), lines * metrics.getHeight() + Look.px(AIR));
+        return Math.max(leastHeight(), lines * metrics.getHeight() + Look.px(PADDING));
     }
 
     /** The lines of a cell; one at least, and one of a number. */

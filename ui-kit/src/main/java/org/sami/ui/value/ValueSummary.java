@@ -24,7 +24,7 @@ import org.sami.spn.value.VariableReference;
 
 /** Any value in a few words for people: what a row, a cell or a tooltip says of it. Not to be read back. */
 public final class ValueSummary {
-    private static final int LISTED = 4;
+    private static final int MOST_LISTED = 4;
 
     private ValueSummary() {}
 
@@ -87,11 +87,11 @@ public final class ValueSummary {
         }
         Map<?, Value> parts = value instanceof MapValue map ? map.entries() : ((RecordValue) value).fields();
         String text = parts.entrySet().stream()
-                .limit(LISTED)
+                .limit(MOST_LISTED)
                 .map(part -> (part.getKey() instanceof Value key ? of(key) : ValueField.words((String) part.getKey()))
                         + ": " + of(part.getValue()))
                 .collect(Collectors.joining("; "));
-        return text.isEmpty() ? "nothing" : text + (parts.size() > LISTED ? "; …" : "");
+        return text.isEmpty() ? "nothing" : text + (parts.size() > MOST_LISTED ? "; …" : "");
     }
 
     private static String ofList(List<Value> items) {
@@ -101,8 +101,8 @@ public final class ValueSummary {
         if (items.size() > 1 && items.stream().allMatch(GeoPoint.class::isInstance)) {
             return count(items.size(), "point");
         }
-        String text = items.stream().limit(LISTED).map(ValueSummary::of).collect(Collectors.joining(", "));
-        return items.size() > LISTED ? text + " and " + (items.size() - LISTED) + " more" : text;
+        String text = items.stream().limit(MOST_LISTED).map(ValueSummary::of).collect(Collectors.joining(", "));
+        return items.size() > MOST_LISTED ? text + " and " + (items.size() - MOST_LISTED) + " more" : text;
     }
 
     private static String count(int number, String what) {

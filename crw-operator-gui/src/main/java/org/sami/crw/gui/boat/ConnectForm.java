@@ -25,14 +25,14 @@ import org.sami.ui.value.WrappedText;
  */
 public final class ConnectForm extends JPanel {
     private static final String KEEP = "wmin 0";
-    private static final int LOOK_MS = 500; // how often it was tried in vain changes by itself
+    private static final int POLL_MS = 500; // how often it was tried in vain changes by itself
 
     private final OperatorContext context;
     private final JTextField address = new JTextField(28);
     private final JButton connect = new JButton("Connect");
     private final WrappedText said = new WrappedText("");
     private final JButton giveUp = new JButton("Give up this address");
-    private final Timer look = new Timer(LOOK_MS, e -> refresh());
+    private final Timer look = new Timer(POLL_MS, e -> refresh());
     private Optional<ConnectAttempt> attempt = Optional.empty();
 
     /** An empty form. */

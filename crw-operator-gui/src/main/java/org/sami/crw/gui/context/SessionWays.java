@@ -21,7 +21,7 @@ import org.sami.ui.value.RobotWays;
  * around what the mission avoids. On the event thread.
  */
 public final class SessionWays {
-    private static final int KEPT = 100;
+    private static final int CACHE_SIZE = 100;
 
     private final OperatorContext context;
     private final Map<Asked, List<GeoPoint>> found = new LinkedHashMap<>();
@@ -69,7 +69,7 @@ public final class SessionWays {
     }
 
     private void keep(Asked asked, List<GeoPoint> way) {
-        if (found.size() >= KEPT) {
+        if (found.size() >= CACHE_SIZE) {
             found.clear();
         }
         found.put(asked, way);

@@ -14,7 +14,7 @@ import org.sami.ui.command.Command;
 
 /** Adds simulated boats to the session, one at a time: to try a plan with more boats, or together with real ones. On the event thread. */
 final class SimulatedBoatAdder {
-    private static final double APART_M = 10;
+    private static final double SPACING_M = 10;
 
     private final OperatorContext context;
     private final Supplier<GeoPoint> where;
@@ -67,13 +67,13 @@ final class SimulatedBoatAdder {
                 .forEach(pose -> lying.add(pose.position()));
         GeoPoint place = wanted;
         while (isTaken(place, lying)) {
-            place = Geodesy.offset(place, APART_M, 0);
+            place = Geodesy.offset(place, SPACING_M, 0);
         }
         return place;
     }
 
     private static boolean isTaken(GeoPoint place, List<GeoPoint> lying) {
-        return lying.stream().anyMatch(other -> Geodesy.distanceM(place, other) < APART_M - 1);
+        return lying.stream().anyMatch(other -> Geodesy.distanceM(place, other) < SPACING_M - 1);
     }
 
     /** The next of sim-1, sim-2 and so on that no boat has. */

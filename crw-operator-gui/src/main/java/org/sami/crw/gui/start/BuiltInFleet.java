@@ -12,7 +12,7 @@ import org.sami.spn.value.GeoPoint;
 /** The five simulated boats that a window without real ones has, in the shallows of Katara Beach. */
 final class BuiltInFleet {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
-    private static final double APART_DEG = 0.0002; // 22 m
+    private static final double SPACING_DEG = 0.0002; // 22 m
     /** The boats, by their ids. */
     static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
 
@@ -28,7 +28,7 @@ final class BuiltInFleet {
     static List<BoatAddress> launch(SimulatedBoats boats, Map<String, GeoPoint> at) throws IOException {
         Map<String, GeoPoint> places = new LinkedHashMap<>();
         for (String name : NAMES) {
-            places.put(name, GeoPoint.of(QUAY.latDeg() - places.size() * APART_DEG, QUAY.lonDeg()));
+            places.put(name, GeoPoint.of(QUAY.latDeg() - places.size() * SPACING_DEG, QUAY.lonDeg()));
         }
         places.replaceAll((name, quay) -> at.getOrDefault(name, quay));
         List<BoatAddress> addresses = new ArrayList<>();

@@ -33,7 +33,7 @@ import org.sami.ui.window.NoticeLabel;
 
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
 public final class StatusStrip extends JPanel {
-    private static final int ROOMY = 1100;
+    private static final int WIDE_FROM = 1100;
     private static final int TIGHT = 720;
     private static final String LAYOUT = "insets 6 12 6 8, hidemode 3, gap ";
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
@@ -125,7 +125,7 @@ public final class StatusStrip extends JPanel {
     }
 
     private boolean isNarrow() {
-        return getWidth() > 0 && getWidth() < Look.px(ROOMY);
+        return getWidth() > 0 && getWidth() < Look.px(WIDE_FROM);
     }
 
     @Override

@@ -26,7 +26,7 @@ import org.sqlite.SQLiteConfig;
  */
 public final class MbTiles implements BaseSource {
     private static final int MOST_LEVEL = 22;
-    private static final int LOOK_EVERY = 10_000; // instructions of SQLite, less than a millisecond
+    private static final int CHECK_INTERVAL = 10_000; // instructions of SQLite, less than a millisecond
     private static final int READ_LETTERS = 2000; // of an entry of the metadata
 
     private final Path file;
@@ -93,7 +93,7 @@ public final class MbTiles implements BaseSource {
         Connection connection = null;
         try {
             connection = config.createConnection("jdbc:sqlite:" + file);
-            ProgressHandler.setHandler(connection, LOOK_EVERY, new ProgressHandler() {
+            ProgressHandler.setHandler(connection, CHECK_INTERVAL, new ProgressHandler() {
                 @Override
                 protected int progress() {
                     return Thread.currentThread().isInterrupted() ? 1 : 0; // 1 ends the statement

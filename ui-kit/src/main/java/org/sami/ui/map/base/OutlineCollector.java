@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 
 /** What is kept of a GeoJSON document, within a budget. */
 final class OutlineCollector {
-    private static final int LOOK_EVERY = 1024; // positions and members
+    private static final int CHECK_INTERVAL = 1024; // positions and members
 
     private final Path file;
     private final MapBudget budget;
@@ -53,7 +53,7 @@ final class OutlineCollector {
         if (points + current.size() > budget.points()) {
             full("more than " + MapBudget.number(budget.points()) + " points");
         }
-        if (++looks % LOOK_EVERY == 0) {
+        if (++looks % CHECK_INTERVAL == 0) {
             if (Thread.currentThread().isInterrupted()) {
                 throw new InterruptedReading(file + " was left");
             }

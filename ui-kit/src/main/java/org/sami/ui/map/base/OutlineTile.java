@@ -11,7 +11,7 @@ import org.locationtech.jts.geom.Envelope;
 
 /** One tile of outlines as it is painted. Content outside the tile costs a step for each chunk, not for each point. */
 final class OutlineTile {
-    private static final double BESIDE_PX = 4; // as wide as a line is
+    private static final double MARGIN_PX = 4; // as wide as a line is
     private static final double LINE_PX = 1.5;
     private static final double LEAST_PX = 0.4;
 
@@ -26,7 +26,7 @@ final class OutlineTile {
         this.key = key;
         this.style = style;
         double px = WorldInts.stepsPerPx(key.worldPx());
-        double beside = BESIDE_PX * Math.max(1, style.lineScale()) * px;
+        double beside = MARGIN_PX * Math.max(1, style.lineScale()) * px;
         double left = left();
         double top = top();
         seen = new Envelope(
