@@ -20,7 +20,8 @@ class TickHelpers implements AutoCloseable {
     private static final int SPINS = 2000; // some ten microseconds
     private static final long YIELD_NANOS = 20_000;
     private static final int LOST_CORE_PARKS = 10; // after so many parks the helper's core belongs to another process
-    // ticks that the caller then computes alone: first the former, doubled up to the latter each time that a core is lost
+    // ticks that the caller then computes alone: first the former, doubled up to the latter each time that a core is
+    // lost
     // again within RESET_TIMES shared ticks
     private static final int LEAST_ALONE_TIMES = 50;
     private static final int MOST_ALONE_TIMES = 800;
