@@ -8,7 +8,7 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
 
 /** Paints the signs at vertices, over the net. */
 final class BadgePainter {
-    private static final double AROUND = 5;
+    private static final double PADDING = 5;
     private static final double DOT = 11;
     private static final BasicStroke RIM = new BasicStroke(1.5f);
     private static final BasicStroke DASHED =
@@ -31,8 +31,8 @@ final class BadgePainter {
     private static void around(Pen pen, Vertex vertex) {
         pen.draw(
                 vertex.kind() == Kind.PLACE
-                        ? Pen.circle(vertex.centre().x(), vertex.centre().y(), NetDrawing.PLACE_RADIUS + AROUND)
-                        : Pen.rectangle(vertex.box().grown(AROUND)),
+                        ? Pen.circle(vertex.centre().x(), vertex.centre().y(), NetDrawing.PLACE_RADIUS + PADDING)
+                        : Pen.rectangle(vertex.box().grown(PADDING)),
                 SemanticColor.WARNING,
                 DASHED);
     }

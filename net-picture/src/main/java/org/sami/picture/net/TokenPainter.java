@@ -58,7 +58,7 @@ final class TokenPainter {
         } else {
             double[][] at = PLACES[tokens.size() - 1];
             for (int i = 0; i < at.length; i++) {
-                token(x + at[i][0] * APART, y + at[i][1] * APART, tokens.get(i));
+                token(x + at[i][0] * TOKEN_SPACING, y + at[i][1] * TOKEN_SPACING, tokens.get(i));
             }
         }
     }
