@@ -10,10 +10,17 @@ import java.util.Objects;
  * @param distanceM metres travelled
  * @param batteryPercent charge left, 0 to 100
  * @param recharges how often its battery was changed
+ * @param mark the index of its identity mark: its colour, the same as in the window
  * @param track where it was, oldest first; the first point is its start
  */
 public record BoatResult(
-        String id, LinkResult link, double distanceM, double batteryPercent, int recharges, List<TrackPoint> track) {
+        String id,
+        LinkResult link,
+        double distanceM,
+        double batteryPercent,
+        int recharges,
+        int mark,
+        List<TrackPoint> track) {
     public BoatResult {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(link, "link");

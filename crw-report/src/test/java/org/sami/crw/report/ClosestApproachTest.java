@@ -134,7 +134,7 @@ class ClosestApproachTest {
         for (long t = 1000L * random.nextInt(30); t < 100_000; t += 500 + random.nextInt(15_000)) {
             track.add(at(t, 40 * random.nextDouble(), 40 * random.nextDouble()));
         }
-        return new BoatResult(id, LINK, 0, 100, 0, track);
+        return new BoatResult(id, LINK, 0, 100, 0, 0, track);
     }
 
     private static double distance(List<TrackPoint> one, List<TrackPoint> other, long atMillis) {
@@ -159,7 +159,7 @@ class ClosestApproachTest {
     }
 
     private static BoatResult boat(String id, TrackPoint... track) {
-        return new BoatResult(id, LINK, 0, 100, 0, List.of(track));
+        return new BoatResult(id, LINK, 0, 100, 0, 0, List.of(track));
     }
 
     private static TrackPoint at(long millis, double eastM, double northM) {

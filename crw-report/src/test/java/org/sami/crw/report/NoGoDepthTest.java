@@ -42,7 +42,7 @@ class NoGoDepthTest {
     private static RunReport report(double northM, MapArea.Kind kind, OptionalDouble announcedM) {
         RunReport sample = SampleReport.of(1, 1);
         List<TrackPoint> track = List.of(at(0, -50, northM), at(60_000, 50, northM));
-        BoatResult boat = new BoatResult("boat1", sample.boats().get(0).link(), 100, 90, 0, track);
+        BoatResult boat = new BoatResult("boat1", sample.boats().get(0).link(), 100, 90, 0, 0, track);
         MapArea area =
                 new MapArea(kind, List.of(point(-10, -10), point(10, -10), point(10, 10), point(-10, 10)), List.of());
         ClosestApproach closest = new ClosestApproach(Optional.empty(), Optional.empty(), List.of(), 0);

@@ -70,6 +70,6 @@ public final class SampleReport {
             track.add(new TrackPoint(
                     60_000L * (i + 1), place.eastM(), place.northM(), place.latDeg(), place.lonDeg(), 1.5, 90.0 - i));
         }
-        return new BoatResult("boat" + (number + 1), LINK, 600 * 2.5, 100.0 / 3, 0, track);
+        return new BoatResult("boat" + (number + 1), LINK, 600 * 2.5, 100.0 / 3, 0, number, track);
     }
 }

@@ -1,8 +1,7 @@
 package org.sami.crw.gui.context;
 
 import java.util.List;
-import java.util.Set;
-import java.util.TreeSet;
+import org.sami.crw.session.JoinOrder;
 import org.sami.palette.IdentityMarks;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
@@ -11,15 +10,12 @@ import org.sami.spn.protocol.Input;
 import org.sami.ui.EventThread;
 
 /**
- * Gives boats their marks by what the session's journal has, so that a boat has the same colour in a session and in its replay: those that are there when the first
- * mission starts by name, as they are connected at once and join in any order, those that join later in that order. Hears of the engine on its
- * thread, and gives marks on the event thread.
+ * Gives boats their marks in the {@link JoinOrder} of the session's journal, so that a boat has the same colour in a session, in its replay and in its report. Follows
+ * the engine on its thread, and gives marks on the event thread.
  */
 public final class MarksOfBoats implements HostListener {
     private final IdentityMarks marks;
-    private final Set<String> joined =
-            new TreeSet<>(); // before the first mission; on the event thread, as what follows
-    private boolean begun;
+    private final JoinOrder order = new JoinOrder(); // on the event thread
 
     private MarksOfBoats(IdentityMarks marks) {
         this.marks = marks;
@@ -28,8 +24,7 @@ public final class MarksOfBoats implements HostListener {
     /** Gives marks to the boats that a session has, and to those that will join. */
     public static void give(ShownSession shown, IdentityMarks marks) {
         MarksOfBoats boats = new MarksOfBoats(marks);
-        shown.ask(view -> new Known(view.proxies(), !view.missions().isEmpty()))
-                .thenAccept(known -> boats.apply(known.boats(), known.missions()));
+        shown.ask(view -> new Known(view.proxies(), !view.missions().isEmpty())).thenAccept(boats::apply);
         shown.addListener(boats);
     }
 
@@ -37,23 +32,19 @@ public final class MarksOfBoats implements HostListener {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        boolean starts = effects.stream().anyMatch(Effect.MissionStarted.class::isInstance);
-        if (input instanceof Input.ProxyJoined boat) {
-            EventThread.later(() -> apply(List.of(boat.proxy()), starts));
-        } else if (starts) {
-            EventThread.later(() -> apply(List.of(), true));
+        if (input instanceof Input.ProxyJoined || effects.stream().anyMatch(Effect.MissionStarted.class::isInstance)) {
+            EventThread.later(() -> {
+                order.onStep(input, effects);
+                order.decided().forEach(marks::give);
+            });
         }
     }
 
-    private void apply(List<String> boats, boolean starts) {
-        if (begun) {
-            boats.forEach(marks::give);
-            return;
+    private void apply(Known known) {
+        order.join(known.boats());
+        if (known.missions()) {
+            order.begin();
         }
-        joined.addAll(boats);
-        if (starts) {
-            begun = true;
-            joined.forEach(marks::give);
-        }
+        order.decided().forEach(marks::give);
     }
 }

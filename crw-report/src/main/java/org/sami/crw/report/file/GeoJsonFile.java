@@ -18,7 +18,7 @@ import org.sami.crw.report.MapNames;
 import org.sami.crw.report.MapPath;
 import org.sami.crw.report.MapPoint;
 import org.sami.crw.report.RunReport;
-import org.sami.crw.report.picture.Palette;
+import org.sami.crw.report.picture.MapColors;
 
 /**
  * A run as GeoJSON (RFC 7946): a feature for each boat's track, path that a boat was given, location, area and point. Positions are WGS 84, longitude first;
@@ -46,7 +46,7 @@ final class GeoJsonFile {
 
     private ObjectNode collection() {
         for (int i = 0; i < report.boats().size(); i++) {
-            track(report.boats().get(i), Palette.color(i));
+            track(report.boats().get(i), MapColors.color(report.boats().get(i).mark()));
         }
         report.map().paths().forEach(this::path);
         report.locations().forEach(this::location);
@@ -126,7 +126,9 @@ final class GeoJsonFile {
         ObjectNode properties = NODES.objectNode()
                 .put("kind", area.kind().words())
                 .put("name", area.kind().words())
-                .put("stroke", String.format("#%06x", Palette.area(area.kind()).getRGB() & 0xFFFFFF));
+                .put(
+                        "stroke",
+                        String.format("#%06x", MapColors.area(area.kind()).getRGB() & 0xFFFFFF));
         feature("Polygon", rings, properties);
     }
 

@@ -15,7 +15,7 @@ import org.sami.crw.report.MapSpot;
 import org.sami.crw.report.RunOrigin;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.TrackPoint;
-import org.sami.crw.report.picture.Palette;
+import org.sami.crw.report.picture.MapColors;
 
 /**
  * A run as KML 2.2, with Google's extension for tracks with times: boats, locations, areas and points in folders. Positions are
@@ -41,10 +41,10 @@ final class KmlFile {
         xml.prefix("gx", EXTENSION);
         xml.open("Document").leaf("name", report.header().planName()).leaf("description", MapNames.run(report));
         for (int i = 0; i < report.boats().size(); i++) {
-            style("boat" + i, Palette.color(i), 255, 3);
+            style("boat" + i, MapColors.color(report.boats().get(i).mark()), 255, 3);
         }
         for (MapArea.Kind kind : MapArea.Kind.values()) {
-            style("area-" + kind.name().toLowerCase(Locale.ROOT), Palette.area(kind), 70, 2);
+            style("area-" + kind.name().toLowerCase(Locale.ROOT), MapColors.area(kind), 70, 2);
         }
         folder("boats", this::tracks);
         folder("locations", this::locations);

@@ -49,7 +49,7 @@ final class AreaDrawing {
 
     /** One area; the legend shows the same. */
     static void area(Graphics2D g, MapArea.Kind kind, Shape shape) {
-        Color color = Palette.area(kind);
+        Color color = MapColors.area(kind);
         if (kind == MapArea.Kind.EXPLORED) {
             g.setColor(new Color(color.getRed(), color.getGreen(), color.getBlue(), 60));
             g.fill(shape);
@@ -58,18 +58,18 @@ final class AreaDrawing {
             g.fill(shape);
             hatch(g, shape, color, false);
         } else if (kind == MapArea.Kind.AVOIDED) {
-            g.setColor(Palette.PAPER);
+            g.setColor(MapColors.PAPER);
             g.fill(shape);
             hatch(g, shape, color, true);
         }
         g.setColor(color);
         g.setStroke(
                 switch (kind) {
-                    case EXPLORED -> Palette.dashed(1.6f);
-                    case UNCOVERED -> Palette.dashed(0.8f);
-                    case AVOIDED -> Palette.dashed(2);
-                    case LIMIT -> Palette.dashed(1.8f, 14, 4, 3, 4);
-                    case OTHER -> Palette.dashed(1.6f, 3, 4);
+                    case EXPLORED -> MapColors.dashed(1.6f);
+                    case UNCOVERED -> MapColors.dashed(0.8f);
+                    case AVOIDED -> MapColors.dashed(2);
+                    case LIMIT -> MapColors.dashed(1.8f, 14, 4, 3, 4);
+                    case OTHER -> MapColors.dashed(1.6f, 3, 4);
                 });
         g.draw(shape);
     }
@@ -78,7 +78,7 @@ final class AreaDrawing {
         Graphics2D inside = (Graphics2D) g.create();
         inside.clip(shape);
         inside.setColor(color);
-        inside.setStroke(Palette.dashed(1));
+        inside.setStroke(MapColors.dashed(1));
         Rectangle box = inside.getClipBounds();
         int size = box.width + box.height;
         for (int d = -(size + Math.floorMod(box.x + box.y, HATCH)); d <= size; d += HATCH) {

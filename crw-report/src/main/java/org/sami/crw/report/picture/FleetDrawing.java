@@ -50,7 +50,7 @@ final class FleetDrawing {
         g.clip(frame);
         List<BoatResult> boats = report.boats();
         for (int i = 0; i < boats.size(); i++) {
-            track(g, i, boats.get(i).track());
+            track(g, boats.get(i));
         }
         report.map().spots().forEach(spot -> spot(g, spot));
         report.locations().forEach(location -> labels.take(at(location), 2));
@@ -67,12 +67,12 @@ final class FleetDrawing {
         g.setClip(before);
     }
 
-    private void track(Graphics2D g, int boat, List<TrackPoint> track) {
-        if (track.isEmpty()) {
+    private void track(Graphics2D g, BoatResult boat) {
+        if (boat.track().isEmpty()) {
             return;
         }
         Path2D line = new Path2D.Double();
-        for (TrackPoint point : track) {
+        for (TrackPoint point : boat.track()) {
             Point2D at = at(point);
             if (line.getCurrentPoint() == null) {
                 line.moveTo(at.getX(), at.getY());
@@ -80,14 +80,12 @@ final class FleetDrawing {
                 line.lineTo(at.getX(), at.getY());
             }
         }
-        g.setColor(Palette.color(boat));
-        g.setStroke(Palette.line(boat));
-        g.draw(line);
+        MapColors.track(g, line, boat.mark());
     }
 
     private void spot(Graphics2D g, MapSpot spot) {
         if (spot.kind() == MapSpot.Kind.ASSEMBLY) {
-            MapSymbols.assembly(g, at(spot.at()), Palette.color(boatIndex(spot.boat())));
+            MapSymbols.assembly(g, at(spot.at()), color(spot.boat()));
         } else {
             MapSymbols.planPoint(g, at(spot.at()));
         }
@@ -98,13 +96,11 @@ final class FleetDrawing {
     private void location(Graphics2D g, LocationResult location) {
         Point2D at = at(location);
         boolean numbered = report.locations().size() <= NUMBERED_LOCATIONS;
-        Color visitor = location.visit()
-                .map(visit -> Palette.color(boatIndex(visit.boat())))
-                .orElse(null);
+        Color visitor = location.visit().map(visit -> color(visit.boat())).orElse(null);
         Point2D disc = numbered ? labels.disc(at, locationRadius) : at;
         if (disc.distance(at) > 1) {
-            g.setColor(Palette.INK);
-            g.setStroke(Palette.dashed(1.2f));
+            g.setColor(MapColors.INK);
+            g.setStroke(MapColors.dashed(1.2f));
             g.draw(new Line2D.Double(at, disc));
             MapSymbols.location(g, at, "", visitor, 4);
         }
@@ -115,22 +111,25 @@ final class FleetDrawing {
     private void quay(Graphics2D g, Point2D at) {
         Rectangle2D box = labels.place(at, 20, 20);
         Point2D sign = new Point2D.Double(box.getCenterX(), box.getCenterY());
-        g.setColor(Palette.INK);
-        g.setStroke(Palette.dashed(1.2f));
+        g.setColor(MapColors.INK);
+        g.setStroke(MapColors.dashed(1.2f));
         g.draw(new Line2D.Double(at, sign));
         MapSymbols.quay(g, sign);
     }
 
-    private int boatIndex(String id) {
-        List<String> ids = report.boats().stream().map(BoatResult::id).toList();
-        return Math.max(0, ids.indexOf(id));
+    private Color color(String id) {
+        return MapColors.color(report.boats().stream()
+                .filter(boat -> boat.id().equals(id))
+                .mapToInt(BoatResult::mark)
+                .findFirst()
+                .orElse(0));
     }
 
     private void ends(Graphics2D g, int boat, List<TrackPoint> track) {
         if (track.isEmpty()) {
             return;
         }
-        Color color = Palette.color(boat);
+        Color color = MapColors.color(report.boats().get(boat).mark());
         TrackPoint last = track.get(track.size() - 1);
         MapSymbols.start(g, at(track.get(0)), color);
         // a boat mostly ends on its last location: its sign stands ahead, so that both can be seen
@@ -151,12 +150,13 @@ final class FleetDrawing {
         boolean atStart = report.boats().size() <= NAMED_AT_START;
         Point2D sign = atStart ? at(result.track().get(0)) : ends.get(boat);
         Rectangle2D box = labels.place(sign, width, metrics.getHeight());
+        Color color = MapColors.color(result.mark()).darker();
         if (!atStart) {
-            line(g, sign, box, Palette.color(boat).darker());
+            line(g, sign, box, color);
         }
         g.setColor(new Color(255, 255, 255, 200));
         g.fill(box);
-        g.setColor(Palette.color(boat).darker());
+        g.setColor(color);
         g.drawString(result.id(), (float) box.getX() + 4, (float) (box.getMaxY() - metrics.getDescent()));
     }
 
@@ -166,7 +166,7 @@ final class FleetDrawing {
         double south = box.getCenterY() - sign.getY();
         double part = Math.min(1, BOAT_RADIUS / Math.max(1, Math.hypot(east, south)));
         g.setColor(color);
-        g.setStroke(Palette.dashed(1));
+        g.setStroke(MapColors.dashed(1));
         g.draw(new Line2D.Double(
                 sign.getX() + part * east, sign.getY() + part * south, box.getCenterX(), box.getCenterY()));
     }

@@ -25,7 +25,7 @@ final class GraticuleDrawing {
 
     void draw(Graphics2D g) {
         g.setFont(MapPicture.font(Font.PLAIN, 13));
-        g.setStroke(Palette.dashed(1));
+        g.setStroke(MapColors.dashed(1));
         meridians(g);
         parallels(g);
     }
@@ -39,10 +39,10 @@ final class GraticuleDrawing {
             double lonDeg = Math.IEEEremainder(n * step, 360);
             double bottom = scale.x(plane.eastM(plane.latDeg(0, scale.southM()), lonDeg));
             double top = scale.x(plane.eastM(plane.latDeg(0, scale.northM()), lonDeg));
-            g.setColor(Palette.GRID);
+            g.setColor(MapColors.GRID);
             g.draw(new Line2D.Double(bottom, frame.getMaxY(), top, frame.y));
             String label = degrees(lonDeg, step, "E", "W");
-            g.setColor(Palette.FAINT_INK);
+            g.setColor(MapColors.FAINT_INK);
             g.drawString(label, (float) (bottom - metrics.stringWidth(label) / 2.0), (float) frame.getMaxY() + 20);
         }
     }
@@ -56,10 +56,10 @@ final class GraticuleDrawing {
             double latDeg = n * step;
             double left = scale.y(plane.northM(latDeg, lon(scale.westM())));
             double right = scale.y(plane.northM(latDeg, lon(scale.eastM())));
-            g.setColor(Palette.GRID);
+            g.setColor(MapColors.GRID);
             g.draw(new Line2D.Double(frame.x, left, frame.getMaxX(), right));
             String label = degrees(latDeg, step, "N", "S");
-            g.setColor(Palette.FAINT_INK);
+            g.setColor(MapColors.FAINT_INK);
             g.drawString(label, frame.x - 8 - metrics.stringWidth(label), (float) left + 5);
         }
     }

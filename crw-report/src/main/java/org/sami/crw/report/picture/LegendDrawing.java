@@ -48,11 +48,11 @@ final class LegendDrawing {
     }
 
     private void heading(Graphics2D g, String text) {
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.setFont(MapPicture.font(Font.BOLD, 19));
         g.drawString(text, frame.x, y);
-        g.setColor(Palette.GRID);
-        g.setStroke(Palette.dashed(1.5f));
+        g.setColor(MapColors.GRID);
+        g.setStroke(MapColors.dashed(1.5f));
         g.draw(new Line2D.Double(frame.x, y + 8, frame.getMaxX(), y + 8));
         y += 32;
     }
@@ -64,10 +64,8 @@ final class LegendDrawing {
         int shown = boats.size() * step <= room ? boats.size() : Math.max(1, room / step - 1);
         for (int i = 0; i < shown; i++) {
             BoatResult boat = boats.get(i);
-            g.setColor(Palette.color(i));
-            g.setStroke(Palette.line(i));
-            g.draw(new Line2D.Double(frame.x + 2, y - 5, frame.x + 54, y - 5));
-            g.setColor(Palette.INK);
+            MapColors.track(g, new Line2D.Double(frame.x + 2, y - 5, frame.x + 54, y - 5), boat.mark());
+            g.setColor(MapColors.INK);
             String travelled =
                     String.format(Locale.ROOT, "%.0f m · battery %.0f %%", boat.distanceM(), boat.batteryPercent());
             boolean twoLines = step == TWO_LINES;
@@ -98,7 +96,7 @@ final class LegendDrawing {
     /** Those that are on the map. */
     private void signs(Graphics2D g) {
         if (report.locations().stream().anyMatch(LocationResult::visited)) {
-            MapSymbols.location(g, sign(), "1", Palette.color(0), MapSymbols.LOCATION_RADIUS);
+            MapSymbols.location(g, sign(), "1", MapColors.color(0), MapSymbols.LOCATION_RADIUS);
             text(g, "location, visited, in its visitor's colour");
         }
         if (!report.locations().stream().allMatch(LocationResult::visited)) {
@@ -106,14 +104,14 @@ final class LegendDrawing {
             text(g, "location, not visited");
         }
         if (!report.locations().isEmpty()) {
-            g.setColor(Palette.FAINT_INK);
-            g.setStroke(Palette.dashed(1.2f, 6, 6));
+            g.setColor(MapColors.FAINT_INK);
+            g.setStroke(MapColors.dashed(1.2f, 6, 6));
             g.draw(new Rectangle2D.Double(frame.x + 8, y - 17, 24, 24));
             text(g, "square in which locations are drawn");
         }
-        MapSymbols.start(g, sign(), Palette.color(0));
+        MapSymbols.start(g, sign(), MapColors.color(0));
         text(g, "start of a boat");
-        MapSymbols.boat(g, sign(), 0, Palette.color(0));
+        MapSymbols.boat(g, sign(), 0, MapColors.color(0));
         text(g, "boat at the end of the run");
         if (report.header().place().quay().isPresent()) {
             MapSymbols.quay(g, sign());
@@ -124,7 +122,7 @@ final class LegendDrawing {
             text(g, MapSpot.Kind.PLAN.words());
         }
         if (has(MapSpot.Kind.ASSEMBLY)) {
-            MapSymbols.assembly(g, sign(), Palette.color(0));
+            MapSymbols.assembly(g, sign(), MapColors.color(0));
             text(g, "assembly place, in its boat's colour");
         }
         if (report.map().closest().underWay().isPresent()) {
@@ -168,7 +166,7 @@ final class LegendDrawing {
     }
 
     private void text(Graphics2D g, String text) {
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         words(g, Font.PLAIN, text, 48, y, frame.width - 48);
         y += SIGN_HEIGHT;
     }
@@ -195,9 +193,9 @@ final class LegendDrawing {
     }
 
     private void pair(Graphics2D g, String name, String value) {
-        g.setColor(Palette.FAINT_INK);
+        g.setColor(MapColors.FAINT_INK);
         words(g, Font.PLAIN, name, 0, y, 145);
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         words(g, Font.PLAIN, value, 148, y, frame.width - 148);
         y += 24;
     }

@@ -1,6 +1,5 @@
 package org.sami.crw.report.picture;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
@@ -27,7 +26,6 @@ public final class MapPicture {
     private static final int LEFT = 104;
     private static final int MAP_WIDTH = 960;
     private static final int WHY_LINES = 4;
-    private static final Color FAULT = new Color(0x9B1C1C);
 
     private final RunReport report;
 
@@ -53,19 +51,19 @@ public final class MapPicture {
     }
 
     private void draw(Graphics2D g) {
-        g.setColor(Palette.PAPER);
+        g.setColor(MapColors.PAPER);
         g.fillRect(0, 0, WIDTH, HEIGHT);
         int top = title(g) + 18;
         Rectangle map = new Rectangle(LEFT, top, MAP_WIDTH, HEIGHT - 76 - top);
         MapScale scale = MapScale.fitting(report, map);
-        g.setColor(Palette.WATER);
+        g.setColor(MapColors.WATER);
         g.fill(map);
         AreaDrawing.draw(g, report, map, scale);
         new GraticuleDrawing(map, scale, report.header().place().centre()).draw(g);
         square(g, map, scale);
         new FleetDrawing(report, map, scale).draw(g);
-        g.setColor(Palette.FAINT_INK);
-        g.setStroke(Palette.dashed(1.2f));
+        g.setColor(MapColors.FAINT_INK);
+        g.setStroke(MapColors.dashed(1.2f));
         g.draw(map);
         below(g, map, scale);
         int legend = LEFT + MAP_WIDTH + 32;
@@ -77,9 +75,9 @@ public final class MapPicture {
         double metres = scale.roundMetres(220);
         double length = scale.pixels(metres);
         int y = (int) map.getMaxY() + 48;
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.fill(new Rectangle2D.Double(map.x, y - 4, length / 2, 7));
-        g.setStroke(Palette.dashed(1.2f));
+        g.setStroke(MapColors.dashed(1.2f));
         g.draw(new Rectangle2D.Double(map.x, y - 4, length, 7));
         g.setFont(font(Font.BOLD, 15));
         String label = metres >= 1 ? String.valueOf(Math.round(metres)) : String.valueOf(metres);
@@ -96,22 +94,22 @@ public final class MapPicture {
         double side = scale.pixels(areaM);
         Shape before = g.getClip();
         g.clip(map);
-        g.setColor(Palette.FAINT_INK);
-        g.setStroke(Palette.dashed(1.2f, 6, 6));
+        g.setColor(MapColors.FAINT_INK);
+        g.setStroke(MapColors.dashed(1.2f, 6, 6));
         g.draw(new Rectangle2D.Double(scale.x(-areaM / 2), scale.y(areaM / 2), side, side));
         g.setClip(before);
     }
 
     /** What was run, how it came out, and why it did not end where it did not. Returns where it ends. */
     private int title(Graphics2D g) {
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.setFont(font(Font.BOLD, 26));
         int width = WIDTH - LEFT - 32;
         g.drawString(DrawnText.fitting(report.header().planName(), g.getFontMetrics(), width), LEFT, 44);
-        g.setColor(Palette.FAINT_INK);
+        g.setColor(MapColors.FAINT_INK);
         g.setFont(font(Font.PLAIN, 16));
         g.drawString(DrawnText.fitting(summary(), g.getFontMetrics(), width), LEFT, 74);
-        g.setColor(FAULT);
+        g.setColor(MapColors.FAULT);
         int y = 74;
         for (String line : DrawnText.lines(why(), g.getFontMetrics(), width, WHY_LINES)) {
             y += 24;

@@ -10,6 +10,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import org.sami.palette.Contrast;
 
 /** The signs of the map; the legend shows the same. */
 final class MapSymbols {
@@ -20,12 +21,12 @@ final class MapSymbols {
     /** A numbered location: filled with the visitor's colour, or empty with a dashed rim. */
     static void location(Graphics2D g, Point2D at, String number, Color visitor, double radius) {
         Shape disc = circle(at, radius);
-        g.setColor(visitor == null ? Palette.PAPER : visitor);
+        g.setColor(visitor == null ? MapColors.PAPER : visitor);
         g.fill(disc);
-        g.setColor(Palette.INK);
-        g.setStroke(visitor == null ? Palette.dashed(1.8f, 4, 3) : Palette.dashed(1.2f));
+        g.setColor(MapColors.INK);
+        g.setStroke(visitor == null ? MapColors.dashed(1.8f, 4, 3) : MapColors.dashed(1.2f));
         g.draw(disc);
-        g.setColor(visitor == null ? Palette.INK : Palette.textOn(visitor));
+        g.setColor(visitor == null ? MapColors.INK : Contrast.inkOn(visitor));
         centred(g, at, number, number.length() > 2 ? 12 : 13);
     }
 
@@ -38,9 +39,9 @@ final class MapSymbols {
 
     /** The quay. */
     static void quay(Graphics2D g, Point2D at) {
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.fill(new RoundRectangle2D.Double(at.getX() - 10, at.getY() - 10, 20, 20, 6, 6));
-        g.setColor(Palette.PAPER);
+        g.setColor(MapColors.PAPER);
         centred(g, at, "Q", 14);
     }
 
@@ -52,10 +53,10 @@ final class MapSymbols {
             half.lineTo(at.getX() + side * 8, at.getY() + 12);
             half.lineTo(at.getX(), at.getY() + 6);
             half.closePath();
-            g.setColor(side < 0 ? Palette.INK : Palette.PAPER);
+            g.setColor(side < 0 ? MapColors.INK : MapColors.PAPER);
             g.fill(half);
-            g.setColor(Palette.INK);
-            g.setStroke(Palette.dashed(1.2f));
+            g.setColor(MapColors.INK);
+            g.setStroke(MapColors.dashed(1.2f));
             g.draw(half);
         }
         centred(g, new Point2D.Double(at.getX() - 20, at.getY()), "N", 17);
@@ -71,17 +72,17 @@ final class MapSymbols {
         diamond.closePath();
         g.setColor(new Color(255, 255, 255, 220));
         g.fill(diamond);
-        g.setColor(Palette.INK);
-        g.setStroke(Palette.dashed(2));
+        g.setColor(MapColors.INK);
+        g.setStroke(MapColors.dashed(2));
         g.draw(diamond);
     }
 
     /** A boat's place where boats gathered: two rings. */
     static void assembly(Graphics2D g, Point2D at, Color color) {
-        g.setStroke(Palette.dashed(5));
-        g.setColor(Palette.PAPER);
+        g.setStroke(MapColors.dashed(5));
+        g.setColor(MapColors.PAPER);
         g.draw(circle(at, 9));
-        g.setStroke(Palette.dashed(2.4f));
+        g.setStroke(MapColors.dashed(2.4f));
         g.setColor(color);
         g.draw(circle(at, 9));
         g.fill(circle(at, 3));
@@ -96,10 +97,10 @@ final class MapSymbols {
             wedges.lineTo(at.getX() + side * 13, at.getY() + 7);
             wedges.closePath();
         }
-        g.setColor(Palette.PAPER);
-        g.setStroke(Palette.dashed(3));
+        g.setColor(MapColors.PAPER);
+        g.setStroke(MapColors.dashed(3));
         g.draw(wedges);
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.fill(wedges);
     }
 
@@ -108,8 +109,8 @@ final class MapSymbols {
         Rectangle2D square = new Rectangle2D.Double(at.getX() - 6, at.getY() - 6, 12, 12);
         g.setColor(color);
         g.fill(square);
-        g.setColor(Palette.INK);
-        g.setStroke(Palette.dashed(1.4f));
+        g.setColor(MapColors.INK);
+        g.setStroke(MapColors.dashed(1.4f));
         g.draw(square);
     }
 
@@ -126,8 +127,8 @@ final class MapSymbols {
         turned.rotate(bearingRad);
         turned.setColor(color);
         turned.fill(hull);
-        turned.setColor(Palette.INK);
-        turned.setStroke(Palette.dashed(1.6f));
+        turned.setColor(MapColors.INK);
+        turned.setStroke(MapColors.dashed(1.6f));
         turned.draw(hull);
         turned.dispose();
     }

@@ -82,12 +82,12 @@ public final class TrackPicture {
     }
 
     private void draw(Graphics2D g) {
-        g.setColor(Palette.PAPER);
+        g.setColor(MapColors.PAPER);
         g.fillRect(0, 0, WIDTH, HEIGHT);
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.setFont(MapPicture.font(Font.BOLD, 26));
         g.drawString(text.title(), MAP.x, 44);
-        g.setColor(Palette.FAINT_INK);
+        g.setColor(MapColors.FAINT_INK);
         g.setFont(MapPicture.font(Font.PLAIN, 16));
         g.drawString(text.subtitle(), MAP.x, 74);
         Stream<Point2D> all = tracks.stream().flatMap(track -> track.points().stream());
@@ -108,8 +108,8 @@ public final class TrackPicture {
         for (int i = 0; i < tracks.size(); i++) {
             List<Point2D> points = tracks.get(i).points();
             Point2D last = points.get(points.size() - 1);
-            MapSymbols.start(g, scale.at(points.get(0).getX(), points.get(0).getY()), Palette.color(i));
-            MapSymbols.boat(g, scale.at(last.getX(), last.getY()), bearing(points), Palette.color(i));
+            MapSymbols.start(g, scale.at(points.get(0).getX(), points.get(0).getY()), MapColors.color(i));
+            MapSymbols.boat(g, scale.at(last.getX(), last.getY()), bearing(points), MapColors.color(i));
         }
     }
 
@@ -123,17 +123,15 @@ public final class TrackPicture {
                 way.lineTo(at.getX(), at.getY());
             }
         }
-        g.setColor(Palette.color(track));
-        g.setStroke(Palette.line(track));
-        g.draw(way);
+        MapColors.track(g, way, track);
     }
 
     private static void dot(Graphics2D g, Point2D at) {
         Shape disc = new Ellipse2D.Double(at.getX() - 4, at.getY() - 4, 8, 8);
         g.setColor(new Color(255, 255, 255, 200));
         g.fill(disc);
-        g.setColor(Palette.INK);
-        g.setStroke(Palette.dashed(1.2f));
+        g.setColor(MapColors.INK);
+        g.setStroke(MapColors.dashed(1.2f));
         g.draw(disc);
     }
 
@@ -153,9 +151,7 @@ public final class TrackPicture {
     private void legend(Graphics2D g) {
         int y = heading(g, "Track", LEGEND.y + 18);
         for (int i = 0; i < Math.min(NAMED, tracks.size()); i++) {
-            g.setColor(Palette.color(i));
-            g.setStroke(Palette.line(i));
-            g.draw(new Line2D.Double(LEGEND.x + 2, y - 5, LEGEND.x + 54, y - 5));
+            MapColors.track(g, new Line2D.Double(LEGEND.x + 2, y - 5, LEGEND.x + 54, y - 5), i);
             said(g, Font.BOLD, tracks.get(i).name(), LEGEND.x + 68, y);
             said(g, Font.PLAIN, tracks.get(i).told(), LEGEND.x + 68, y + 18);
             y += 42;
@@ -165,10 +161,10 @@ public final class TrackPicture {
             y += 24;
         }
         y = heading(g, "Signs", y + 22);
-        MapSymbols.start(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), Palette.color(0));
+        MapSymbols.start(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), MapColors.color(0));
         said(g, Font.PLAIN, "start", LEGEND.x + 48, y);
         y += 36;
-        MapSymbols.boat(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), 0, Palette.color(0));
+        MapSymbols.boat(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), 0, MapColors.color(0));
         said(g, Font.PLAIN, "end", LEGEND.x + 48, y);
         y += 36;
         if (!dots.isEmpty()) {
@@ -178,7 +174,7 @@ public final class TrackPicture {
         }
         y = heading(g, "Log", y + 22);
         for (Map.Entry<String, String> fact : text.facts().entrySet()) {
-            g.setColor(Palette.FAINT_INK);
+            g.setColor(MapColors.FAINT_INK);
             g.setFont(MapPicture.font(Font.PLAIN, 15));
             g.drawString(fact.getKey(), LEGEND.x, y);
             said(g, Font.PLAIN, fact.getValue(), LEGEND.x + 148, y);
@@ -187,17 +183,17 @@ public final class TrackPicture {
     }
 
     private static int heading(Graphics2D g, String heading, int y) {
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.setFont(MapPicture.font(Font.BOLD, 19));
         g.drawString(heading, LEGEND.x, y);
-        g.setColor(Palette.GRID);
-        g.setStroke(Palette.dashed(1.5f));
+        g.setColor(MapColors.GRID);
+        g.setStroke(MapColors.dashed(1.5f));
         g.draw(new Line2D.Double(LEGEND.x, y + 8, LEGEND.getMaxX(), y + 8));
         return y + 34;
     }
 
     private static void said(Graphics2D g, int style, String words, int x, int y) {
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.setFont(MapPicture.font(style, 15));
         g.drawString(words, x, y);
     }

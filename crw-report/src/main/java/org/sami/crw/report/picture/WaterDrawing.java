@@ -22,11 +22,11 @@ final class WaterDrawing {
     }
 
     void draw(Graphics2D g) {
-        g.setColor(Palette.WATER);
+        g.setColor(MapColors.WATER);
         g.fill(frame);
         grid(g);
-        g.setColor(Palette.FAINT_INK);
-        g.setStroke(Palette.dashed(1.2f));
+        g.setColor(MapColors.FAINT_INK);
+        g.setStroke(MapColors.dashed(1.2f));
         g.draw(frame);
         scaleBar(g);
         northArrow(g);
@@ -36,21 +36,21 @@ final class WaterDrawing {
         double step = scale.roundMetres(170);
         g.setFont(MapPicture.font(Font.PLAIN, 13));
         FontMetrics metrics = g.getFontMetrics();
-        g.setStroke(Palette.dashed(1));
+        g.setStroke(MapColors.dashed(1));
         for (double east = Math.ceil(scale.westM() / step) * step; east <= scale.eastM(); east += step) {
             double x = scale.x(east);
             String label = metres(east);
-            g.setColor(Palette.GRID);
+            g.setColor(MapColors.GRID);
             g.draw(new Line2D.Double(x, frame.y, x, frame.getMaxY()));
-            g.setColor(Palette.FAINT_INK);
+            g.setColor(MapColors.FAINT_INK);
             g.drawString(label, (float) (x - metrics.stringWidth(label) / 2.0), (float) frame.getMaxY() + 20);
         }
         for (double north = Math.ceil(scale.southM() / step) * step; north <= scale.northM(); north += step) {
             double y = scale.y(north);
             String label = metres(north);
-            g.setColor(Palette.GRID);
+            g.setColor(MapColors.GRID);
             g.draw(new Line2D.Double(frame.x, y, frame.getMaxX(), y));
-            g.setColor(Palette.FAINT_INK);
+            g.setColor(MapColors.FAINT_INK);
             g.drawString(label, frame.x - 8 - metrics.stringWidth(label), (float) y + 5);
         }
         g.drawString(axes, (float) frame.getMaxX() - metrics.stringWidth(axes), (float) frame.getMaxY() + 42);
@@ -69,9 +69,9 @@ final class WaterDrawing {
         g.setFont(MapPicture.font(Font.BOLD, 15));
         g.setColor(new java.awt.Color(255, 255, 255, 215));
         g.fill(new Rectangle2D.Double(x - 12, y - 36, length + 24, 50));
-        g.setColor(Palette.INK);
+        g.setColor(MapColors.INK);
         g.fill(new Rectangle2D.Double(x, y - 4, length / 2, 7));
-        g.setStroke(Palette.dashed(1.2f));
+        g.setStroke(MapColors.dashed(1.2f));
         g.draw(new Rectangle2D.Double(x, y - 4, length, 7));
         int width = g.getFontMetrics().stringWidth(label);
         g.drawString(label, (float) (x + (length - width) / 2), (float) y - 14);
@@ -92,8 +92,8 @@ final class WaterDrawing {
         right.lineTo(x + 12, y + 28);
         right.lineTo(x, y + 19);
         right.closePath();
-        g.setStroke(Palette.dashed(1.2f));
-        g.setColor(Palette.INK);
+        g.setStroke(MapColors.dashed(1.2f));
+        g.setColor(MapColors.INK);
         g.fill(left);
         g.draw(left);
         g.draw(right);

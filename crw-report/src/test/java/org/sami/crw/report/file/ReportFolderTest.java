@@ -17,7 +17,8 @@ import org.sami.crw.report.ReadingResult;
 import org.sami.crw.report.ReportText;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.SampleReport;
-import org.sami.crw.report.picture.Palette;
+import org.sami.palette.IdentityMark;
+import org.sami.palette.Theme;
 
 class ReportFolderTest {
     @TempDir
@@ -144,7 +145,8 @@ class ReportFolderTest {
             }
         }
         for (int boat = 0; boat < 5; boat++) {
-            assertThat(colors).contains(Palette.color(boat).getRGB() & 0xFFFFFF);
+            assertThat(colors)
+                    .contains(new IdentityMark(boat).color(Theme.LIGHT).getRGB() & 0xFFFFFF);
         }
     }
 

@@ -76,10 +76,10 @@ class MapPictureTest {
         Set<Integer> with = colors(report(600, RunOutcome.ENDED, "", map));
 
         for (MapArea.Kind kind : List.of(MapArea.Kind.AVOIDED, MapArea.Kind.UNCOVERED, MapArea.Kind.EXPLORED)) {
-            assertThat(nearest(with, Palette.area(kind)))
+            assertThat(nearest(with, MapColors.area(kind)))
                     .as(kind.words())
-                    .isLessThan(nearest(without, Palette.area(kind)));
-            assertThat(nearest(with, Palette.area(kind))).as(kind.words()).isLessThan(60);
+                    .isLessThan(nearest(without, MapColors.area(kind)));
+            assertThat(nearest(with, MapColors.area(kind))).as(kind.words()).isLessThan(60);
         }
     }
 
@@ -96,7 +96,7 @@ class MapPictureTest {
 
     @Test
     void whyARunFailedStandsAboveTheMap() throws Exception {
-        int fault = new Color(0x9B1C1C).getRGB() & 0xFFFFFF;
+        int fault = MapColors.FAULT.getRGB() & 0xFFFFFF;
         RunMap map = RunMap.of(List.of());
 
         assertThat(colors(report(600, RunOutcome.FAILED, "nobody answers: Choose boats", map)))

@@ -12,6 +12,10 @@ import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.LinkResult;
 import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.TrackPoint;
+import org.sami.crw.session.JoinOrder;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
 
 /**
  * Notes down where boats are: a point a second while they move, none while they lie still. A boat that goes on a straight line
@@ -30,6 +34,7 @@ public final class TrackRecorder implements ReportFold {
 
     private final int most;
     private final Map<String, Track> tracks = new LinkedHashMap<>();
+    private final JoinOrder joined = new JoinOrder();
 
     private static final class Track {
         private List<TrackPoint> points = new ArrayList<>();
@@ -56,6 +61,11 @@ public final class TrackRecorder implements ReportFold {
 
     TrackRecorder(int most) {
         this.most = most;
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        joined.onStep(input, effects);
     }
 
     @Override
@@ -169,6 +179,7 @@ public final class TrackRecorder implements ReportFold {
                     boat.distanceM(),
                     boat.batteryPercent(),
                     boat.recharges(),
+                    joined.indexOf(boat.id()),
                     track));
         }
         return results;

@@ -6,7 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.LinkResult;
+import org.sami.crw.session.JoinOrder;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
 import org.sami.crw.report.TrackPoint;
 
 class TrackRecorderTest {
@@ -84,6 +88,23 @@ class TrackRecorderTest {
         for (TrackPoint point : track) {
             assertThat(distance(thinned, point)).isLessThanOrEqualTo(2);
         }
+    }
+
+    /** Views give marks by {@link JoinOrder}: a boat that the fleet lists first may have joined last. */
+    @Test
+    void aBoatHasTheMarkOfItsPlaceInTheOrderOfJoining() {
+        TrackRecorder recorder = new TrackRecorder();
+        for (String boat : List.of("bert", "anna")) {
+            recorder.onStep(1, 0, new Input.ProxyJoined(boat), List.of(), null);
+        }
+        Effect starts = new Effect.MissionStarted(1, 0, "", "clv", "first", 1);
+        recorder.onStep(2, 0, new Input.ProxyJoined("zoe"), List.of(starts), null);
+        recorder.onStep(3, 0, new Input.ProxyJoined("abel"), List.of(), null);
+
+        List<BoatState> fleet = List.of(boat("abel", 0), boat("anna", 0), boat("bert", 0), boat("zoe", 0));
+        assertThat(recorder.results(0, fleet, id -> LINK))
+                .extracting(BoatResult::mark)
+                .containsExactly(3, 0, 1, 2);
     }
 
     private static double distance(List<TrackPoint> track, TrackPoint point) {
