@@ -271,14 +271,20 @@ final class MapCanvas extends JXMapViewer {
         reserve();
         message.setFree(attribution().isEmpty());
         message.reserve(paint);
-        shown.forEach(layer -> layer.paint(paint));
-        for (int i = shown.size() - 1; i >= 0; i--) {
-            shown.get(i).paintNames(paint);
-        }
-        tool.paint(paint);
+        paint(paint, shown, tool);
         scale.paint(paint, attribution());
         message.paint(paint);
         g.dispose();
+    }
+
+    /** Names come last, and are not crossed by any line: those of the tool first, then those of the topmost layer. */
+    static void paint(MapPaint paint, List<MapLayer> shown, MapTool tool) {
+        shown.forEach(layer -> layer.paint(paint));
+        tool.paint(paint);
+        tool.paintNames(paint);
+        for (int i = shown.size() - 1; i >= 0; i--) {
+            shown.get(i).paintNames(paint);
+        }
     }
 
     private MapPaint paint(Graphics2D g) {

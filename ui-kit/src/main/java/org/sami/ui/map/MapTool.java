@@ -10,8 +10,11 @@ interface MapTool extends CanvasTool<MapPointer> {
         return false;
     }
 
-    /** Paints on top of all layers. */
+    /** Paints lines and marks, on top of all layers and below all names. */
     default void paint(MapPaint paint) {}
+
+    /** Writes what it has to say, such as lengths; the names of layers make room for it. */
+    default void paintNames(MapPaint paint) {}
 
     /** How the pointer looks. */
     default Cursor cursor() {

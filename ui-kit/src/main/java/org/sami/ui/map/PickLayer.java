@@ -54,6 +54,7 @@ public final class PickLayer extends MapLayer {
         g.setColor(SemanticColor.ACCENT.get());
         g.setStroke(Painting.line(2.5));
         g.draw(ring);
+        paint.labels().add(x - r, y - r, 2 * r, 2 * r);
         double m = Painting.px(MARK_PX);
         double markX = x + r * 0.7;
         double markY = y - r * 0.7;

@@ -71,6 +71,10 @@ final class SketchPainter {
         stroke(g, path);
         toPointer(paint);
         handles(paint);
+    }
+
+    /** Writes lengths and area. */
+    void paintNames(MapPaint paint) {
         paint.font(MapPaint.PLAIN);
         if (measuring) {
             legs(paint);
@@ -144,6 +148,7 @@ final class SketchPainter {
         paint.g().setColor(SemanticColor.MAP_HIGHLIGHT.get());
         paint.g().setStroke(Painting.line(2));
         paint.g().draw(dot);
+        paint.labels().add(dot.getX(), dot.getY(), dot.getWidth(), dot.getHeight());
     }
 
     private void legs(MapPaint paint) {
@@ -174,6 +179,8 @@ final class SketchPainter {
         double x = paint.frame().px(at) + Painting.px(10);
         double y = paint.frame().py(at) + Painting.px(6);
         Rectangle2D plate = paint.plate(text, x, y);
-        paint.write(text, paint.plate(text, x, y + lines * plate.getHeight() / 4));
+        Rectangle2D room = paint.plate(text, x, y + lines * plate.getHeight() / 4);
+        paint.labels().addText(room.getX(), room.getY(), room.getWidth(), room.getHeight());
+        paint.write(text, room);
     }
 }

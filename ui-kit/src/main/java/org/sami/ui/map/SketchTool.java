@@ -196,6 +196,11 @@ final class SketchTool implements MapTool {
     }
 
     @Override
+    public void paintNames(MapPaint paint) {
+        painter.paintNames(paint);
+    }
+
+    @Override
     public Cursor cursor() {
         return Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR);
     }

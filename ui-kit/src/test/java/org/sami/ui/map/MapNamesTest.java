@@ -19,6 +19,8 @@ import org.sami.palette.IdentityMark;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
 import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.GeoShape;
+import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
 import org.sami.ui.look.Fonts;
@@ -29,6 +31,7 @@ import org.sami.ui.look.Look;
 class MapNamesTest {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 500;
+    private static final MapTool NO_TOOL = new MapTool() {};
     private static final double WORLD_PX = Math.scalb(256.0, 16); // about 1.7 m a pixel
 
     private final List<Rectangle2D> names = new ArrayList<>();
@@ -84,6 +87,30 @@ class MapNamesTest {
 
         assertThat(names).hasSizeGreaterThan(5);
         assertNoneHidesAnother();
+    }
+
+    @Test
+    void noLineThatIsDrawnCrossesAName() {
+        VehicleLayer boats = new VehicleLayer("boats", "Boats");
+        boats.show(List.of(boat("anna", MapScenes.at(0, 0))));
+        GeoSketch path = new GeoSketch(GeoShape.PATH);
+        path.add(MapScenes.at(-100, 0));
+        path.add(MapScenes.at(100, 0)); // through the boat and the name beside it
+
+        BufferedImage image =
+                paint(Set.of(), new SketchTool(path, false, NO_TOOL, MapNamesTest::frame, () -> {}, () -> {}), boats);
+
+        int line = SemanticColor.MAP_HIGHLIGHT.get().getRGB();
+        assertThat(names).as("the boat's and the path's length").hasSize(2);
+        for (Rectangle2D name : names) {
+            List<Integer> seen = new ArrayList<>();
+            for (int x = (int) name.getMinX(); x < name.getMaxX(); x++) {
+                for (int y = (int) name.getMinY(); y < name.getMaxY(); y++) {
+                    seen.add(image.getRGB(x, y));
+                }
+            }
+            assertThat(seen).as("pixels of a name").isNotEmpty().doesNotContain(line);
+        }
     }
 
     @Test
@@ -161,23 +188,23 @@ class MapNamesTest {
 
     /** The same where some things are spoken of. */
     private BufferedImage paint(Set<String> highlighted, MapLayer... layers) {
+        return paint(highlighted, NO_TOOL, layers);
+    }
+
+    private BufferedImage paint(Set<String> highlighted, MapTool tool, MapLayer... layers) {
         names.clear();
         BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(Fonts.small());
         g.setColor(SemanticColor.MAP_WATER.get());
         g.fillRect(0, 0, WIDTH, HEIGHT);
-        MapFrame frame = new MapFrame(
-                Mercator.x(MapScenes.LAKE.lonDeg()), Mercator.y(MapScenes.LAKE.latDeg()), WORLD_PX, WIDTH, HEIGHT);
-        MapPaint paint = new MapPaint(g, frame, highlighted, new Written(), false);
-        for (MapLayer layer : layers) {
-            layer.paint(paint);
-        }
-        names.clear();
-        for (int i = layers.length - 1; i >= 0; i--) {
-            layers[i].paintNames(paint);
-        }
+        MapCanvas.paint(new MapPaint(g, frame(), highlighted, new Written(), false), List.of(layers), tool);
         g.dispose();
         return image;
+    }
+
+    private static MapFrame frame() {
+        return new MapFrame(
+                Mercator.x(MapScenes.LAKE.lonDeg()), Mercator.y(MapScenes.LAKE.latDeg()), WORLD_PX, WIDTH, HEIGHT);
     }
 }
