@@ -104,7 +104,7 @@ final class NetMistakes {
                 "boats enter a shared sub-mission by nothing",
                 "clv-dangerous-area",
                 "W-UNREACHABLE",
-                "inside",
-                PlanEdits.all(DANGER.remove("go-in"))));
+                "line",
+                PlanEdits.all(DANGER.remove("start-traverse"))));
     }
 }

@@ -16,6 +16,7 @@ import org.sami.spn.edit.EditSequence;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -124,9 +125,43 @@ final class ForgottenPlaces implements PlanCheck {
         return plan.inEdges(t).stream()
                 .filter(e -> e.requirements().stream().anyMatch(ComingTokens::isAbsence))
                 .map(InEdge::place)
-                .anyMatch(counter -> entering.stream()
-                        .allMatch(u -> plan.outEdges(u).stream()
-                                .anyMatch(e -> e.place().equals(counter))));
+                .anyMatch(counter -> entering.stream().allMatch(u -> leadsTo(plan, u, counter))
+                        || isCountedOnTheWay(plan, t, place, counter, kinds));
+    }
+
+    private static boolean leadsTo(PlanContext plan, Transition from, String place) {
+        return plan.outEdges(from).stream().anyMatch(e -> e.place().equals(place));
+    }
+
+    /** Whether a place does nothing but hold copies. */
+    private static boolean holdsCopies(PlanContext plan, String id) {
+        return plan.place(id)
+                .filter(place ->
+                        place.outputs().isEmpty() && place.subMissions().isEmpty())
+                .map(plan::edgesInto)
+                .filter(edges ->
+                        edges.stream().flatMap(e -> e.requirements().stream()).allMatch(r -> r.action() == Action.ADD))
+                .isPresent();
+    }
+
+    /** Whether a copy of whoever comes to a place was put into another one on the way, and has not been taken out of it again. */
+    private static boolean isCountedOnTheWay(
+            PlanContext plan, Transition t, Place place, String counter, Set<Kind> kinds) {
+        if (!holdsCopies(plan, counter)) {
+            return false;
+        }
+        Set<String> uncounted = new HashSet<>();
+        plan.plan().places().stream().filter(Place::start).map(Place::id).forEach(uncounted::add);
+        for (Transition taking : plan.place(counter).map(plan::outTransitions).orElse(List.of())) {
+            if (!taking.equals(t)) {
+                plan.outPlaces(taking).stream().map(Place::id).forEach(uncounted::add);
+            }
+        }
+        return !uncounted.contains(counter)
+                && !uncounted.contains(place.id())
+                && !plan.flow()
+                        .reached(uncounted, kinds, passed -> !leadsTo(plan, passed, counter))
+                        .contains(place.id());
     }
 
     private static boolean meets(Set<Kind> some, Set<Kind> others) {

@@ -42,6 +42,14 @@ final class TeamCheckCases {
                 .out("resume", "go", "take all proxy");
     }
 
+    /** Copies of the robots lie in a place that is to be empty at the end, until a transition takes them out of it. */
+    private static NetBuilder counted(String out) {
+        return resting()
+                .out("first", "team", "add all proxy")
+                .in("team", "last", "proxy = 0")
+                .in("team", out, "always");
+    }
+
     private static NetBuilder gate(NetBuilder net) {
         return net.in("here", "together", "proxy >= 1")
                 .out("together", "home", "take all proxy")
@@ -96,6 +104,7 @@ final class TeamCheckCases {
         cases.add(PlanCheckCases.of(
                 "W-ENDS-WITH-FIRST", ending("proxy >= 1"), ending("proxy >= 1").in("go", "last", "proxy = 0")));
         cases.add(PlanCheckCases.of("W-PLACE-FORGOTTEN", resting(), resting().in("rest", "last", "proxy = 0")));
+        cases.add(PlanCheckCases.of("W-PLACE-FORGOTTEN", counted("pause"), counted("driven")));
         cases.add(PlanCheckCases.of(
                 "W-PLACE-FORGOTTEN",
                 gate(gather().in("home", "together", "proxy = 0")),
