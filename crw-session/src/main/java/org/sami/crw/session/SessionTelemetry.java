@@ -2,7 +2,6 @@ package org.sami.crw.session;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -14,7 +13,6 @@ import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.UploadCount;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;
-import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -23,7 +21,7 @@ import org.sami.spn.value.GeoPoint;
  */
 public final class SessionTelemetry {
     private static final System.Logger LOG = System.getLogger(SessionTelemetry.class.getName());
-    private static final ObjectMapper JSON = new ObjectMapper();
+    private static final ObjectMapper JSON = TelemetryForms.JSON;
     private static final String POSE = "pose";
     private static final String VISITED = "visited";
     private static final String LINKED = "linked";
@@ -48,18 +46,12 @@ public final class SessionTelemetry {
 
     /** A process begins or goes on. */
     void begun() {
-        add(nowMillis.getAsLong(), "", BEGUN, JSON.createObjectNode());
+        add(nowMillis.getAsLong(), "", BEGUN, TelemetryForms.Nothing.AT_ALL);
     }
 
     /** Notes where a boat was, and how far it had come. */
     public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-        ObjectNode json = point(told.position());
-        json.put("headingRad", told.headingRad())
-                .put("speedMps", told.speedMps())
-                .put("batteryPercent", told.batteryPercent())
-                .put("boatTimeMs", told.boatTimeMs())
-                .put("distanceM", distanceM);
-        add(atMillis, boat, POSE, json);
+        add(atMillis, boat, POSE, TelemetryForms.Pose.of(told, distanceM));
     }
 
     /** Several of one channel are written as one row: they are most of what a run writes down. */
@@ -86,60 +78,36 @@ public final class SessionTelemetry {
 
     /** Notes that a boat was at a location. */
     public void visited(long atMillis, String boat, GeoPoint location) {
-        add(atMillis, boat, VISITED, point(location));
+        add(atMillis, boat, VISITED, TelemetryForms.Place.of(location));
     }
 
     void linked(String boat, String bootId) {
-        add(nowMillis.getAsLong(), boat, LINKED, JSON.createObjectNode().put("bootId", bootId));
+        add(nowMillis.getAsLong(), boat, LINKED, new TelemetryForms.Linked(bootId));
     }
 
     void lost(String boat) {
-        add(nowMillis.getAsLong(), boat, LOST, JSON.createObjectNode());
+        add(nowMillis.getAsLong(), boat, LOST, TelemetryForms.Nothing.AT_ALL);
     }
 
     void address(String boat, String address) {
-        add(nowMillis.getAsLong(), boat, ADDRESS, JSON.createObjectNode().put("address", address));
+        add(nowMillis.getAsLong(), boat, ADDRESS, new TelemetryForms.Address(address));
     }
 
     void uploads(String boat, UploadCount uploads) {
-        add(
-                nowMillis.getAsLong(),
-                boat,
-                UPLOADS,
-                JSON.createObjectNode()
-                        .put("sent", uploads.sent())
-                        .put("acknowledged", uploads.acknowledged())
-                        .put("readBackEqual", uploads.readBackEqual())
-                        .put("failed", uploads.failed()));
+        add(nowMillis.getAsLong(), boat, UPLOADS, uploads);
     }
 
     /** Why a boat moved or did not when the run stopped. */
     public void why(long atMillis, String boat, String text) {
-        add(atMillis, boat, WHY, JSON.createObjectNode().put("text", text));
+        add(atMillis, boat, WHY, new TelemetryForms.Why(text));
     }
 
     void message(SessionNote note) {
-        add(note.atMillis(), "", MESSAGE, json(note));
+        add(note.atMillis(), "", MESSAGE, TelemetryForms.Message.of(note));
     }
 
     void message(OperatorMessage message) {
-        ObjectNode json = json(SessionNote.of(message))
-                .put("source", message.source().name())
-                .put("priority", message.priority().name())
-                .put("keyword", message.keyword());
-        message.boats().forEach(json.withArray("boats")::add);
-        add(message.atMillis(), "", MESSAGE, json);
-    }
-
-    private static ObjectNode json(SessionNote note) {
-        return JSON.createObjectNode()
-                .put("kind", note.kind())
-                .put("mission", note.mission())
-                .put("text", note.text());
-    }
-
-    private static ObjectNode point(GeoPoint point) {
-        return JSON.createObjectNode().put("latDeg", point.latDeg()).put("lonDeg", point.lonDeg());
+        add(message.atMillis(), "", MESSAGE, TelemetryForms.Message.of(message));
     }
 
     /**
@@ -147,11 +115,12 @@ public final class SessionTelemetry {
      *
      * @param boat the boat concerned; empty text for none
      * @param kind kind of the row, such as {@code pose}
+     * @param json a tree, or a record whose components are its members
      */
-    public synchronized void add(long atMillis, String boat, String kind, ObjectNode json) {
+    public synchronized void add(long atMillis, String boat, String kind, Object json) {
         try {
             if (problem.isEmpty()) {
-                journal.addTelemetry(new TelemetryRow(atMillis, boat, kind, json.toString()));
+                journal.addTelemetry(new TelemetryRow(atMillis, boat, kind, JSON.writeValueAsString(json)));
             }
         } catch (IOException e) {
             String text = "telemetry is no longer kept in the journal: " + e.getMessage();
@@ -222,84 +191,45 @@ public final class SessionTelemetry {
         return senseless;
     }
 
-    private static void read(TelemetryRow row, JsonNode json, Reader reader) {
+    private static void read(TelemetryRow row, JsonNode json, Reader reader) throws IOException {
         String boat = row.proxy();
         switch (row.kind()) {
-            case POSE ->
-                reader.pose(
+            case POSE -> {
+                TelemetryForms.Pose pose = TelemetryForms.whole(json, TelemetryForms.Pose.class);
+                reader.pose(row.atMillis(), boat, pose.told(), pose.distanceM());
+            }
+            case VISITED ->
+                reader.visited(
                         row.atMillis(),
                         boat,
-                        told(json),
-                        json.required("distanceM").asDouble());
-            case VISITED -> reader.visited(row.atMillis(), boat, point(json));
-            case LINKED -> reader.linked(boat, json.path("bootId").asText());
+                        TelemetryForms.whole(json, TelemetryForms.Place.class).point());
+            case LINKED ->
+                reader.linked(
+                        boat,
+                        JSON.treeToValue(json, TelemetryForms.Linked.class).bootId());
             case LOST -> reader.lost(boat);
-            case ADDRESS -> reader.address(boat, json.path("address").asText());
-            case UPLOADS ->
-                reader.uploads(
+            case ADDRESS ->
+                reader.address(
                         boat,
-                        new UploadCount(
-                                json.path("sent").asInt(),
-                                json.path("acknowledged").asInt(),
-                                json.path("readBackEqual").asInt(),
-                                json.path("failed").asInt()));
-            case WHY -> reader.why(boat, json.path("text").asText());
+                        JSON.treeToValue(json, TelemetryForms.Address.class).address());
+            case UPLOADS -> reader.uploads(boat, JSON.treeToValue(json, UploadCount.class));
+            case WHY ->
+                reader.why(
+                        boat, JSON.treeToValue(json, TelemetryForms.Why.class).text());
             case MESSAGE -> {
-                SessionNote note = new SessionNote(
-                        row.atMillis(),
-                        json.path("kind").asText(),
-                        json.path("mission").asLong(),
-                        json.path("text").asText());
+                TelemetryForms.Message message = JSON.treeToValue(json, TelemetryForms.Message.class);
+                SessionNote note = message.note(row.atMillis());
                 reader.message(note);
                 if (note.isMessage()) {
-                    reader.message(message(note, json));
+                    reader.message(message.message(note));
                 }
             }
-            case READING -> reader.reading(reading(row.atMillis(), boat, json));
+            case READING ->
+                reader.reading(
+                        JSON.treeToValue(json, TelemetryForms.Reading.class).value(row.atMillis(), boat));
             case READINGS -> ReadingBatch.read(boat, json).forEach(reader::reading);
             case BEGUN -> reader.begun();
             default -> reader.other(row, json);
         }
-    }
-
-    /** Earlier versions wrote no more than the text and who spoke. */
-    private static OperatorMessage message(SessionNote note, JsonNode json) {
-        List<String> boats = new ArrayList<>();
-        json.path("boats").forEach(boat -> boats.add(boat.asText()));
-        return new OperatorMessage(
-                note.atMillis(),
-                note.mission(),
-                OperatorMessage.Source.valueOf(json.path("source").asText(note.source())),
-                Priority.valueOf(json.path("priority").asText(Priority.MEDIUM.name())),
-                note.text(),
-                boats,
-                json.path("keyword").asText());
-    }
-
-    private static SensorValue reading(long atMillis, String boat, JsonNode json) {
-        List<Double> values = new ArrayList<>();
-        json.path("values").forEach(value -> values.add(value.asDouble()));
-        return new SensorValue(
-                atMillis,
-                boat,
-                json.path("sensor").asText(),
-                json.path("channel").asText(),
-                values,
-                json.path("unit").asText(),
-                GeoPoint.of(json.path("latDeg").asDouble(), json.path("lonDeg").asDouble()));
-    }
-
-    private static FleetHistory.Told told(JsonNode json) {
-        return new FleetHistory.Told(
-                point(json),
-                json.required("headingRad").asDouble(),
-                json.required("speedMps").asDouble(),
-                json.required("batteryPercent").asDouble(),
-                json.required("boatTimeMs").asLong());
-    }
-
-    private static GeoPoint point(JsonNode json) {
-        return GeoPoint.of(
-                json.required("latDeg").asDouble(), json.required("lonDeg").asDouble());
     }
 }
