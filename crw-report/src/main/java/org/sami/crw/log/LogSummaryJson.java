@@ -1,21 +1,27 @@
 package org.sami.crw.log;
 
-import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamWriteFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.cfg.JsonNodeFeature;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.Collection;
+import java.util.List;
+import java.util.function.Function;
 import org.sami.spn.value.GeoPoint;
 
 /** What a log holds, as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
 public final class LogSummaryJson {
-    private static final ObjectMapper MAPPER = new ObjectMapper()
+    /** Numbers keep the digits to which they were rounded. */
+    private static final ObjectMapper MAPPER = JsonMapper.builder()
             .enable(SerializationFeature.INDENT_OUTPUT)
-            .enable(JsonGenerator.Feature.WRITE_BIGDECIMAL_AS_PLAIN);
+            .enable(StreamWriteFeature.WRITE_BIGDECIMAL_AS_PLAIN)
+            .disable(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES)
+            .build();
 
     private LogSummaryJson() {}
 
@@ -29,76 +35,95 @@ public final class LogSummaryJson {
     }
 
     private static ObjectNode object(LogSummary summary) {
-        ObjectNode json = JsonNodeFactory.instance.objectNode();
-        json.put("source", summary.source());
-        json.put("bytes", summary.bytes());
-        json.put("lines", summary.lines());
-        json.put("entries", summary.entries());
-        json.put("unreadLines", summary.unreadLines());
-        json.put("firstClock", summary.firstClock());
-        json.put("durationSeconds", BigDecimal.valueOf(summary.durationMillis(), 3));
-        ObjectNode topics = json.putObject("topics");
-        summary.topics().forEach(topics::put);
-        json.set("poses", track(summary.poses()));
-        json.set("fixes", track(summary.fixes()));
-        ArrayNode leftOut = json.putArray("stretchesNotInPicture");
-        LogPicture.leftOut(summary).forEach(stretch -> leftOut.add(stretch.number()));
-        ArrayNode channels = json.putArray("channels");
-        for (ChannelSummary channel : summary.channels()) {
-            ObjectNode node = channels.addObject();
-            node.put("sensor", channel.sensor());
-            node.put("channel", channel.channel());
-            node.put("values", channel.values());
-            number(node, "least", channel.least());
-            number(node, "most", channel.most());
-            number(node, "last", channel.last());
-        }
-        ArrayNode problems = json.putArray("problems");
-        for (FaultCount problem : summary.problems()) {
-            ObjectNode node = problems.addObject();
-            node.put("problem", problem.fault().word());
-            node.put("count", problem.count());
-            ArrayNode lines = node.putArray("lines");
-            problem.lines().forEach(lines::add);
-            node.put("example", problem.example());
-        }
+        ObjectNode json = MAPPER.createObjectNode()
+                .put("source", summary.source())
+                .put("bytes", summary.bytes())
+                .put("lines", summary.lines())
+                .put("entries", summary.entries())
+                .put("unreadLines", summary.unreadLines())
+                .put("firstClock", summary.firstClock())
+                .put("durationSeconds", seconds(summary.durationMillis()));
+        set(json, "topics", summary.topics());
+        set(json, "poses", Track.of(summary.poses()));
+        set(json, "fixes", Track.of(summary.fixes()));
+        set(json, "stretchesNotInPicture", rows(LogPicture.leftOut(summary), TrackSegment::number));
+        set(json, "channels", rows(summary.channels(), Channel::of));
+        set(json, "problems", rows(summary.problems(), Problem::of));
         return json;
     }
 
-    private static ObjectNode track(LoggedTrack track) {
-        ObjectNode json = JsonNodeFactory.instance.objectNode();
-        json.put("positions", track.positions());
-        json.put("distanceM", decimal(track.distanceM(), 1));
-        json.put("stretchCount", track.stretchCount());
-        ArrayNode stretches = json.putArray("stretches");
-        for (TrackSegment stretch : track.stretches()) {
-            ObjectNode node = stretches.addObject();
-            node.put("number", stretch.number());
-            node.put("firstLine", stretch.firstLine());
-            node.put("startSeconds", BigDecimal.valueOf(stretch.startMillis(), 3));
-            node.put("endSeconds", BigDecimal.valueOf(stretch.endMillis(), 3));
-            node.put("positions", stretch.positions());
-            node.put("distanceM", decimal(stretch.distanceM(), 1));
-            node.set("first", point(stretch.first()));
-            node.set("last", point(stretch.last()));
-        }
-        return json;
+    private static void set(ObjectNode json, String name, Object value) {
+        json.set(name, MAPPER.valueToTree(value));
     }
 
-    private static ObjectNode point(GeoPoint point) {
-        return JsonNodeFactory.instance
-                .objectNode()
-                .put("latDeg", decimal(point.latDeg(), 7))
-                .put("lonDeg", decimal(point.lonDeg(), 7));
+    private static <T> List<?> rows(Collection<T> found, Function<T, ?> row) {
+        return found.stream().map(row).toList();
     }
 
-    /** JSON has no word for what is no number: null. */
-    private static void number(ObjectNode node, String name, double value) {
-        if (Double.isFinite(value)) {
-            node.put(name, BigDecimal.valueOf(value));
-        } else {
-            node.putNull(name);
+    private record Track(long positions, BigDecimal distanceM, int stretchCount, List<?> stretches) {
+        static Track of(LoggedTrack track) {
+            return new Track(
+                    track.positions(),
+                    decimal(track.distanceM(), 1),
+                    track.stretchCount(),
+                    rows(track.stretches(), Stretch::of));
         }
+    }
+
+    private record Stretch(
+            int number,
+            long firstLine,
+            BigDecimal startSeconds,
+            BigDecimal endSeconds,
+            long positions,
+            BigDecimal distanceM,
+            Position first,
+            Position last) {
+        static Stretch of(TrackSegment stretch) {
+            return new Stretch(
+                    stretch.number(),
+                    stretch.firstLine(),
+                    seconds(stretch.startMillis()),
+                    seconds(stretch.endMillis()),
+                    stretch.positions(),
+                    decimal(stretch.distanceM(), 1),
+                    Position.of(stretch.first()),
+                    Position.of(stretch.last()));
+        }
+    }
+
+    private record Position(BigDecimal latDeg, BigDecimal lonDeg) {
+        static Position of(GeoPoint point) {
+            return new Position(decimal(point.latDeg(), 7), decimal(point.lonDeg(), 7));
+        }
+    }
+
+    private record Channel(
+            String sensor, String channel, long values, BigDecimal least, BigDecimal most, BigDecimal last) {
+        static Channel of(ChannelSummary channel) {
+            return new Channel(
+                    channel.sensor(),
+                    channel.channel(),
+                    channel.values(),
+                    orNull(channel.least()),
+                    orNull(channel.most()),
+                    orNull(channel.last()));
+        }
+
+        /** JSON has no word for what is no number: null. */
+        private static BigDecimal orNull(double value) {
+            return Double.isFinite(value) ? BigDecimal.valueOf(value) : null;
+        }
+    }
+
+    private record Problem(String problem, long count, List<?> lines, String example) {
+        static Problem of(FaultCount fault) {
+            return new Problem(fault.fault().word(), fault.count(), fault.lines(), fault.example());
+        }
+    }
+
+    private static BigDecimal seconds(long millis) {
+        return BigDecimal.valueOf(millis, 3);
     }
 
     private static BigDecimal decimal(double value, int digits) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
+import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
@@ -13,6 +14,7 @@ import java.util.Set;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.report.ReadingResult;
 import org.sami.crw.report.ReportText;
 import org.sami.crw.report.RunReport;
@@ -78,6 +80,31 @@ class ReportFolderTest {
         assertThat(json.get("interrupts").get(0).toString())
                 .isEqualTo("{\"name\":\"Alarm\",\"boat\":\"boat1\",\"trigger\":\"time\",\"pressedAt\":65,\"presses\":2,"
                         + "\"taken\":true,\"takenAt\":67}");
+    }
+
+    @Test
+    void rowsHaveTheirMembersInTheirOrder() throws Exception {
+        JsonNode json = new ObjectMapper().readTree(ReportJson.text(SampleReport.of(3, 12)));
+
+        assertThat(json.get("boats").get(0).toString())
+                .isEqualTo(
+                        "{\"id\":\"boat1\",\"link\":\"in-process\",\"bootId\":\"boot1\",\"linkLost\":0,\"linkBack\":0,\"uploads\":"
+                                + "{\"sent\":3,\"acknowledged\":3,\"readBackEqual\":2,\"failed\":1},\"distanceM\":1500,\"batteryPercent\":33.33,"
+                                + "\"recharges\":0,\"why\":\"it does what it should\"}");
+        assertThat(json.get("locations").get(0).toString())
+                .isEqualTo(
+                        "{\"number\":1,\"latDeg\":40.0013469,\"lonDeg\":-79.9983715,\"visited\":true,\"visitedAt\":60,"
+                                + "\"visitedBy\":\"boat1\",\"reported\":true,\"reportedAt\":60,\"reportedBy\":\"boat1\"}");
+        assertThat(json.get("decisions").get(0).toString())
+                .isEqualTo(
+                        "{\"id\":1,\"type\":\"OperatorApprove\",\"openedAt\":0,\"closedAt\":5,\"by\":\"operator\",\"clicks\":1}");
+        assertThat(json.get("notes").get(0).toString())
+                .isEqualTo("{\"at\":70,\"kind\":\"late\",\"mission\":1,\"message\":\"An answer came late.\"}");
+        assertThat(List.of(Wait.class.getRecordComponents()).stream().map(RecordComponent::getName))
+                .containsExactly("missions", "plan", "place", "tokens", "occurrence", "transitions");
+        assertThat(List.of(Wait.BlockedTransition.class.getRecordComponents()).stream()
+                        .map(RecordComponent::getName))
+                .containsExactly("name", "reasons");
     }
 
     @Test
