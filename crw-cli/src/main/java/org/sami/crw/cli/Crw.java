@@ -83,11 +83,11 @@ import picocli.CommandLine.Spec;
         },
         footerHeading = "%nExamples:%n",
         footer = {
-            "  crw demo               see it work, within a minute or so",
-            "  crw plans              which plans there are",
+            "  crw demo               a demonstration of about a minute",
+            "  crw plans              lists the plans",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
             "  crw check my-plan.json",
-            "  crw events             what a plan may say",
+            "  crw events             lists the events of plans",
             "",
             "'crw help COMMAND' describes one of them."
         })

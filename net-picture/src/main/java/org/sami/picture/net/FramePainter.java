@@ -49,7 +49,10 @@ final class FramePainter {
             SemanticColor rim = chosen ? SemanticColor.ACCENT : color(frame.color());
             pen.canvas().fillAndDraw(shape, tint(frame.color()), pen.color(rim), chosen ? CHOSEN : RIM);
             if (chosen) {
-                pen.fill(new RoundRectangle2D.Double(box.maxX() - HANDLE_SIZE, box.maxY() - HANDLE_SIZE, HANDLE_SIZE, HANDLE_SIZE, 3, 3), rim);
+                pen.fill(
+                        new RoundRectangle2D.Double(
+                                box.maxX() - HANDLE_SIZE, box.maxY() - HANDLE_SIZE, HANDLE_SIZE, HANDLE_SIZE, 3, 3),
+                        rim);
             }
             title(pen, frame, letters(frame, letters));
         }

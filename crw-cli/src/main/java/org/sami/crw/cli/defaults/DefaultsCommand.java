@@ -21,8 +21,8 @@ import picocli.CommandLine.Spec;
         name = "defaults",
         mixinStandardHelpOptions = true,
         description = {
-            "Lists the values that hold where nobody says otherwise, what they do and where they are set.",
-            "They are of boats, links, commands, planning, warnings and files, of fields in plans, and of options of crw."
+            "Lists the default values, their effect and where they are set.",
+            "They concern boats, links, commands, planning, warnings and files, fields in plans, and options of crw."
         },
         footerHeading = "%nExamples:%n",
         footer = {"  crw defaults", "  crw defaults battery", "  crw defaults --json"})

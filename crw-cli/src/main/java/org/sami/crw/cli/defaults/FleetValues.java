@@ -84,7 +84,7 @@ final class FleetValues {
                         "battery critical",
                         BoatDefaults.CRITICAL_BATTERY_PERCENT,
                         "%",
-                        "Below this charge a battery is critical, wherever the boat is.")
+                        "Below this charge a battery is critical at any place.")
                 .number(
                         "reserve for the way home",
                         BoatDefaults.HOME_RESERVE_FACTOR,

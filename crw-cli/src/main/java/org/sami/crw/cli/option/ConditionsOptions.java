@@ -17,10 +17,9 @@ public final class ConditionsOptions {
     @Option(
             names = "--conditions",
             paramLabel = "NAME",
-            description =
-                    "What the water and the instruments are like: calm, field (a lake on an ordinary day, noise as "
-                            + "measured), rough; the options below change single things of it (default: calm). Of boats "
-                            + "that are connected: what is planned with for those that do not say it (default: field).")
+            description = "Water and instruments: calm, field (a lake on an ordinary day, noise as "
+                    + "measured), rough; the options below change single values (default: calm). With connected "
+                    + "boats: the errors assumed for those that do not report theirs (default: field).")
     private NamedConditions named;
 
     @Option(
@@ -53,9 +52,8 @@ public final class ConditionsOptions {
             names = "--wind",
             paramLabel = "MPS@DEG",
             converter = Flows.class,
-            description =
-                    "How fast the wind blows, and where from: 5@270 is 5 m/s from the west, in gusts; it pushes a "
-                            + "hull with 3 %% of its speed (default: likewise).")
+            description = "Speed and origin of the wind: 5@270 is 5 m/s from the west, in gusts; it pushes a "
+                    + "hull with 3 %% of its speed (default: likewise).")
     private Flow wind;
 
     @Option(
@@ -64,7 +62,7 @@ public final class ConditionsOptions {
             split = ",",
             converter = Sensors.class,
             description =
-                    "What boats measure, and how often a second if not once: temperature, conductivity, oxygen, ph. "
+                    "Sensors of the boats, with readings per second (one if not given): temperature, conductivity, oxygen, ph. "
                             + "May be given several times.")
     private List<SensorSetting> sensors = new ArrayList<>();
 

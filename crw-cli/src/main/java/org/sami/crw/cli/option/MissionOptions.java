@@ -91,16 +91,15 @@ public final class MissionOptions {
     @Option(
             names = "--answers",
             paramLabel = "FILE",
-            description =
-                    "What the simulated operator answers (JSON; see docs/answers-file.md). Without it: all boats, "
-                            + "drawn locations, the first option, yes, and default values.")
+            description = "Answers of the simulated operator (JSON; see docs/answers-file.md). Default: all boats, "
+                    + "drawn locations, the first option, yes, and default values.")
     private Path answers;
 
     @Option(
             names = "--interrupt",
             paramLabel = "NAME[:BOAT]@SECONDS",
             description = "Press an interrupt so many simulated seconds after the mission's start; BOAT is a boat's "
-                    + "name or counts from 1. One that nobody can take is pressed again until somebody does. With "
+                    + "name or a number from 1. One that no boat can take is pressed again until one can. With "
                     + "'battery' for SECONDS it is pressed for each boat whose battery turns critical. May be given "
                     + "several times. 'crw plans' names a plan's interrupts.")
     private List<String> interrupts = new ArrayList<>();

@@ -30,7 +30,7 @@ public final class OutputOptions {
     @Option(
             names = "--overwrite",
             description =
-                    "Replace the report that is in the folder of --report already. Without it nothing is run then.")
+                    "Replace an existing report in the folder of --report. Without this option nothing is run then.")
     private boolean overwrite;
 
     /** Text for people, and files, which replace those of an earlier report. */

@@ -24,7 +24,7 @@ public final class RunOptions {
             names = "--connect",
             paramLabel = "HOST:PORT,...",
             description =
-                    "Instead of boats in this process those whose servers listen there, over TCP and in real time "
+                    "Use the boats whose servers listen at these addresses, over TCP and in real time, instead of simulated ones "
                             + "('crw boat'). The area lies around them.")
     private String connect;
 
@@ -41,7 +41,7 @@ public final class RunOptions {
             paramLabel = "S",
             defaultValue = "1",
             description =
-                    "Where chance comes from; equal seeds give equal runs at any speed (default ${DEFAULT-VALUE}).")
+                    "Seed of the random numbers; equal seeds give equal runs at any speed (default ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(

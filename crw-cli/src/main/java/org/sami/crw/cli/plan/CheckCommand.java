@@ -45,10 +45,10 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw check my-plan.json",
             "  crw check clv --json",
-            "  crw check my-plan.json --deep             runs its plans, with boats that are not real",
-            "  crw check --domain uav search             a plan of the aircraft, which come with crw",
+            "  crw check my-plan.json --deep             runs its plans with invented boats",
+            "  crw check --domain uav search             a plan of the aircraft domain that ships with crw",
             "  crw check --domain my-domain              the domain and its library",
-            "  crw check --domain my-domain plan.json    a plan with that domain's words"
+            "  crw check --domain my-domain plan.json    a plan in that domain's vocabulary"
         })
 public final class CheckCommand implements Callable<Integer> {
     private static final int MOST_BOATS = 25;
@@ -72,9 +72,8 @@ public final class CheckCommand implements Callable<Integer> {
 
     @Option(
             names = "--deep",
-            description =
-                    "Run each plan without errors in all ways that boats, services and operator could take, as DREAMM does by Search "
-                            + "deeper; print what is found and a run that shows it.")
+            description = "Search every possible run of each plan without errors, as DREAMM does by Search "
+                    + "deeper; print each finding with a run that shows it.")
     private boolean deep;
 
     @Option(
@@ -95,7 +94,7 @@ public final class CheckCommand implements Callable<Integer> {
     public Integer call() {
         if (name == null && !domain.isGiven()) {
             throw new UsageFault(
-                    "what is to be checked? FILE|PLAN, a file or a plan of the library, or --domain NAME|FOLDER");
+                    "nothing to check: name FILE|PLAN, a file or a plan of the library, or --domain NAME|FOLDER");
         }
         if (boats < 0 || boats > MOST_BOATS || states < 1 || states > MOST_STATES) {
             throw new UsageFault("--boats is from 0 to " + MOST_BOATS + " and --states from 1 to " + MOST_STATES

@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Lists the components with which windows ask the operator for an event's values, or show them, and why.",
-            "Of each component it says how it does with the type and the markup. Without an event or type, lists the components."
+            "Rates each component for the type and the markup. Without an event or type, lists the components."
         },
         footerHeading = "%nExamples:%n",
         footer = {

@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
         name = "new",
         mixinStandardHelpOptions = true,
         description = "Makes a project file with one small plan that can be checked, tested and run: the chosen boats "
-                + "gather around a location. Change it into what your boats shall do.",
+                + "gather around a location. Change it to your needs.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {"0:it was made", "2:wrong usage, or the file is there already", "4:it cannot be written"},
         footerHeading = "%nExamples:%n",

@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Shows the phase chart of a plan: its events with the markups Phase Item and Phase Branch, phase by phase.",
-            "Each who acts has a row; time goes to the right. Actions below one another can go on at the same time."
+            "Each actor has a row; time goes to the right. Actions below one another can run at the same time."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {"0:it was shown", "1:the file has errors", "2:wrong usage, or there is no such file or phase"},
@@ -48,7 +48,7 @@ public final class PhasesCommand implements Callable<Integer> {
             names = "--choose",
             paramLabel = "OPTION",
             description =
-                    "Show the effects of this branch, by what is written on it. Repeatable; without, of each first one.")
+                    "Show the effects of this branch, named by its label. Repeatable; default: the first branch everywhere.")
     private List<String> choices = new ArrayList<>();
 
     @Override

@@ -27,9 +27,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "test",
         mixinStandardHelpOptions = true,
-        description =
-                "Runs the test cases that are saved with plans on the engine, and says which went as expected and "
-                        + "at which step the others did not.",
+        description = "Runs the test cases that are saved with plans on the engine, and lists which passed and "
+                + "at which step the others failed.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:all test cases passed",

@@ -43,10 +43,10 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Imports a project of the earlier system from its neutral export (sami-legacy-project, version 1), "
-                        + "counts what arrived and names what did not.",
+                        + "counts the imported elements and names the missing ones.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:imported; findings say what arrived otherwise than it stood there, and what is wrong with the plans",
+            "0:imported; findings list what was changed on import, and faults of the plans",
             "1:the export has errors: nothing is written",
             "2:wrong usage, FILE cannot be read, or OUT is there already",
             "4:with --run: an engine error, a livelock, an event that nothing handles, or stopped before all had run"
@@ -80,8 +80,7 @@ public final class ImportLegacyCommand implements Callable<Integer> {
             names = "--seed",
             paramLabel = "S",
             defaultValue = "1",
-            description =
-                    "Where chance in these runs comes from; equal seeds give equal runs (default ${DEFAULT-VALUE}).")
+            description = "Seed of the random numbers; equal seeds give equal runs (default ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(names = "--all", description = "Print each finding of the import in a line of its own as well.")

@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
                         + "track, sensor readings, commands, and every line that could not be read.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:read; lines that could not be are counted and named",
+            "0:read; unreadable lines are counted and named",
             "1:the file is no log of a boat",
             "2:wrong usage, or there is no such file",
             "4:the file cannot be read, or the report cannot be written"

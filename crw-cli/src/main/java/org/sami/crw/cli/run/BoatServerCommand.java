@@ -33,13 +33,13 @@ import picocli.CommandLine.Spec;
         name = "boat",
         mixinStandardHelpOptions = true,
         description =
-                "Is one simulated boat: its server listens on a TCP port of this machine, its hull moves in real time. "
+                "Runs one simulated boat: its server listens on a TCP port of this machine, its hull moves in real time. "
                         + "Runs until Ctrl-C or a signal ends it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:its standard input has ended (--while-input)",
             "2:wrong usage",
-            "4:its port or its log cannot be had",
+            "4:its port or its log is not available",
             "130:stopped by Ctrl-C",
             "143:stopped by a signal"
         },
@@ -122,21 +122,21 @@ public final class BoatServerCommand implements Callable<Integer> {
             names = "--log",
             paramLabel = "DIR",
             description =
-                    "A folder for its log, NAME.log. One that is there already is taken up again: the boat knows what "
-                            + "it has executed, and does not move before a command.")
+                    "A folder for its log, NAME.log. An existing log is continued: the boat knows the commands that "
+                            + "it has executed, and does not move before a new one.")
     private Path log;
 
     @Option(
             names = "--bind",
             paramLabel = "ADDRESS",
             description = "The address that it listens on (default: loopback, so that nothing leaves this machine). "
-                    + "Whoever reaches it can command the boat.")
+                    + "Any client that reaches it can command the boat.")
     private InetAddress bind = InetAddress.getLoopbackAddress();
 
     @Option(
             names = "--while-input",
             description =
-                    "End when the standard input ends: for programs that start boats and take them along when they end "
+                    "End when the standard input ends: for programs that start boats and end them with themselves "
                             + "in whatever way.")
     private boolean whileInput;
 
@@ -189,7 +189,7 @@ public final class BoatServerCommand implements Callable<Integer> {
         if (lines > 0) {
             new Console()
                     .say("its log has " + lines + (lines == 1 ? " damaged line" : " damaged lines")
-                            + ": what stood there is forgotten, a fleet stop perhaps too");
+                            + ": its entries are lost, maybe a fleet stop too");
         }
     }
 

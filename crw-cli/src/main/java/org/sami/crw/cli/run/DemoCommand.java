@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Starts three simulated boats as processes of their own, runs the plan 'clv' on them over TCP on the loopback "
-                        + "address, shows it, and writes a report with a picture; over within a minute or so. The boats end "
+                        + "address, shows it, and writes a report with a picture; it takes about a minute. The boats end "
                         + "with it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -72,8 +72,7 @@ public final class DemoCommand implements Callable<Integer> {
             names = "--speed",
             paramLabel = "X|max",
             converter = SpeedConverter.class,
-            description =
-                    "Boats in this process instead, twelve locations, and so many simulated seconds in one second.")
+            description = "Use boats in this process, twelve locations, and this many simulated seconds in one second.")
     private Speed speed;
 
     @Override

@@ -43,7 +43,7 @@ import picocli.CommandLine.Spec;
         sortOptions = false,
         description =
                 "Runs missions on simulated boats with many seeds and in several conditions, side by side on all cores, "
-                        + "and prints a table of what came of them. Equal experiments give equal tables.",
+                        + "and prints a table of the results. Equal experiments give equal tables.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:all missions ended",
@@ -52,7 +52,7 @@ import picocli.CommandLine.Spec;
             "3:a mission was aborted; none failed",
             "4:a mission or the program failed",
             "5:a mission was still running at its time (--for), or not all were run (Ctrl-C); none failed or was aborted",
-            "6:all missions ended, some with problems, or with a boat deeper inside what is avoided than was announced"
+            "6:all missions ended, some with problems, or with a boat deeper in an avoided area than announced"
         },
         footerHeading = "%nExamples:%n",
         footer = {

@@ -26,14 +26,14 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
-                "Goes on with a run that has a journal, from where its process ended. The plan and all settings are the "
-                        + "journal's; its end is the same as if the run had never been interrupted.",
+                "Resumes a run that has a journal, from the point where its process ended. The plan and all settings are the "
+                        + "journal's; the result is the same as without the interruption.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:the mission ended",
             "2:wrong usage, or a file that cannot be read",
             "3:the mission was aborted",
-            "4:the mission or the program failed, or the run cannot be taken up again",
+            "4:the mission or the program failed, or the run cannot be resumed",
             "5:the mission was still running when the run was stopped (--for, Ctrl-C)",
             "6:the mission ended, with problems that are named"
         },
@@ -58,14 +58,14 @@ public final class ResumeCommand implements Callable<Integer> {
             paramLabel = "SECONDS",
             converter = SecondsConverter.class,
             description = "Stop after so much simulated time since the start of the run. Without it the recorded --for "
-                    + "holds, unless the run came to it already: then it goes on to its end.")
+                    + "holds, unless the run has reached it already: then it continues to its end.")
     private Long limitMillis;
 
     @Option(
             names = "--connect",
             paramLabel = "HOST:PORT,...",
             description =
-                    "Where the boats' servers listen now, if not where the run found them. For runs with --connect only.")
+                    "Present addresses of the boats' servers, if they have changed. For runs with --connect only.")
     private String connect;
 
     @Option(
@@ -73,8 +73,8 @@ public final class ResumeCommand implements Callable<Integer> {
             paramLabel = "SECONDS",
             defaultValue = "30",
             converter = SecondsConverter.class,
-            description = "How long such boats may take to answer (default ${DEFAULT-VALUE}). The run goes on without "
-                    + "those that do not, until they are there; not without all.")
+            description = "How long such boats may take to answer (default ${DEFAULT-VALUE}). The run continues "
+                    + "without the others, but not without any boat.")
     private long connectWithinMillis;
 
     @Mixin

@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
-                "Runs a plan on simulated boats with a simulated operator, and reports how it went. Progress goes to "
+                "Runs a plan on simulated boats with a simulated operator, and reports the result. Progress goes to "
                         + "standard error, the report to standard output.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

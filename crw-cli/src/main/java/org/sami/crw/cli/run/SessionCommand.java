@@ -49,7 +49,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Opens a session and reads commands from standard input: any number of missions of the project's plans, on one fleet.",
-            "Boats are connected, added and dropped as it goes. At a terminal lines are edited and completed (Tab); 'help' lists the commands.",
+            "Boats can be connected, added and dropped meanwhile. At a terminal lines are edited and completed (Tab); "
+                    + "'help' lists the commands.",
             "Ends with 'quit' or the end of the input; the boats of all missions are stopped then."
         },
         exitCodeListHeading = "%nExit codes:%n",
@@ -57,7 +58,7 @@ import picocli.CommandLine.Spec;
             "0:it was ended, and every command was carried out",
             "1:the project has errors",
             "2:wrong usage, or there is no such file",
-            "4:something broke: the engine stopped, its journal could not be written, memory ran out; boats were stopped then",
+            "4:an internal fault: the engine stopped, its journal could not be written, memory ran out; boats were stopped then",
             "6:it was ended, but commands were not carried out"
         },
         footerHeading = "%nExamples:%n",
@@ -89,17 +90,17 @@ public final class SessionCommand implements Callable<Integer> {
     @Option(
             names = "--journal",
             paramLabel = "FILE",
-            description =
-                    "Keep the session in this file. If it is there already, the session in it is gone on with: its project, "
-                            + "missions, variables and boats.")
+            description = "Keep the session in this file. If the file exists, its session is resumed: its project, "
+                    + "missions, variables and boats.")
     private Path journal;
 
     @Option(
             names = "--conditions",
             paramLabel = "NAME",
             description =
-                    "How simulated boats fare, and boats that do not say it: calm, field or rough; ways keep as far off "
-                            + "no-go areas (default: calm for simulated boats, else field; of a session that is resumed, its own).")
+                    "The water of simulated boats, and the errors of boats that do not report theirs: calm, field "
+                            + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, else "
+                            + "field; of a session that is resumed, its own).")
     private NamedConditions conditions;
 
     @Option(

@@ -26,7 +26,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Stops the boats at these addresses, even if another base commands them: motors to zero, latched until it is "
-                        + "released, also over lost links and restarts. Says what each boat answered.",
+                        + "released, also over lost links and restarts. Prints the answer of each boat.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every boat obeyed",
@@ -36,8 +36,8 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw stop 127.0.0.1:5001 127.0.0.1:5002",
-            "  crw stop --release 127.0.0.1:5001             first step: shows who would be released",
-            "  crw stop --release --confirm 127.0.0.1:5001   second step: releases"
+            "  crw stop --release 127.0.0.1:5001             first step: lists the boats to release",
+            "  crw stop --release --confirm 127.0.0.1:5001   second step: releases them"
         })
 public final class StopCommand implements Callable<Integer> {
     @Spec
@@ -92,7 +92,7 @@ public final class StopCommand implements Callable<Integer> {
         long stopped = answers.stream().filter(FleetOrder.Answer::stopped).count();
         PrintWriter err = spec.commandLine().getErr();
         err.println("crw: nothing was released; " + stopped + (stopped == 1 ? " boat is" : " boats are")
-                + " stopped. Add --confirm to let all at these addresses move again.");
+                + " stopped. Add --confirm to release all boats at these addresses.");
         err.flush();
         return ExitCode.USAGE;
     }
