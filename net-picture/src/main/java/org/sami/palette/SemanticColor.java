@@ -3,7 +3,7 @@ package org.sami.palette;
 import java.awt.Color;
 
 /**
- * Colours by what they mean, with their value in each theme. A status colour never stands alone: a word or a shape stands beside it.
+ * Colours by what they mean, with their value in each theme. A status colour never stands alone: a word or a shape is next to it.
  *
  * <p>Values are light, dark, sun.
  */

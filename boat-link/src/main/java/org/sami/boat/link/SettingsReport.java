@@ -44,7 +44,7 @@ public final class SettingsReport extends LinkMessage {
      *
      * @param home where the boat returns to, at the speed at which it does
      * @param error how far the boat may be off its path, if it knows
-     * @param stoppedBy the client that has latched the fleet stop; empty where it is not latched, or not known by whom
+     * @param stoppedBy the client that has latched the fleet stop; empty where it is not latched, or the client is not known
      */
     public SettingsReport(
             Gains heading,
@@ -95,12 +95,12 @@ public final class SettingsReport extends LinkMessage {
         return home;
     }
 
-    /** How far the boat may be beside its lines; empty where it does not know. */
+    /** The boat's cross-track error; empty where it does not know it. */
     public Optional<TrackingError> error() {
         return error;
     }
 
-    /** The client that has latched the fleet stop; empty where it is not latched, or not known by whom. */
+    /** The client that has latched the fleet stop; empty where it is not latched, or the client is not known. */
     public String stoppedBy() {
         return stoppedBy;
     }

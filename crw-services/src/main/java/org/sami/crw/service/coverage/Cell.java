@@ -6,7 +6,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 
 /**
- * Lanes of successive lines, one a line, each beside the next and no other: a boat drives them one after the other, to and fro (H.
+ * Lanes of successive lines, one a line, each next to the following one and no other: a boat drives them one after the other, to and fro (H.
  * Choset, P. Pignon, Coverage path planning: the boustrophedon cellular decomposition, 1997; here by lanes).
  */
 final class Cell {

@@ -62,7 +62,7 @@ final class CoverageRegion {
         return CoveragePart.of(region, drivable, cells, water);
     }
 
-    /** Strips that are left beside holes and bays, as these do not care where lanes lie, get lanes of their own. */
+    /** Strips left over next to holes and bays get their own lanes: lane positions ignore such outlines. */
     private List<Cell> cellsForRest(List<Cell> cells) {
         List<List<Coordinate>> lanes =
                 cells.stream().flatMap(cell -> cell.lanes().stream()).toList();

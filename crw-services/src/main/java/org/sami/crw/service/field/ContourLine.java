@@ -19,7 +19,7 @@ public record ContourLine(double value, List<Segment> segments) {
         segments = List.copyOf(segments);
     }
 
-    /** The line of a value on a grid; nothing is drawn beside cells without a value. */
+    /** The line of a value on a grid; nothing is drawn next to cells without a value. */
     public static ContourLine of(FieldGrid grid, double value) {
         List<Segment> segments = new ArrayList<>();
         for (int row = 0; row + 1 < grid.rows(); row++) {

@@ -16,7 +16,7 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     /** A boat that turns at a corner drifts for so long until it steers against it. */
     private static final double TURN_S = 4;
 
-    /** Ways are planned on one plane, told in degrees, and measured on another. */
+    /** Ways are planned on one plane, given in degrees, and measured on another. */
     private static final double ROUNDING_M = 0.01;
 
     /** Distance in metres that boats keep from each other. */
@@ -67,7 +67,7 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
         return steeringM + KEPT_DEVIATIONS * positionM + TURN_S * driftMps;
     }
 
-    /** The most that a boat is ever taken to be beside its path, in metres. */
+    /** The largest cross-track error assumed of a boat, in metres. */
     public double mostM() {
         return steeringM + MOST_DEVIATIONS * positionM + 2 * TURN_S * driftMps;
     }

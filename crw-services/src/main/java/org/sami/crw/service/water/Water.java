@@ -107,7 +107,7 @@ public final class Water {
         return leaves ? new Water(plane, noGo, FACTORY.createPolygon(), noGo, error) : this;
     }
 
-    /** How far boats here may be beside their ways; nothing unless it was said. */
+    /** The cross-track error of boats here; none by default. */
     public CrossTrackError error() {
         return error;
     }
