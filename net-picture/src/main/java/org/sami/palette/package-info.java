@@ -3,4 +3,7 @@
  *
  * <p>Belongs here: values of colours. Does not belong here: fonts, spacing and everything else of a window's look ({@code org.sami.ui.look}).
  */
+@NullMarked
 package org.sami.palette;
+
+import org.jspecify.annotations.NullMarked;

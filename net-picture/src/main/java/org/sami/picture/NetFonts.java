@@ -4,6 +4,7 @@ import java.awt.Font;
 import java.awt.font.FontRenderContext;
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.Objects;
 import org.sami.spn.drawing.TextStyle;
 
 /** The fonts of a net, at one pixel for a drawing unit, and how wide texts are in them: the same at any zoom, in windows and in files. */
@@ -25,7 +26,7 @@ public final class NetFonts {
 
     /** The font of a style. */
     public static Font of(TextStyle style) {
-        return FONTS.get(style);
+        return Objects.requireNonNull(FONTS.get(style), style.name());
     }
 
     /** The width of a line, in drawing units. */

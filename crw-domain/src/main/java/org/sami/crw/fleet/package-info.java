@@ -5,4 +5,7 @@
  * org.sami.crw.proxy}), what plans make of them ({@code org.sami.crw.handler}), what the operator sees ({@code
  * org.sami.crw.operator}).
  */
+@NullMarked
 package org.sami.crw.fleet;
+
+import org.jspecify.annotations.NullMarked;

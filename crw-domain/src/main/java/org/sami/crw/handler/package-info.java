@@ -15,4 +15,7 @@
  *
  * <p>Not here: keeping a boat at its command ({@code org.sami.crw.proxy}), the computations themselves ({@code org.sami.crw.service}).
  */
+@NullMarked
 package org.sami.crw.handler;
+
+import org.jspecify.annotations.NullMarked;

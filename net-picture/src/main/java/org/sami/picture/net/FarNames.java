@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.palette.SemanticColor;
 import org.sami.picture.NetFonts;
@@ -77,7 +78,7 @@ final class FarNames {
         }
         for (Vertex vertex : without) {
             for (int letters : SHORTENED) {
-                String text = shortened(texts.get(vertex.id()), letters);
+                String text = shortened(Objects.requireNonNull(texts.get(vertex.id()), vertex.id()), letters);
                 if (names.place(vertex, List.of(text))) {
                     break;
                 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -85,7 +86,7 @@ public final class NetScene {
                 drawing.vertices().stream().filter(vertex -> !vertex.recovery()).toList());
         Set<String> edges = new LinkedHashSet<>();
         for (Edge edge : drawing.edges()) {
-            Ends at = ends.get(edge.id());
+            Ends at = Objects.requireNonNull(ends.get(edge.id()), edge.id());
             if (!edge.recovery() && vertices.contains(at.from()) && vertices.contains(at.to())) {
                 edges.add(edge.id());
             }

@@ -4,4 +4,7 @@
  *
  * <p>Does not belong here: where things lie and what is written ({@link org.sami.spn.drawing}); what a mouse does.
  */
+@NullMarked
 package org.sami.picture.net;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  *
  * <p>Belongs here: what a map shows and edits, as values. Does not belong here: Swing, painting, files.
  */
+@NullMarked
 package org.sami.ui.geo;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,4 +5,7 @@
  * <p>Belongs here: what {@code crw import-legacy} does beyond reading. Does not belong here: the export's format and its
  * conversion ({@code org.sami.spn.legacy}), the command line ({@code cli}).
  */
+@NullMarked
 package org.sami.crw.cli.legacy;
+
+import org.jspecify.annotations.NullMarked;

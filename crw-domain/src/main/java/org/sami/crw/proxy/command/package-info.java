@@ -4,4 +4,7 @@
  *
  * <p>Does not belong here: whose turn it is ({@code queue}), how a boat is brought to do it ({@code execution}).
  */
+@NullMarked
 package org.sami.crw.proxy.command;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  *
  * <p>{@link org.sami.crw.proxy.execution.CommandDriver} starts the attempts. Not here: which command has its turn ({@code queue}).
  */
+@NullMarked
 package org.sami.crw.proxy.execution;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  *
  * <p>Does not belong here: which of the reasons holds ({@code BoatExplainer} of the package above finds it).
  */
+@NullMarked
 package org.sami.crw.proxy.explanation;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * <p>Does not belong here: messages and their bytes ({@code org.sami.boat.link}), sockets ({@code tcp}), what is asked ({@code
  * execution}).
  */
+@NullMarked
 package org.sami.crw.proxy.link;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  *
  * <p>Not here: the events that a fleet publishes from them ({@code org.sami.crw.fleet}).
  */
+@NullMarked
 package org.sami.crw.proxy.listener;
+
+import org.jspecify.annotations.NullMarked;

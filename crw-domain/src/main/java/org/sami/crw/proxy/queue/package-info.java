@@ -3,4 +3,7 @@
  *
  * <p>Not here: executing the command whose turn it is ({@code execution}).
  */
+@NullMarked
 package org.sami.crw.proxy.queue;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * <p>Does not belong here: the messages in which they say it ({@code org.sami.boat.link}), what the operator sees of it ({@code
  * org.sami.crw.operator.boat}).
  */
+@NullMarked
 package org.sami.crw.proxy.status;
+
+import org.jspecify.annotations.NullMarked;

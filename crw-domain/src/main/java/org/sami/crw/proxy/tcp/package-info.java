@@ -5,4 +5,7 @@
  * <p>What a proxy does over a link belongs to {@link org.sami.crw.proxy}; here is only how its frames come and go, and which
  * boat an address leads to.
  */
+@NullMarked
 package org.sami.crw.proxy.tcp;
+
+import org.jspecify.annotations.NullMarked;

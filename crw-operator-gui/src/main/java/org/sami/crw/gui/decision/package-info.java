@@ -5,4 +5,7 @@
  * panel. Does not belong here: what decisions mean and how their markups are read ({@code org.sami.crw.decision}), the components that they
  * are answered with ({@code org.sami.ui.value}).
  */
+@NullMarked
 package org.sami.crw.gui.decision;
+
+import org.jspecify.annotations.NullMarked;

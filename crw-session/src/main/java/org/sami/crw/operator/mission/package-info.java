@@ -4,4 +4,7 @@
  *
  * <p>Does not belong here: when they are asked for ({@code org.sami.crw.operator}), what rules say ({@code org.sami.spn.engine}).
  */
+@NullMarked
 package org.sami.crw.operator.mission;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * <p>Here belongs what decides when something happens in the simulated world. What happens belongs to the packages of
  * hulls, links and operators; nothing here reads the wall clock.
  */
+@NullMarked
 package org.sami.crw.sim.clock;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,4 +5,7 @@
  * journal holds, and the hand-over to living on. How journals are stored belongs to {@code spn.journal}, the run itself to
  * {@code crw.sim.run}.
  */
+@NullMarked
 package org.sami.crw.sim.resume;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * <p>Does not belong here: what the simulated operator answers ({@code org.sami.crw.decision}), which interrupts a plan offers ({@code
  * settings}).
  */
+@NullMarked
 package org.sami.crw.sim.run.operator;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,4 +5,7 @@
  *
  * <p>Does not belong here: the records of the report and how they look ({@code org.sami.crw.report}).
  */
+@NullMarked
 package org.sami.crw.sim.run.record;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  *
  * <p>Does not belong here: how one boat moves and measures ({@code org.sami.crw.sim.hull}), its link ({@code org.sami.crw.sim.link}).
  */
+@NullMarked
 package org.sami.crw.sim.run.world;
+
+import org.jspecify.annotations.NullMarked;

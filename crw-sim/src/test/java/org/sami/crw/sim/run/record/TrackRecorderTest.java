@@ -8,10 +8,10 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.LinkResult;
+import org.sami.crw.report.TrackPoint;
 import org.sami.crw.session.JoinOrder;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
-import org.sami.crw.report.TrackPoint;
 
 class TrackRecorderTest {
     private static final LinkResult LINK = new LinkResult("in-process", "b", 0, 0, LinkResult.Uploads.NONE, "");
