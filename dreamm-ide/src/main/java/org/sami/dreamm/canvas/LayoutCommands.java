@@ -20,7 +20,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.canvas.CanvasKey;
 import org.sami.ui.command.Command;
-import org.sami.ui.net.ForceLayout;
+import org.sami.ui.net.GraphLayout;
 import org.sami.ui.net.NetView;
 
 /**
@@ -54,7 +54,8 @@ final class LayoutCommands {
                     return centres(NetLayout.layered(plan, vocabulary, NetFonts::width, detail, cancelled));
                 })
                 .withIcon("layout");
-        add("net-layout-forces", "Lay out by forces", "shift L", ForceLayout::of);
+        add("net-layout-forces", "Lay out by forces", "shift L", GraphLayout.FORCES::of);
+        add("net-layout-distances", "Lay out by distances", "alt L", GraphLayout.DISTANCES::of);
         context.commands()
                 .add(new Command("net-layout-cancel", "Cancel the layout", this::cancel)
                         .withKey("ctrl shift L")

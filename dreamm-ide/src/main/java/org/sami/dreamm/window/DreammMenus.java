@@ -82,6 +82,7 @@ final class DreammMenus {
                 "",
                 "net-layout-layers",
                 "net-layout-forces",
+                "net-layout-distances",
                 "net-align-row",
                 "net-align-column",
                 "net-align-spread-x",

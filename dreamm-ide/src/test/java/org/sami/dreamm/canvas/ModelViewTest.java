@@ -314,7 +314,7 @@ class ModelViewTest {
 
     @Test
     void aLayoutIsOneEditMadeBesideTheEventThread() throws InterruptedException {
-        for (String command : List.of("net-layout-layers", "net-layout-forces")) {
+        for (String command : List.of("net-layout-layers", "net-layout-forces", "net-layout-distances")) {
             Plan before = scene.plan();
             CountDownLatch done = new CountDownLatch(1);
             DocumentListener listener = change -> done.countDown();

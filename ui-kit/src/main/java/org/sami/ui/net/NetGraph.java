@@ -1,34 +1,40 @@
 package org.sami.ui.net;
 
-import edu.uci.ics.jung.algorithms.layout.StaticLayout;
+import edu.uci.ics.jung.algorithms.cluster.WeakComponentClusterer;
+import edu.uci.ics.jung.algorithms.filters.FilterUtils;
 import edu.uci.ics.jung.graph.DirectedSparseMultigraph;
 import edu.uci.ics.jung.graph.Graph;
 import edu.uci.ics.jung.graph.util.EdgeType;
-import java.awt.Dimension;
-import java.awt.geom.Point2D;
-import java.util.HashMap;
-import java.util.Map;
-import org.sami.spn.drawing.DrawingBox;
-import org.sami.spn.drawing.NetDrawing;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
 import org.sami.spn.model.Plan;
 
-/** A plan as JUNG's graph: vertices and edges by their ids, where the drawing has them. */
+/** A plan as JUNG's graph: vertices and edges by their ids. */
 final class NetGraph {
     private NetGraph() {}
 
-    static StaticLayout<String, String> layout(Plan plan, NetDrawing drawing) {
+    static Graph<String, String> of(Plan plan) {
         Graph<String, String> graph = new DirectedSparseMultigraph<>();
-        Map<String, Point2D> centres = new HashMap<>();
-        drawing.vertices().forEach(vertex -> {
-            graph.addVertex(vertex.id());
-            centres.put(
-                    vertex.id(),
-                    new Point2D.Double(vertex.centre().x(), vertex.centre().y()));
-        });
+        plan.places().forEach(place -> graph.addVertex(place.id()));
+        plan.transitions().forEach(transition -> graph.addVertex(transition.id()));
         plan.inEdges().forEach(edge -> graph.addEdge(edge.id(), edge.place(), edge.transition(), EdgeType.DIRECTED));
         plan.outEdges().forEach(edge -> graph.addEdge(edge.id(), edge.transition(), edge.place(), EdgeType.DIRECTED));
-        DrawingBox bounds = drawing.bounds();
-        return new StaticLayout<>(
-                graph, centres::get, new Dimension((int) bounds.width() + 1, (int) bounds.height() + 1));
+        return graph;
+    }
+
+    /** The parts of a graph that no edge connects, in the order of their first vertices. */
+    static List<Graph<String, String>> components(Graph<String, String> graph, List<String> order) {
+        Set<Set<String>> parts = new WeakComponentClusterer<String, String>().apply(graph);
+        List<Graph<String, String>> components = new ArrayList<>();
+        order.stream()
+                .map(id -> parts.stream()
+                        .filter(part -> part.contains(id))
+                        .findFirst()
+                        .orElseThrow())
+                .distinct()
+                .forEach(part -> components.add(FilterUtils.createInducedSubgraph(
+                        order.stream().filter(part::contains).toList(), graph)));
+        return components;
     }
 }

@@ -112,7 +112,6 @@ public final class NetView extends JPanel {
     public void show(Plan plan, Vocabulary vocabulary, NetDrawing drawing) {
         boolean another = !plan.id().equals(content.plan().id());
         content = new NetContent(plan, vocabulary, drawing);
-        viewer.setGraphLayout(NetGraph.layout(plan, drawing));
         if (another) {
             marking = NetMarking.EMPTY;
             badges = NetBadges.NONE;

@@ -1,24 +1,24 @@
 package org.sami.ui.net;
 
-import edu.uci.ics.jung.algorithms.layout.Layout;
-import edu.uci.ics.jung.algorithms.layout.StaticLayout;
-import edu.uci.ics.jung.graph.DirectedSparseMultigraph;
-import edu.uci.ics.jung.visualization.RenderContext;
-import edu.uci.ics.jung.visualization.VisualizationViewer;
-import edu.uci.ics.jung.visualization.renderers.BasicRenderer;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
+import java.awt.geom.AffineTransform;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import javax.swing.JPanel;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.FocusFrame;
 
-/** JUNG's viewer with the painter of nets: JUNG has graph, layout and view transformation, the painter all that is seen. */
-final class NetViewer extends VisualizationViewer<String, String> {
+/** The component on which a net is painted; {@link NetViewport} moves what it shows. */
+final class NetViewer extends JPanel {
+    private static final Dimension PREFERRED = new Dimension(600, 400);
+
+    private final transient BiConsumer<Graphics2D, Double> painting;
     private final transient Function<MouseEvent, String> tips;
+    private final AffineTransform view = new AffineTransform();
 
     /**
      * Makes a viewer of an empty net.
@@ -27,27 +27,30 @@ final class NetViewer extends VisualizationViewer<String, String> {
      * @param tips the tooltip of the element under the pointer; null for none
      */
     NetViewer(BiConsumer<Graphics2D, Double> painting, Function<MouseEvent, String> tips) {
-        super(new StaticLayout<>(new DirectedSparseMultigraph<>(), new Dimension(1, 1)), new Dimension(600, 400));
+        this.painting = painting;
         this.tips = tips;
         setName("net-canvas");
+        setOpaque(true);
         setFocusable(true);
         FocusFrame.watch(this);
-        setDoubleBuffered(false);
-        setRenderer(new BasicRenderer<>() {
-            @Override
-            public void render(RenderContext<String, String> context, Layout<String, String> layout) {
-                Graphics2D g = (Graphics2D) context.getGraphicsContext().create();
-                painting.accept(g, g.getTransform().getScaleX());
-                g.dispose();
-            }
-        });
+        setPreferredSize(PREFERRED);
         setToolTipText("");
     }
 
+    /** From drawing units to pixels; whoever changes it repaints. */
+    AffineTransform view() {
+        return view;
+    }
+
     @Override
-    protected void paintComponent(Graphics g) {
-        super.paintComponent(g);
-        FocusFrame.paint(g, this);
+    protected void paintComponent(Graphics graphics) {
+        graphics.setColor(getBackground());
+        graphics.fillRect(0, 0, getWidth(), getHeight());
+        Graphics2D g = (Graphics2D) graphics.create(0, 0, getWidth(), getHeight()); // its clip is what is seen
+        g.transform(view);
+        painting.accept(g, g.getTransform().getScaleX());
+        g.dispose();
+        FocusFrame.paint(graphics, this);
     }
 
     /** Asked at each painting, so that another theme is seen at once. */

@@ -1,9 +1,5 @@
 package org.sami.ui.net;
 
-import edu.uci.ics.jung.visualization.Layer;
-import edu.uci.ics.jung.visualization.VisualizationServer;
-import edu.uci.ics.jung.visualization.transform.MutableTransformer;
-import java.awt.Component;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.NoninvertibleTransformException;
 import java.awt.geom.Point2D;
@@ -11,14 +7,13 @@ import java.awt.geom.Rectangle2D;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.ui.look.Look;
 
-/** Which part of a net a viewer shows, and how large: JUNG's transformation of the view, and nothing else of it. */
+/** Which part of a net a viewer shows, and how large: the transformation of its view. */
 final class NetViewport {
     private static final double LEAST = 0.05;
     private static final double MOST = 4;
     private static final double MARGIN = 24;
 
-    private final VisualizationServer<String, String> viewer;
-    private final Component component;
+    private final NetViewer viewer;
     private final Runnable changed;
     private double own = Look.scalePercent() / 100.0;
     private DrawingBox fitted = new DrawingBox(0, 0, 0, 0);
@@ -30,19 +25,14 @@ final class NetViewport {
      *
      * @param changed is run after another part is shown
      */
-    <V extends Component & VisualizationServer<String, String>> NetViewport(V viewer, Runnable changed) {
+    NetViewport(NetViewer viewer, Runnable changed) {
         this.viewer = viewer;
-        this.component = viewer;
         this.changed = changed;
-    }
-
-    private MutableTransformer transformer() {
-        return viewer.getRenderContext().getMultiLayerTransformer().getTransformer(Layer.VIEW);
     }
 
     /** How many pixels a drawing unit has. */
     double scale() {
-        return transformer().getScale();
+        return viewer.view().getScaleX();
     }
 
     /** How many it has at the net's own size. */
@@ -65,7 +55,7 @@ final class NetViewport {
             return;
         }
         double zoom = zoom();
-        boolean untouched = transformer().getTransform().equals(afterFit);
+        boolean untouched = viewer.view().equals(afterFit);
         own = next;
         if (untouched) {
             fit(fitted);
@@ -76,12 +66,12 @@ final class NetViewport {
 
     /** Notes what is shown as not moved by hand. */
     void settle() {
-        settled = new AffineTransform(transformer().getTransform());
+        settled = new AffineTransform(viewer.view());
     }
 
     /** Whether what is shown has not been moved since {@link #settle}. */
     boolean isSettled() {
-        return transformer().getTransform().equals(settled);
+        return viewer.view().equals(settled);
     }
 
     /** Whether a box is not larger than what is shown. */
@@ -91,7 +81,7 @@ final class NetViewport {
     }
 
     void setZoom(double zoom) {
-        scale(zoom / zoom(), component.getWidth() / 2.0, component.getHeight() / 2.0);
+        scale(zoom / zoom(), viewer.getWidth() / 2.0, viewer.getHeight() / 2.0);
     }
 
     /** Shows all larger or smaller by a factor; what is at a pixel stays there. */
@@ -100,28 +90,28 @@ final class NetViewport {
         AffineTransform change = AffineTransform.getTranslateInstance(px, py);
         change.scale(bounded, bounded);
         change.translate(-px, -py);
-        transformer().preConcatenate(change);
-        component.repaint();
+        viewer.view().preConcatenate(change);
+        viewer.repaint();
         changed.run();
     }
 
     /** Moves what is shown by some pixels. */
     void pan(double dx, double dy) {
-        transformer().preConcatenate(AffineTransform.getTranslateInstance(-dx, -dy));
-        component.repaint();
+        viewer.view().preConcatenate(AffineTransform.getTranslateInstance(-dx, -dy));
+        viewer.repaint();
         changed.run();
     }
 
     /** Shows a box in the middle, as large as it fits, and not larger than its own size. */
     void fit(DrawingBox box) {
-        double width = Math.max(1, component.getWidth() - 2 * MARGIN);
-        double height = Math.max(1, component.getHeight() - 2 * MARGIN);
+        double width = Math.max(1, viewer.getWidth() - 2 * MARGIN);
+        double height = Math.max(1, viewer.getHeight() - 2 * MARGIN);
         double scale = Math.max(
                 LEAST * own,
                 Math.min(own, Math.min(width / Math.max(1, box.width()), height / Math.max(1, box.height()))));
         show(box.x() + box.width() / 2, box.y() + box.height() / 2, scale);
         fitted = box;
-        afterFit = new AffineTransform(transformer().getTransform());
+        afterFit = new AffineTransform(viewer.view());
     }
 
     /** Shows a point of the drawing in the middle. */
@@ -160,20 +150,19 @@ final class NetViewport {
     }
 
     private void show(double x, double y, double scale) {
-        transformer().setToIdentity();
-        AffineTransform view =
-                AffineTransform.getTranslateInstance(component.getWidth() / 2.0, component.getHeight() / 2.0);
+        viewer.view().setToIdentity();
+        AffineTransform view = AffineTransform.getTranslateInstance(viewer.getWidth() / 2.0, viewer.getHeight() / 2.0);
         view.scale(scale, scale);
         view.translate(-x, -y);
-        transformer().preConcatenate(view);
-        component.repaint();
+        viewer.view().preConcatenate(view);
+        viewer.repaint();
         changed.run();
     }
 
     /** The point of the drawing at a pixel. */
     Point2D point(double px, double py) {
         try {
-            return transformer().getTransform().inverseTransform(new Point2D.Double(px, py), null);
+            return viewer.view().inverseTransform(new Point2D.Double(px, py), null);
         } catch (NoninvertibleTransformException e) {
             throw new IllegalStateException("a net is never shown at the scale 0", e);
         }
@@ -181,13 +170,13 @@ final class NetViewport {
 
     /** The pixel of a point of the drawing. */
     Point2D pixel(double x, double y) {
-        return transformer().getTransform().transform(new Point2D.Double(x, y), null);
+        return viewer.view().transform(new Point2D.Double(x, y), null);
     }
 
     /** What is shown, in drawing units. */
     Rectangle2D shown() {
         Point2D corner = point(0, 0);
-        Point2D opposite = point(component.getWidth(), component.getHeight());
+        Point2D opposite = point(viewer.getWidth(), viewer.getHeight());
         Rectangle2D shown = new Rectangle2D.Double();
         shown.setFrameFromDiagonal(corner, opposite);
         return shown;
