@@ -2,6 +2,10 @@ package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.server.BoatDefaults;
@@ -25,5 +29,15 @@ class SharedNumbersTest {
     @Test
     void bothSidesCallALinkLostAfterTheSameTime() {
         assertThat(ServerConfig.of("anna", "1").build().lostLinkAfterMs()).isEqualTo(ProxyConfig.DEFAULT.lostAfterMs());
+    }
+
+    @Test
+    void batteryWatchThatAuthorsAddHasTheThresholdsOfBoats() throws IOException {
+        try (InputStream file = SharedNumbersTest.class.getResourceAsStream("/org/sami/domain/crw/authoring.json")) {
+            JsonNode fields = new ObjectMapper().readTree(file).findParent("low");
+
+            assertThat(fields.get("low").get("value").asDouble()).isEqualTo(BoatDefaults.LOW_BATTERY_PERCENT);
+            assertThat(fields.get("critical").get("value").asDouble()).isEqualTo(BoatDefaults.CRITICAL_BATTERY_PERCENT);
+        }
     }
 }
