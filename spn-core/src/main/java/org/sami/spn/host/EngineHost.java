@@ -33,7 +33,7 @@ import org.sami.spn.vocabulary.EventFlag;
  * sees inputs that are not durable, except while the host waits for its journal; and nobody needs another executor's help
  * to ask. All methods may be called from any thread.
  */
-public final class EngineHost implements AutoCloseable {
+public final class EngineHost implements AutoCloseable, HandlerSupport {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
 
     private final JournaledEngine engine;
@@ -94,6 +94,7 @@ public final class EngineHost implements AutoCloseable {
      *
      * @return false if the host has stopped: they are counted and let go
      */
+    @Override
     public boolean post(List<Input> inputs) {
         return enqueue(inputs.stream().map(QueuedInput::of).toList());
     }
@@ -187,6 +188,7 @@ public final class EngineHost implements AutoCloseable {
      * other executor, so that handlers may ask on any thread. Not for the event thread of a window, and not while
      * holding a lock that a listener takes.
      */
+    @Override
     public <T> T ask(Function<EngineView, T> question) {
         lock.lock();
         try {
@@ -254,6 +256,7 @@ public final class EngineHost implements AutoCloseable {
     }
 
     /** The session's time. */
+    @Override
     public long nowMillis() {
         return clock.nowMillis();
     }

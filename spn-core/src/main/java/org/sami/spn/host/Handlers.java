@@ -26,9 +26,9 @@ final class Handlers {
 
     private final Map<String, Entry> byType = new ConcurrentHashMap<>();
     private final Vocabulary vocabulary;
-    private final EngineHost host;
+    private final HandlerSupport host;
 
-    Handlers(Vocabulary vocabulary, EngineHost host) {
+    Handlers(Vocabulary vocabulary, HandlerSupport host) {
         this.vocabulary = vocabulary;
         this.host = host;
     }
