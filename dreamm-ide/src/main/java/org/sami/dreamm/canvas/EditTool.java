@@ -201,33 +201,30 @@ final class EditTool implements NetTool {
         Gesture was = gesture;
         gesture = Gesture.NONE;
         switch (was) {
-            case MOVE -> {
-                if (moved) {
+            case MOVE, BOX -> {
+                if (!moved) {
+                    clicked(pointer);
+                } else if (was == Gesture.MOVE) {
                     view.preview(net.drawing());
                     actions.move(view.selected(), guide.dx(), guide.dy());
                 } else {
-                    clicked(pointer);
-                }
-            }
-            case BOX -> {
-                if (moved) {
                     selectBox(pointer.additive() || pointer.box());
-                } else {
-                    clicked(pointer);
                 }
             }
             case CONNECT -> connecting.finish(pointer, moved || handled(pointer).isEmpty());
-            case RESIZE -> {
-                view.preview(net.drawing());
-                resized.filter(frame -> moved)
-                        .ifPresent(frame ->
-                                actions.apply(actions.edits().frames().resize(frame, pointer.x(), pointer.y())));
-                resized = Optional.empty();
-            }
+            case RESIZE -> resize(pointer);
             case APPEND -> hovered.ifPresent(vertex -> actions.openAppendMenu(vertex, pointer.px(), pointer.py()));
             default -> {}
         }
         view.repaint();
+    }
+
+    private void resize(NetPointer pointer) {
+        view.preview(net.drawing());
+        if (moved && resized.isPresent()) {
+            actions.apply(actions.edits().frames().resize(resized.get(), pointer.x(), pointer.y()));
+        }
+        resized = Optional.empty();
     }
 
     private void clicked(NetPointer pointer) {

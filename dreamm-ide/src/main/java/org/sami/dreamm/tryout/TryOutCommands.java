@@ -64,11 +64,9 @@ public final class TryOutCommands {
                 "layers",
                 () -> overlay.setCoverage(!overlay.isCoverage()),
                 () -> cases.coverage().isPresent() ? Optional.empty() : Optional.of("run the saved cases first"));
-        for (Runnable refreshed : List.of((Runnable) this::refresh)) {
-            tryOut.addListener(refreshed);
-            setup.addListener(refreshed);
-            cases.addListener(refreshed);
-        }
+        tryOut.addListener(this::refresh);
+        setup.addListener(this::refresh);
+        cases.addListener(this::refresh);
         context.editor().addListener(new EditorListener() {
             @Override
             public void planOpened() {

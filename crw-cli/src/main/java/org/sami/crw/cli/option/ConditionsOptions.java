@@ -17,6 +17,7 @@ public final class ConditionsOptions {
     @Option(
             names = "--conditions",
             paramLabel = "NAME",
+            converter = ConditionsConverter.class,
             description = "Water and instruments: calm, field (a lake on an ordinary day, noise as "
                     + "measured), rough; the options below change single values (default: calm). With connected "
                     + "boats: the errors assumed for those that do not report theirs (default: field).")
@@ -81,7 +82,7 @@ public final class ConditionsOptions {
      * @throws IllegalArgumentException if it makes no sense
      */
     public Conditions conditions() {
-        Conditions all = (named == null ? NamedConditions.calm : named).conditions();
+        Conditions all = (named == null ? NamedConditions.CALM : named).conditions();
         return new Conditions(
                 gpsNoiseM == null ? all.gpsNoiseM() : gpsNoiseM,
                 gpsJumpM == null ? all.gpsJumpM() : gpsJumpM,
@@ -98,8 +99,8 @@ public final class ConditionsOptions {
      * @throws UsageFault for an option that is about the water or the instruments themselves
      */
     Conditions stated() {
-        NamedConditions stated = named == null ? NamedConditions.field : named;
-        Conditions alone = (named == null ? NamedConditions.calm : named).conditions();
+        NamedConditions stated = named == null ? NamedConditions.FIELD : named;
+        Conditions alone = (named == null ? NamedConditions.CALM : named).conditions();
         if (!conditions().equals(alone)) {
             throw new UsageFault(
                     "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");

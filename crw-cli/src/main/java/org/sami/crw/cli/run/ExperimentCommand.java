@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.MissionOptions;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.PlanSource;
@@ -88,6 +89,7 @@ public final class ExperimentCommand implements Callable<Integer> {
             paramLabel = "NAME,...",
             split = ",",
             defaultValue = "calm,field,rough",
+            converter = ConditionsConverter.class,
             description = "The conditions of the runs: calm, field, rough (default: ${DEFAULT-VALUE}).")
     private List<NamedConditions> conditions;
 
@@ -129,7 +131,7 @@ public final class ExperimentCommand implements Callable<Integer> {
         }
         checkOut();
         Map<String, Conditions> waters = new LinkedHashMap<>();
-        conditions.forEach(named -> waters.put(named.name(), named.conditions()));
+        conditions.forEach(named -> waters.put(named.toString(), named.conditions()));
         Experiment experiment = new Experiment(cases, waters, seeds.all());
         err.printf(
                 "%d runs: missions %d, conditions %d, seeds %d; %d at a time%n",

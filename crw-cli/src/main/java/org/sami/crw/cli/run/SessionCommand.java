@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -97,6 +98,7 @@ public final class SessionCommand implements Callable<Integer> {
     @Option(
             names = "--conditions",
             paramLabel = "NAME",
+            converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field "
                             + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, else "
@@ -157,7 +159,7 @@ public final class SessionCommand implements Callable<Integer> {
             }
             project = source.project().get();
         }
-        NamedConditions stated = conditions == null ? NamedConditions.field : conditions;
+        NamedConditions stated = conditions == null ? NamedConditions.FIELD : conditions;
         SessionSetup setup = SessionSetup.of(library.vocabulary(), project);
         if (journal != null) {
             Map<String, String> settings = new HashMap<>(stated.settings());

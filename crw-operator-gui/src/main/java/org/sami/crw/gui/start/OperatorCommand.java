@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.json.BoundedFile;
@@ -55,6 +56,7 @@ public final class OperatorCommand implements Callable<Integer> {
     @Option(
             names = "--conditions",
             paramLabel = "NAME",
+            converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field "
                             + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, "

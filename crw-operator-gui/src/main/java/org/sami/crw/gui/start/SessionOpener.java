@@ -75,7 +75,7 @@ public final class SessionOpener {
     public Session openNew() throws IOException {
         DomainLibrary library = DomainLibrary.fromClassPath(DOMAIN).orThrow();
         Project project = project(library);
-        NamedConditions stated = conditions.orElse(NamedConditions.field);
+        NamedConditions stated = conditions.orElse(NamedConditions.FIELD);
         Map<String, String> settings = new HashMap<>(stated.settings());
         conditions.ifPresent(named -> settings.putAll(named.waterSettings()));
         settings.put("kind", "session");

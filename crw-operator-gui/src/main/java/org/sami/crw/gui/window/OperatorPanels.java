@@ -1,6 +1,7 @@
 package org.sami.crw.gui.window;
 
 import java.awt.Dimension;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -112,7 +113,12 @@ public final class OperatorPanels implements AutoCloseable {
         decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps);
         communication = new CommunicationPanel(context);
         asking = new DockPanel("decisions", "Decisions", "decision", decisions);
-        all = List.of(
+        all = panels(context);
+        empty = emptiness(context.models());
+    }
+
+    private List<DockPanel> panels(OperatorContext context) {
+        return List.of(
                 new DockPanel("map", "Map", "map", map).withUseOfRoom(),
                 new DockPanel("missions", "Missions", "net", missions).withUseOfRoom(),
                 asking,
@@ -125,28 +131,22 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("communication", "Communication", "link", communication),
                 new DockPanel("log", "Log", "log", new LogPanel(context)),
                 new DockPanel("health", "Health", "health", new HealthPanel(context, map::pointAt)));
-        OperatorModels models = context.models();
-        empty = Map.of(
-                asking,
-                () -> models.decisions().snapshot().isEmpty(),
-                panel("boats"),
-                () -> isWithoutBoats(models),
-                panel("boat"),
-                () -> isWithoutBoats(models),
-                panel("communication"),
-                () -> isWithoutBoats(models),
-                panel("messages"),
-                () -> models.messages().messages().isEmpty(),
-                panel("alarms"),
-                () -> models.alarms().snapshot().isEmpty(),
-                panel("health"),
-                () -> models.health().snapshot().isWell(),
-                panel("interrupts"),
-                () -> models.interrupts().snapshot().isEmpty(),
-                panel("allocation"),
-                () -> isWithoutTasks(models.allocation().snapshot()),
-                panel("log"),
-                () -> !panel("log").isShowing()); // what was done waits for nobody
+    }
+
+    /** When panels have nothing in them; those that are not named here always have something. */
+    private Map<DockPanel, BooleanSupplier> emptiness(OperatorModels models) {
+        Map<DockPanel, BooleanSupplier> when = new HashMap<>();
+        when.put(asking, () -> models.decisions().snapshot().isEmpty());
+        when.put(panel("boats"), () -> isWithoutBoats(models));
+        when.put(panel("boat"), () -> isWithoutBoats(models));
+        when.put(panel("communication"), () -> isWithoutBoats(models));
+        when.put(panel("messages"), () -> models.messages().messages().isEmpty());
+        when.put(panel("alarms"), () -> models.alarms().snapshot().isEmpty());
+        when.put(panel("health"), () -> models.health().snapshot().isWell());
+        when.put(panel("interrupts"), () -> models.interrupts().snapshot().isEmpty());
+        when.put(panel("allocation"), () -> isWithoutTasks(models.allocation().snapshot()));
+        when.put(panel("log"), () -> !panel("log").isShowing()); // nobody waits for what was done
+        return Map.copyOf(when);
     }
 
     private static boolean isWithoutBoats(OperatorModels models) {

@@ -29,16 +29,16 @@ class SessionOpenerTest {
     void theBuiltInFleetFaresInTheConditionsThatAreNamedAlsoWhenItsSessionIsGoneOnWith() throws Exception {
         try (DataDirectory data = DataDirectory.open(folder)) {
             SessionOpener rough =
-                    new SessionOpener(data, List.of(), Optional.empty(), Optional.of(NamedConditions.rough));
+                    new SessionOpener(data, List.of(), Optional.empty(), Optional.of(NamedConditions.ROUGH));
             try (Session session = rough.openNew()) {
                 assertThat(errorOf("anna", session))
-                        .isEqualTo(NamedConditions.rough.conditions().crossTrackError());
+                        .isEqualTo(NamedConditions.ROUGH.conditions().crossTrackError());
             }
             SessionOpener again = new SessionOpener(data, List.of(), Optional.empty());
             try (Session session = again.resume(data.unfinished().orElseThrow())) {
                 assertThat(errorOf("anna", session))
-                        .isEqualTo(NamedConditions.rough.conditions().crossTrackError());
-                assertThat(again.named()).contains(NamedConditions.rough);
+                        .isEqualTo(NamedConditions.ROUGH.conditions().crossTrackError());
+                assertThat(again.named()).contains(NamedConditions.ROUGH);
             }
         }
     }

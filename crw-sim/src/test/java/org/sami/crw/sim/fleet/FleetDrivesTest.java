@@ -197,7 +197,7 @@ class FleetDrivesTest {
                 news.add(clock.nowMs() + " " + status);
             }
         };
-        FleetConfig config = FleetConfig.DEFAULT.withConditions(NamedConditions.field.conditions());
+        FleetConfig config = FleetConfig.DEFAULT.withConditions(NamedConditions.FIELD.conditions());
         SimulatedFleet fleet = new SimulatedFleet(clock, 5, 20, 45.4, 10.9, id -> listener, config);
         fleet.use(helpers);
         fleet.start();

@@ -46,7 +46,7 @@ class KeepingClearTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"calm, 1", "calm, 2", "calm, 3", "field, 1", "field, 2", "rough, 3"})
+    @CsvSource({"CALM, 1", "CALM, 2", "CALM, 3", "FIELD, 1", "FIELD, 2", "ROUGH, 3"})
     void theShortestWayIsDrivenAroundWhatIsToBeAvoided(NamedConditions name, long seed) {
         Conditions conditions = name.conditions();
         SimulatedTestWorld world = world(conditions, seed);
@@ -62,7 +62,7 @@ class KeepingClearTest {
         assertThat(track.isCompleted()).isTrue();
         double announcedM = conditions.crossTrackError().insideM(way.clearanceM());
         assertThat(track.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
-        if (name == NamedConditions.calm) {
+        if (name == NamedConditions.CALM) {
             assertThat(announcedM).isZero();
         }
     }
@@ -91,13 +91,13 @@ class KeepingClearTest {
 
     @ParameterizedTest
     @CsvSource({
-        "calm, 1, 60",
-        "calm, 1, 300",
-        "calm, 2, 150",
-        "calm, 3, 220",
-        "calm, 4, 400",
-        "field, 5, 250",
-        "rough, 6, 250"
+        "CALM, 1, 60",
+        "CALM, 1, 300",
+        "CALM, 2, 150",
+        "CALM, 3, 220",
+        "CALM, 4, 400",
+        "FIELD, 5, 250",
+        "ROUGH, 6, 250"
     })
     void lostLinkBringsTheBoatHomeAroundWhatIsToBeAvoided(NamedConditions name, long seed, double lostAfterS) {
         Conditions conditions = name.conditions();
@@ -154,7 +154,7 @@ class KeepingClearTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"calm, 5", "calm, 10", "field, 10", "rough, 20"})
+    @CsvSource({"CALM, 5", "CALM, 10", "FIELD, 10", "ROUGH, 20"})
     void lanesKeepOutOfHolesAndWhatIsToBeAvoided(NamedConditions name, double spacingM) {
         Conditions conditions = name.conditions();
         SimulatedTestWorld world = world(conditions, 5);
@@ -178,7 +178,7 @@ class KeepingClearTest {
         double announcedM = conditions.crossTrackError().insideM(water.clearanceM(path));
         assertThat(track.deepestInM(List.of(rock, new GeoArea(hole, List.of()))))
                 .isLessThanOrEqualTo(announcedM);
-        if (name == NamedConditions.calm) {
+        if (name == NamedConditions.CALM) {
             assertThat(announcedM).isZero();
         }
     }

@@ -29,7 +29,7 @@ class PlaceHoldRunTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"field", "rough"})
+    @EnumSource(names = {"FIELD", "ROUGH"})
     void aBoatWhosePathWasGivenUpStaysWhereKeepersStay(NamedConditions water) {
         for (long seed = 1; seed <= 5; seed++) {
             SimulatedTestWorld world = givenUp(water, seed);
@@ -48,7 +48,7 @@ class PlaceHoldRunTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"field", "rough"})
+    @EnumSource(names = {"FIELD", "ROUGH"})
     void itLeavesItsPlaceForTheNextCommand(NamedConditions water) {
         SimulatedTestWorld world = givenUp(water, 1);
         world.run(60);
@@ -60,7 +60,7 @@ class PlaceHoldRunTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"field", "rough"})
+    @EnumSource(names = {"FIELD", "ROUGH"})
     void itRestsWithItsMotorsOffWhenItIsStopped(NamedConditions water) {
         SimulatedTestWorld world = givenUp(water, 1);
         world.run(60);

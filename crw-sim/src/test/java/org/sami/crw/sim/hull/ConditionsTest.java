@@ -245,7 +245,7 @@ class ConditionsTest {
     @Test
     void boatsThatSayNothingAreTakenToBeAsInTheField() {
         assertThat(CrossTrackError.FIELD).isEqualTo(Conditions.FIELD.crossTrackError());
-        assertThat(NamedConditions.of(Map.of())).isEqualTo(NamedConditions.field);
+        assertThat(NamedConditions.of(Map.of())).isEqualTo(NamedConditions.FIELD);
         for (NamedConditions one : NamedConditions.values()) {
             assertThat(NamedConditions.of(one.settings())).isEqualTo(one);
             assertThat(one.services().error()).isEqualTo(one.conditions().crossTrackError());

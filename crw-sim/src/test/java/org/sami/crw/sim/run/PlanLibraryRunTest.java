@@ -40,7 +40,7 @@ class PlanLibraryRunTest {
             List<String> fires) {
         static Run of(String plan, int boats, int locations, double areaM, String... fires) {
             RunSettings.Fleet fleet = new RunSettings.Fleet(boats, locations, areaM, 3);
-            return new Run(plan, NamedConditions.calm, fleet, Map.of(), List.of(), "", List.of(fires));
+            return new Run(plan, NamedConditions.CALM, fleet, Map.of(), List.of(), "", List.of(fires));
         }
 
         Run with(Map<String, String> newValues) {

@@ -72,7 +72,7 @@ class VisitRunTest {
         RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().id(),
-                        new RunSettings.Fleet(24, 1, 120, 3).on(NamedConditions.field.conditions()))
+                        new RunSettings.Fleet(24, 1, 120, 3).on(NamedConditions.FIELD.conditions()))
                 .limitMillis(150_000)
                 .parameters(Map.of("@spacing", "6"))
                 .build();
