@@ -66,12 +66,12 @@ enum SamiModule {
                     "org.sami.spn.wizard.."),
             List.of(SPN_CORE, SPN_LANGUAGE)),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
-    BOAT_SERVER("boat-server-android/server", 50, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    BOAT_SERVER("boat-server-android/server", 66, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     /** Planning over values: no engine and no boat. */
-    CRW_SERVICES("crw-services", 105, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
+    CRW_SERVICES("crw-services", 116, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(
             "crw-domain",
-            285,
+            305,
             List.of(
                     "org.sami.crw.area..",
                     "org.sami.crw.decision..",
@@ -85,7 +85,7 @@ enum SamiModule {
             List.of(CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     CRW_SESSION(
             "crw-session",
-            215,
+            245,
             List.of(
                     "org.sami.crw.judgement..",
                     "org.sami.crw.operator..",
@@ -95,25 +95,25 @@ enum SamiModule {
     /** Colours, and pictures of nets, for windows, command and reports. */
     NET_PICTURE(
             "net-picture",
-            8,
+            37,
             List.of("org.sami.palette..", "org.sami.picture.."),
             List.of(SPN_AUTHORING, SPN_LANGUAGE)),
     /** Reports of runs and logs of boats. Of the boat server it uses the geometry of its local frame. */
     CRW_REPORT(
             "crw-report",
-            100,
+            118,
             List.of("org.sami.crw.log..", "org.sami.crw.report.."),
             List.of(CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, NET_PICTURE, BOAT_SERVER, SPN_CORE, SPN_LANGUAGE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
-            150,
+            162,
             List.of("org.sami.crw.sim.."),
             List.of(CRW_REPORT, CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, BOAT_SERVER, BOAT_LINK, SPN_CORE, SPN_LANGUAGE)),
     /** The command crw. */
     CRW_CLI(
             "crw-cli",
-            105,
+            120,
             List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
             List.of(
                     CRW_SIM,
@@ -128,17 +128,17 @@ enum SamiModule {
                     SPN_CORE,
                     SPN_LANGUAGE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */
-    UI_KIT("ui-kit", 265, List.of("org.sami.ui.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
+    UI_KIT("ui-kit", 305, List.of("org.sami.ui.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
     DREAMM_IDE(
             "dreamm-ide",
-            225,
+            280,
             List.of("org.sami.dreamm.."),
             List.of(UI_KIT, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
-            140,
+            172,
             List.of("org.sami.crw.gui.."),
             List.of(
                     UI_KIT,

@@ -22,11 +22,11 @@ import org.sami.crw.session.Session;
 import org.sami.crw.sim.bench.FleetProcess;
 import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
+import org.sami.palette.Theme;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.EventThread;
-import org.sami.palette.Theme;
 
 /**
  * How soon the event thread of the real window serves what is posted to it, while a large fleet behind TCP sails for many missions and all panels

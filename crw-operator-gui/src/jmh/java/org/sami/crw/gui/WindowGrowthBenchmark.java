@@ -16,10 +16,10 @@ import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
+import org.sami.palette.Theme;
 import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
-import org.sami.palette.Theme;
 import org.sami.ui.window.WindowSettings;
 
 /**

@@ -1,7 +1,5 @@
 package org.sami.ui.bench;
 
-import org.sami.picture.NetFonts;
-
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
@@ -13,6 +11,9 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.sami.palette.IdentityMarks;
+import org.sami.picture.NetFonts;
+import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.MovedDrawing;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
@@ -23,8 +24,6 @@ import org.sami.spn.legacy.LegacyTableReader;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
-import org.sami.palette.IdentityMarks;
-import org.sami.picture.net.NetMode;
 import org.sami.ui.net.NetView;
 import org.sami.ui.net.WidePlan;
 
