@@ -31,7 +31,7 @@ class JournalCommandTest {
         assertThat(ran.out())
                 .contains("robots: boat1, boat2, boat3")
                 .contains("Execute paths: ")
-                .contains("It waits for ProxyPathCompleted")
+                .contains("It waits for Proxy Path Completed")
                 .contains("cannot fire");
     }
 

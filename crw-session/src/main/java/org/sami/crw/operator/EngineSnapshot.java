@@ -185,7 +185,7 @@ record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons)
                     .findFirst();
             if (press.isPresent()) {
                 EnablingExplanation why = view.whyNotEnabled(mission.id(), transition.id());
-                String pressed = "It waits for " + press.get().type();
+                String pressed = "It waits for " + vocabulary.title(press.get().type());
                 List<String> others = why.reasons().stream()
                         .filter(reason -> !reason.startsWith(pressed))
                         .toList();

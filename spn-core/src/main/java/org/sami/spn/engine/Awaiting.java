@@ -26,9 +26,11 @@ import org.sami.spn.vocabulary.TokenNeed;
  */
 final class Awaiting {
     private final NetState state;
+    private final ElementWords words;
 
     Awaiting(NetState state) {
         this.state = state;
+        this.words = new ElementWords(state);
     }
 
     /** The input events that are missing, in the transition's order; none where one of them can come no longer. */
@@ -73,8 +75,8 @@ final class Awaiting {
                 .anyMatch(answer -> state.newest().knownTypeId(answer) == input.typeId);
     }
 
-    private static Optional<String> answered(SentActivation sent, TransitionState t) {
-        String place = "'" + sent.visit.place.place + "'";
+    private Optional<String> answered(SentActivation sent, TransitionState t) {
+        String place = words.place(t.mission, sent.visit.place.place);
         if (hasNobodyLeft(sent, t)) {
             return Optional.of("those that " + place + " asked are there no longer");
         }
@@ -108,7 +110,7 @@ final class Awaiting {
         return false;
     }
 
-    private static Optional<String> instancesOver(TransitionState t) {
+    private Optional<String> instancesOver(TransitionState t) {
         Optional<String> over = Optional.empty();
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState here = t.mission.places[place.index];
@@ -120,7 +122,7 @@ final class Awaiting {
                 return Optional.empty();
             }
             if (!instances.isEmpty()) {
-                over = Optional.of("the sub-mission on '" + place + "' is over");
+                over = Optional.of("the sub-mission on " + words.place(t.mission, place) + " is over");
             }
         }
         return over;

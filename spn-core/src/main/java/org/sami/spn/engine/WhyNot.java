@@ -29,11 +29,13 @@ final class WhyNot {
     private final NetState state;
     private final Rules rules;
     private final Awaiting awaiting;
+    private final ElementWords words;
 
     WhyNot(EngineState state) {
         this.state = state.net;
         this.rules = state.rules();
         this.awaiting = new Awaiting(state.net);
+        this.words = new ElementWords(state.net);
     }
 
     EnablingExplanation explain(long mission, String transition) {
@@ -58,7 +60,7 @@ final class WhyNot {
         List<String> reasons = new ArrayList<>();
         for (CompiledInput input : t.transition.inputs) {
             if (t.queues[input.index].size == 0) {
-                reasons.add("It waits for " + input.spec.type() + describe(input)
+                reasons.add("It waits for " + words.event(input)
                         + awaiting.over(t, input)
                                 .map(why -> ", which can come no longer: " + why + ".")
                                 .orElse(", which has not been received."));
@@ -76,7 +78,7 @@ final class WhyNot {
             if (scope.reach != Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
                 Optional<String> over = Awaiting.endOf(t.mission.places[place.index]);
                 String how = over.orElse("which is not complete");
-                reasons.add("It waits for the sub-mission on '" + place + "', " + how + ".");
+                reasons.add("It waits for the sub-mission on " + words.place(t.mission, place) + ", " + how + ".");
                 if (over.isEmpty()) {
                     subMissions.add(place.id());
                 }
@@ -107,23 +109,24 @@ final class WhyNot {
         return new EnablingExplanation(reasons.isEmpty(), reasons, awaiting.awaited(t), subMissions);
     }
 
-    private static String describe(CompiledInput input) {
-        return input.selector == null ? "" : " '" + input.selector + "'";
-    }
-
     private String unmet(
             TransitionState t, CompiledPlace place, InRequirement r, RelevantTokens relevant, FiringScope scope) {
         PlaceState here = t.mission.places[place.index];
         String what = kind(r);
+        String where = atTheBeginning(words.place(t.mission, place));
         int n = here == null ? 0 : rules.enabling.count(here, r, relevant, scope);
         String are = "; there " + (n == 1 ? "is 1." : "are " + n + ".");
         return switch (r.match()) {
-            case ZERO -> "'" + place + "' must have no " + what + are;
-            case LESS_THAN -> "'" + place + "' must have fewer than " + r.n() + " " + what + are;
-            case AT_LEAST -> "'" + place + "' must have at least " + r.n() + " " + what + are;
-            case EXACTLY -> "'" + place + "' must have exactly " + r.n() + " " + what + are;
-            case ALL -> "'" + place + "' lacks " + missing(here, relevant, scope) + ".";
+            case ZERO -> where + " must have no " + what + are;
+            case LESS_THAN -> where + " must have fewer than " + r.n() + " " + what + are;
+            case AT_LEAST -> where + " must have at least " + r.n() + " " + what + are;
+            case EXACTLY -> where + " must have exactly " + r.n() + " " + what + are;
+            case ALL -> where + " lacks " + missing(here, relevant, scope) + ".";
         };
+    }
+
+    private static String atTheBeginning(String words) {
+        return Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 
     private String missing(PlaceState here, RelevantTokens relevant, FiringScope scope) {

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.testing.NetBuilder;
@@ -136,5 +137,21 @@ class WhyNotTest {
                         List.of("It waits for CheckReturn 'good', which can come no longer: "
                                 + "the sub-mission on 's' is over."),
                         List.of()));
+    }
+
+    @Test
+    void placeWithoutANameIsCalledByWhatItDoesAndNeverByItsId() {
+        Plan plan = new NetBuilder("net")
+                .start("p1")
+                .output("p1", "Approve")
+                .transition("t1")
+                .in("p1", "t1", "proxy = 0")
+                .build();
+        Session unnamed = new Session(plan.withPlaces(
+                plan.places().stream().map(place -> place.withName("")).toList()));
+        long m = unnamed.join("A").start("net");
+
+        assertThat(unnamed.view().whyNotEnabled(m, "t1").reasons())
+                .containsExactly("The place of Approve must have no robots; there is 1.");
     }
 }

@@ -42,7 +42,7 @@ class StuckOverTcpTest {
             assertThat(report.at("/waitsFor/0/transitions/0/name").asText()).isEqualTo("Good");
             assertThat(ran.err())
                     .contains("crw: failed: nothing can happen in the mission any longer")
-                    .contains("'Good' cannot fire: It waits for CheckReturn 'good', which can come no longer");
+                    .contains("'Good' cannot fire: It waits for Check Return 'good', which can come no longer");
         }
     }
 }

@@ -58,11 +58,11 @@ class StuckRunTest {
                                 "drifting",
                                 "Go there",
                                 List.of("generic"),
-                                "other tokens: It waits for ProxyPathCompleted, which can come no longer: "
+                                "other tokens: It waits for Proxy Path Completed, which can come no longer: "
                                         + "those that 'Go there' asked are there no longer.",
                                 List.of(new BlockedTransition(
                                         "There",
-                                        List.of("It waits for ProxyPathCompleted, which can come no longer: "
+                                        List.of("It waits for Proxy Path Completed, which can come no longer: "
                                                 + "those that 'Go there' asked are there no longer.")))),
                         new Wait(
                                 1,
@@ -70,14 +70,14 @@ class StuckRunTest {
                                 "Asked",
                                 List.of("boat1"),
                                 "other tokens: 'Gate' must have at least 1 generic tokens; there are 0. "
-                                        + "It waits for NoOption, which can come no longer: what 'Asked' asked has been answered.",
+                                        + "It waits for No Option, which can come no longer: what 'Asked' asked has been answered.",
                                 List.of(
                                         new BlockedTransition(
                                                 "Yes",
                                                 List.of("'Gate' must have at least 1 generic tokens; there are 0.")),
                                         new BlockedTransition(
                                                 "No",
-                                                List.of("It waits for NoOption, which can come no longer: "
+                                                List.of("It waits for No Option, which can come no longer: "
                                                         + "what 'Asked' asked has been answered.")))));
     }
 
@@ -87,7 +87,7 @@ class StuckRunTest {
 
         assertThat(wait.place()).isEqualTo("Help");
         assertThat(wait.occurrence())
-                .isEqualTo("other tokens: It waits for CheckReturn 'good', which can come no longer: "
+                .isEqualTo("other tokens: It waits for Check Return 'good', which can come no longer: "
                         + "the sub-mission on 'Help' is over.");
     }
 
