@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.BorderLayout;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
@@ -66,6 +67,25 @@ class SplitProportionsTest {
         resize(1280, 800);
 
         assertThat(part(outer)).isCloseTo(0.25, within(0.002));
+    }
+
+    /** A layout may come and go with a size before anybody hears of it, and put the divider somewhere meanwhile. */
+    @Test
+    void aDividerThatALayoutMovesInPassingIsNoneThatSomebodyMoved() {
+        keepFrom(1600, 1000, 0.58, 0.7);
+        int byHand = moves;
+
+        settled(() -> {
+            Dimension whole = inner.getSize();
+            inner.setSize(whole.width, 300);
+            inner.setDividerLocation(90);
+            inner.setSize(whole);
+            inner.setDividerLocation(300);
+            return area;
+        });
+
+        assertThat(part(inner)).isCloseTo(0.7, within(0.002));
+        assertThat(moves).as("times that somebody moved a divider").isEqualTo(byHand);
     }
 
     @Test

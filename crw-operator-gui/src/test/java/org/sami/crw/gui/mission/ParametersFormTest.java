@@ -17,6 +17,7 @@ import org.sami.crw.judgement.Judgement;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.RealValue;
@@ -84,6 +85,29 @@ class ParametersFormTest {
                     .isEqualTo("△ 34 % of the area is outside the fence");
             form.startButton().doClick(0);
             assertThat(started).isNotEmpty();
+            return null;
+        });
+    }
+
+    @Test
+    void whatIsDisabledForTryingIsSaidOfThePlanThatIsToStart() {
+        Plan whole = PROJECT.plan("explore-team").orElseThrow();
+        String first = whole.transitions().get(0).id();
+        Plan tried = whole.withTransitions(whole.transitions().stream()
+                .map(each -> each.id().equals(first) ? each.withDisabled(true) : each)
+                .toList());
+        onEventThread(() -> {
+            ParametersForm form = form(Map.of());
+            JLabel note = find(form, "mission-values-disabled", JLabel.class);
+
+            form.warnOf(whole);
+            assertThat(note.isVisible()).isFalse();
+
+            form.warnOf(tried);
+            assertThat(note.isVisible()).isTrue();
+            assertThat(note.getText())
+                    .isEqualTo("△ Also does what is disabled for trying: "
+                            + whole.transitions().get(0).name());
             return null;
         });
     }
