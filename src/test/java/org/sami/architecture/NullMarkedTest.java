@@ -41,6 +41,7 @@ class NullMarkedTest {
             "org.sami.crw.report.file",
             "org.sami.crw.report.picture",
             "org.sami.crw.session",
+            "org.sami.crw.session.archive",
             "org.sami.crw.sim.boat",
             "org.sami.crw.sim.fleet",
             "org.sami.crw.sim.hull",

@@ -16,7 +16,7 @@ import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.status.LinkState;
-import org.sami.crw.session.SavedGlobals;
+import org.sami.crw.session.archive.SavedGlobals;
 import org.sami.crw.session.fault.BoatsAtFault;
 import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.engine.EngineView;

@@ -30,11 +30,11 @@ import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.session.BoatStart;
-import org.sami.crw.session.CommandJson;
-import org.sami.crw.session.FleetHistory;
-import org.sami.crw.session.OperatorLogRows;
-import org.sami.crw.session.SensorValue;
-import org.sami.crw.session.SessionTelemetry;
+import org.sami.crw.session.archive.CommandJson;
+import org.sami.crw.session.archive.FleetHistory;
+import org.sami.crw.session.archive.OperatorLogRows;
+import org.sami.crw.session.archive.SensorValue;
+import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 

@@ -11,6 +11,8 @@ import org.sami.crw.proxy.TakenWaypoints;
 import org.sami.crw.proxy.command.UploadCount;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.session.archive.FleetHistory;
+import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.protocol.Priority;
 
 /**

@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.archive.FleetHistory;
+import org.sami.crw.session.archive.SessionJournal;
+import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.value.GeoPoint;
 
 /** The boats that earlier processes of a session had, as its journal knows them. For the time before the session begins. */

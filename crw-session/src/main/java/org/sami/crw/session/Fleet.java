@@ -25,6 +25,7 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.session.archive.FleetHistory;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 

@@ -14,6 +14,7 @@ import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;

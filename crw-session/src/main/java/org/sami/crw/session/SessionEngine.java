@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.session.archive.SessionJournal;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;

@@ -3,6 +3,8 @@ package org.sami.crw.session;
 import java.util.function.Consumer;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
+import org.sami.crw.session.archive.SessionNote;
+import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Ids;

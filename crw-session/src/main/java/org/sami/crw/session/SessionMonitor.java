@@ -2,6 +2,7 @@ package org.sami.crw.session;
 
 import java.io.Closeable;
 import org.sami.crw.operator.HealthModel;
+import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.EngineWatch;
 import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.session.fault.SystemWatch;

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
+import org.sami.crw.session.archive.SavedGlobals;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Effect;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Objects;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectReader;

@@ -11,6 +11,9 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.session.archive.FleetHistory;
+import org.sami.crw.session.archive.SessionJournal;
+import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.sami.crw.session.SessionJournal;
+import org.sami.crw.session.archive.SessionJournal;
 import org.sami.spn.protocol.Input;
 
 /** The journal of a run on boats that are other processes: that of its session, with the run in its header. */

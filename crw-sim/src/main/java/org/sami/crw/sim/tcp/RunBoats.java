@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.report.LinkResult;
-import org.sami.crw.session.FleetHistory;
+import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.run.record.BoatState;
 
 /** The boats of a session as a run's report has them. Safe for use by several threads. */

@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
-import org.sami.crw.session.SensorValue;
+import org.sami.crw.session.archive.SensorValue;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;

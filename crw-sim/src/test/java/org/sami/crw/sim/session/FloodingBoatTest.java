@@ -27,7 +27,7 @@ import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.SessionNote;
+import org.sami.crw.session.archive.SessionNote;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.hull.SensorKind;
 import org.sami.crw.sim.hull.SensorSetting;

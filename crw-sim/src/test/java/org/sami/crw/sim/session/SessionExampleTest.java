@@ -13,8 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionJournal;
 import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.archive.SessionJournal;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 

@@ -2,7 +2,7 @@ package org.sami.crw.sim.run.operator;
 
 import java.util.Collection;
 import org.sami.crw.service.Geodesy;
-import org.sami.crw.session.FleetHistory;
+import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.spn.value.GeoPoint;

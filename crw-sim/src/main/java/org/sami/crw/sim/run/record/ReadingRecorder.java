@@ -5,7 +5,7 @@ import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.ReadingResult;
 import org.sami.crw.report.RowFormats;
 import org.sami.crw.report.SpooledList;
-import org.sami.crw.session.SensorValue;
+import org.sami.crw.session.archive.SensorValue;
 
 /**
  * Records the readings of the boats' sensors that the base receives: the first {@link #MOST}, in a file. Readings are

@@ -2,7 +2,7 @@ package org.sami.crw.sim.run.record;
 
 import java.util.function.Consumer;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.SessionNote;
+import org.sami.crw.session.archive.SessionNote;
 import org.sami.crw.sim.run.RunNews;
 
 /** Passes the messages to the operator to the run's report, and shows those about boats and links at once. Safe for several threads. */

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import java.util.List;
 import org.sami.spn.finding.Finding;

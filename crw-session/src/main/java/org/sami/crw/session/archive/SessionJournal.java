@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import java.io.Closeable;
 import java.io.IOException;
@@ -136,21 +136,23 @@ public final class SessionJournal implements Closeable {
         }
     }
 
-    Optional<SqliteJournal> sqlite() {
+    /** The file of the journal; empty where nobody reads it again. */
+    public Optional<SqliteJournal> sqlite() {
         return file;
     }
 
-    InputJournal inputs() {
+    /** The journal of the engine's inputs. */
+    public InputJournal inputs() {
         return inputs;
     }
 
     /** The state to go on from. */
-    EngineState restore(Engine engine) throws IOException {
+    public EngineState restore(Engine engine) throws IOException {
         return resumed ? file.orElseThrow().restore(engine) : engine.newState();
     }
 
     /** Lets a listener hear what happened in earlier processes. */
-    void replay(Engine engine, HostListener listener) throws IOException {
+    public void replay(Engine engine, HostListener listener) throws IOException {
         if (resumed && resumedFrom().getAsLong() > 0) {
             try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
                 reader.replay(engine, 1, resumedFrom().getAsLong(), listener);
@@ -159,7 +161,7 @@ public final class SessionJournal implements Closeable {
     }
 
     /** Whether added telemetry is kept; otherwise none need be made. */
-    boolean keepsTelemetry() {
+    public boolean keepsTelemetry() {
         return file.isPresent();
     }
 

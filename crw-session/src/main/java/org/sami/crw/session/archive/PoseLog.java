@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -9,7 +9,7 @@ import java.util.Optional;
  * changes. The spacing doubles with each {@value #POSES_A_SPACING} poses of a boat, so that a session of weeks stays readable. For the fleet's
  * thread.
  */
-final class PoseLog {
+public final class PoseLog {
     /** Half of what a boat covers between two looks at its full speed. */
     private static final double FIRST_SPACING_M = 1;
 
@@ -32,23 +32,24 @@ final class PoseLog {
         }
     }
 
-    PoseLog(FleetHistory history, SessionTelemetry telemetry) {
+    /** A log of the positions that a history knows, into that telemetry. */
+    public PoseLog(FleetHistory history, SessionTelemetry telemetry) {
         this.history = history;
         this.telemetry = telemetry;
     }
 
     /** Stops recording: another log records from now on. From any thread. */
-    void stop() {
+    public void stop() {
         stopped = true;
     }
 
     /** Writes the poses that are due; to be called once a second. */
-    void look(long nowMillis) {
+    public void look(long nowMillis) {
         each(nowMillis, false);
     }
 
     /** Writes the latest poses, due or not. */
-    void flush(long nowMillis) {
+    public void flush(long nowMillis) {
         each(nowMillis, true);
     }
 

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -25,7 +25,7 @@ import org.sami.crw.service.water.CrossTrackError;
  * Records in the journal, besides positions, what the operator saw of the boats: commands and their ends, the link, the commander, the battery's
  * class, and why each boat moved or did not. A replay shows it again. For the fleet's thread.
  */
-final class BoatLog {
+public final class BoatLog {
     /** Each command, once. */
     static final String COMMAND = "command";
 
@@ -62,7 +62,8 @@ final class BoatLog {
     private final Map<String, String> lists = new HashMap<>(); // by boat, that which was written last
     private volatile boolean closed;
 
-    BoatLog(
+    /** A log of boats as these models show them, into that telemetry. */
+    public BoatLog(
             Supplier<ProxyRegistry> boats,
             CrossTrackError stated,
             MissionTitles titles,
@@ -76,12 +77,12 @@ final class BoatLog {
     }
 
     /** Notes nothing from now on: what becomes of links is the session's own doing. From any thread. */
-    void close() {
+    public void close() {
         closed = true;
     }
 
     /** Looks at a boat again after an event, unless the event was only a position or a measurement. */
-    void take(FleetEvent event) {
+    public void take(FleetEvent event) {
         note(event);
         if (!(event instanceof FleetEvent.StatusReported || event instanceof FleetEvent.Measured)) {
             boats.get().find(event.boat()).ifPresent(this::look);
@@ -162,7 +163,7 @@ final class BoatLog {
     }
 
     /** Notes what has changed by itself; to be called once a second. */
-    void look() {
+    public void look() {
         boats.get().all().forEach(this::look);
     }
 

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -11,14 +11,14 @@ import org.sami.crw.proxy.status.BoatReading;
 import org.sami.spn.journal.TelemetryRow;
 
 /** Where boats were and what they measured in earlier processes, read from telemetry, for the map of a session that goes on. */
-final class MapHistory implements SessionTelemetry.Reader {
+public final class MapHistory implements SessionTelemetry.Reader {
     private final Map<String, List<ShownTrack.Point>> tracks = new LinkedHashMap<>();
     private final List<FleetEvent.Measured> readings = new ArrayList<>();
 
     private MapHistory() {}
 
     /** Has the map show again what the rows tell; a row that makes no sense is left out. */
-    static void restore(List<TelemetryRow> rows, MapModel map) {
+    public static void restore(List<TelemetryRow> rows, MapModel map) {
         MapHistory history = new MapHistory();
         SessionTelemetry.read(rows, history);
         List<ShownTrack> earlier = new ArrayList<>();

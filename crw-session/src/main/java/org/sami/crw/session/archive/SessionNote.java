@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import java.util.Locale;
 import java.util.Objects;
@@ -25,7 +25,8 @@ public record SessionNote(long atMillis, String kind, long mission, String text)
         Objects.requireNonNull(text, "text");
     }
 
-    static SessionNote of(OperatorMessage message) {
+    /** What the session notes of a message to the operator. */
+    public static SessionNote of(OperatorMessage message) {
         String source = message.source().name().toLowerCase(Locale.ROOT);
         return new SessionNote(message.atMillis(), source + MESSAGE, message.mission(), message.text());
     }

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -39,13 +39,14 @@ public final class SessionTelemetry {
     private final Map<ReadingBatch.Channel, ReadingBatch> batches = new LinkedHashMap<>();
     private Optional<SessionNote> problem = Optional.empty();
 
-    SessionTelemetry(SessionJournal journal, LongSupplier nowMillis) {
+    /** Telemetry into that journal. The clock gives the session's time in milliseconds. */
+    public SessionTelemetry(SessionJournal journal, LongSupplier nowMillis) {
         this.journal = journal;
         this.nowMillis = nowMillis;
     }
 
     /** A process begins or goes on. */
-    void begun() {
+    public void begun() {
         add(nowMillis.getAsLong(), "", BEGUN, TelemetryForms.Nothing.AT_ALL);
     }
 
@@ -55,7 +56,7 @@ public final class SessionTelemetry {
     }
 
     /** Several of one channel are written as one row: they are most of what a run writes down. */
-    synchronized void reading(SensorValue reading) {
+    public synchronized void reading(SensorValue reading) {
         ReadingBatch batch = batches.computeIfAbsent(
                 new ReadingBatch.Channel(reading.boat(), reading.sensor(), reading.channel(), reading.unit()),
                 ReadingBatch::new);
@@ -81,19 +82,23 @@ public final class SessionTelemetry {
         add(atMillis, boat, VISITED, TelemetryForms.Place.of(location));
     }
 
-    void linked(String boat, String bootId) {
+    /** Notes that a link to a boat stands, and which start of its server answers. */
+    public void linked(String boat, String bootId) {
         add(nowMillis.getAsLong(), boat, LINKED, new TelemetryForms.Linked(bootId));
     }
 
-    void lost(String boat) {
+    /** Notes that the link to a boat is lost. */
+    public void lost(String boat) {
         add(nowMillis.getAsLong(), boat, LOST, TelemetryForms.Nothing.AT_ALL);
     }
 
-    void address(String boat, String address) {
+    /** Notes where a boat's server listens. */
+    public void address(String boat, String address) {
         add(nowMillis.getAsLong(), boat, ADDRESS, new TelemetryForms.Address(address));
     }
 
-    void uploads(String boat, UploadCount uploads) {
+    /** Notes how many waypoint lists this process has sent to a boat. */
+    public void uploads(String boat, UploadCount uploads) {
         add(nowMillis.getAsLong(), boat, UPLOADS, uploads);
     }
 
@@ -102,11 +107,13 @@ public final class SessionTelemetry {
         add(atMillis, boat, WHY, new TelemetryForms.Why(text));
     }
 
-    void message(SessionNote note) {
+    /** Keeps what the session says. */
+    public void message(SessionNote note) {
         add(note.atMillis(), "", MESSAGE, TelemetryForms.Message.of(note));
     }
 
-    void message(OperatorMessage message) {
+    /** Keeps a message to the operator. */
+    public void message(OperatorMessage message) {
         add(message.atMillis(), "", MESSAGE, TelemetryForms.Message.of(message));
     }
 

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -21,7 +21,8 @@ public final class OperatorLogRows {
 
     private OperatorLogRows() {}
 
-    static ObjectNode json(OperatorLogEntry entry) {
+    /** An entry as the JSON of a row. */
+    public static ObjectNode json(OperatorLogEntry entry) {
         ObjectNode json = JSON.createObjectNode()
                 .put("number", entry.number())
                 .put("kind", entry.kind().name())

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -101,7 +101,7 @@ public final class FleetHistory {
     }
 
     /** A boat has said where it is and what charge it has. Distance is its speed over its time, which noise does not lengthen. */
-    synchronized void told(String boat, Told now) {
+    public synchronized void told(String boat, Told now) {
         Known known = of(boat);
         known.last.ifPresent(before -> {
             long gapMs = now.boatTimeMs - before.boatTimeMs;

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.session.archive;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
