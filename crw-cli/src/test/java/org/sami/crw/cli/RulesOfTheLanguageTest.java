@@ -70,7 +70,7 @@ class RulesOfTheLanguageTest {
 
     private static CommandResult run(String plan, String... options) throws URISyntaxException {
         Path file = Path.of(RulesOfTheLanguageTest.class
-                .getResource("/org/sami/crw/sim/rules/" + plan + ".json")
+                .getResource("/org/sami/crw/cli/rules/" + plan + ".json")
                 .toURI());
         List<String> args = new ArrayList<>(List.of("run", file.toString(), "--speed", "max", "--json"));
         args.addAll(List.of(options));
