@@ -352,7 +352,7 @@ class DeepCheckTest {
                     .forEach(step -> assertThat(played.take(step).refusal()).isEmpty());
             assertThat(played.outcome()).isEmpty();
         });
-        assertThat(result.summary()).contains("a robot dropped at each of them leads to", "wait for it for ever");
+        assertThat(result.summary()).contains("a robot dropped at each of them leads to", "wait for it forever");
         assertThat(new StuckStates().run(request(plan, 100), SearchWatch.NONE).findings())
                 .isEmpty();
     }
