@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -17,8 +18,9 @@ import org.junit.jupiter.api.Test;
 /** Every rule of docs/semantics.md names the class that implements it, and what exercises it. */
 class RuleCoverageTest {
     private static final Path PAGE = Path.of("../docs/semantics.md");
-    private static final Path MAIN = Path.of("src/main/java/org/sami/spn");
-    private static final Path TESTS = Path.of("src/test/java");
+    /** The engine's module, and that of the language. */
+    private static final List<Path> MODULES = List.of(Path.of(""), Path.of("..", "spn-language"));
+
     private static final Pattern RULE = Pattern.compile("(?m)^- \\*\\*(R-[A-Z]+-\\d+)\\*\\* ");
     private static final Pattern ROW = Pattern.compile("(?m)^\\| (R-[A-Z]+-\\d+) \\| `([\\w.]+)` \\| (.+) \\|$");
 
@@ -55,8 +57,12 @@ class RuleCoverageTest {
     void theClassOfARuleIsThereAndCitesIt() throws IOException {
         List<String> wrong = new ArrayList<>();
         for (Row row : table()) {
-            Path source = MAIN.resolve(row.implementedBy().replace('.', '/') + ".java");
-            if (!Files.exists(source) || !cites(Files.readString(source), row.rule())) {
+            String source = "src/main/java/org/sami/spn/" + row.implementedBy().replace('.', '/') + ".java";
+            Optional<Path> file = MODULES.stream()
+                    .map(module -> module.resolve(source))
+                    .filter(Files::exists)
+                    .findFirst();
+            if (file.isEmpty() || !cites(Files.readString(file.get()), row.rule())) {
                 wrong.add(row.rule() + " is not in " + source);
             }
         }
@@ -96,15 +102,19 @@ class RuleCoverageTest {
         if (!name.matches()) {
             return false;
         }
-        try (Stream<Path> all = Files.walk(TESTS)) {
-            Path source = all.filter(path -> path.endsWith(name.group(1) + ".java"))
-                    .findFirst()
-                    .orElse(null);
-            return source != null
-                    && Pattern.compile("@(?:[\\w.]+\\.)?(?:Parameterized)?Test\\b(?:(?!\\bvoid\\b)[\\s\\S])*\\bvoid "
-                                    + name.group(2) + "\\(")
-                            .matcher(Files.readString(source))
+        for (Path module : MODULES) {
+            try (Stream<Path> all = Files.walk(module.resolve("src/test/java"))) {
+                Optional<Path> source = all.filter(path -> path.endsWith(name.group(1) + ".java"))
+                        .findFirst();
+                if (source.isPresent()) {
+                    return Pattern.compile(
+                                    "@(?:[\\w.]+\\.)?(?:Parameterized)?Test\\b(?:(?!\\bvoid\\b)[\\s\\S])*\\bvoid "
+                                            + name.group(2) + "\\(")
+                            .matcher(Files.readString(source.get()))
                             .find();
+                }
+            }
         }
+        return false;
     }
 }
