@@ -3,7 +3,7 @@
  * picture.
  *
  * <p>Here belong the form of those logs and what is made of them; memory does not grow with a log's length. How a track
- * is drawn belongs to {@code crw.sim.report}, the options to {@code crw.sim.cli}. The log of our own boat server is
+ * is drawn belongs to {@code crw.report}, the options to {@code crw.cli}. The log of our own boat server is
  * another one ({@code boat.server.log}).
  */
 package org.sami.crw.log;

@@ -1,6 +1,6 @@
 /**
  * The files of a report: the folder with JSON, tables and map, and the formats of other programs (GeoJSON, GPX, KML).
  *
- * <p>Here belongs how a report is written. What it says belongs to {@code crw.sim.report}, how the map is drawn to {@code crw.sim.report.picture}.
+ * <p>Here belongs how a report is written. What it says belongs to {@code crw.report}, how the map is drawn to {@code crw.report.picture}.
  */
 package org.sami.crw.report.file;
