@@ -40,6 +40,7 @@ public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
     private static final int PATIENCE_S = 60;
     private static final int STEPS = 8;
+    private static final int EDGE_PX = 4; // as near to a pane's edge something counts as out of sight
     private static final int TWICE_WITHIN_MS = 120; // as a hand does
     private static final int HANDLED_WITHIN_MS =
             3_000; // what comes to no window of this process is waited for no longer
@@ -221,8 +222,9 @@ public final class WindowRobot {
         clickAt(component, size.width / 2, size.height / 2);
     }
 
-    /** Clicks at a place of a component. */
+    /** Clicks at a place of a component, once it is in sight: a panel may still have to get its room. */
     public void clickAt(Component component, int x, int y) {
+        untilInSight(component, x, y);
         Point at = placeOf(component);
         act(MouseEvent.MOUSE_RELEASED, 1, () -> {
             robot.mouseMove(at.x + x, at.y + y);
@@ -233,6 +235,7 @@ public final class WindowRobot {
 
     /** Clicks twice at a place of a component, as fast as a hand does that means one click. */
     public void doubleClickAt(Component component, int x, int y) {
+        untilInSight(component, x, y);
         Point at = placeOf(component);
         act(MouseEvent.MOUSE_RELEASED, 2, () -> {
             robot.mouseMove(at.x + x, at.y + y);
@@ -242,6 +245,13 @@ public final class WindowRobot {
                 robot.delay(TWICE_WITHIN_MS);
             }
         });
+    }
+
+    private void untilInSight(Component component, int x, int y) {
+        until(
+                "the place " + x + ", " + y + " of the component " + component.getName() + " in sight",
+                () -> !(component instanceof JComponent drawn)
+                        || drawn.getVisibleRect().contains(x, y));
     }
 
     /** Presses a key twice, as fast as a hand does that means once. */
@@ -330,6 +340,7 @@ public final class WindowRobot {
             return;
         }
         JComponent view = ask(pane::getViewport);
+        until("room in which " + component.getName() + " can be seen", () -> view.getHeight() > 2 * EDGE_PX);
         int away = ask(() -> away(component, part, view));
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
         while (away != 0 && System.nanoTime() < end) {
@@ -348,7 +359,7 @@ public final class WindowRobot {
     private static int away(JComponent component, Rectangle part, JComponent view) {
         Rectangle at = SwingUtilities.convertRectangle(component, part, view);
         double middle = at.getCenterY();
-        return middle < 4 ? -1 : middle > view.getHeight() - 4 ? 1 : 0;
+        return middle < EDGE_PX ? -1 : middle > view.getHeight() - EDGE_PX ? 1 : 0;
     }
 
     /** Chooses what a box says that opens when it is clicked. */
