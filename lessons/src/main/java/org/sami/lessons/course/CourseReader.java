@@ -1,0 +1,181 @@
+package org.sami.lessons.course;
+
+import com.fasterxml.jackson.annotation.JsonProperty;
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.SourceLocation;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Project;
+
+/**
+ * Reads a course (docs/writing-a-lesson.md). A lesson with a file that cannot be read is left out, with findings that name file, line and element; the
+ * others are there.
+ */
+public final class CourseReader {
+    private static final String CODE = "E-LESSON";
+
+    private final CourseFiles files;
+    private final ProjectReader projects;
+    private final List<Finding> findings = new ArrayList<>();
+    private final Map<String, Project> plans = new LinkedHashMap<>();
+    private final Map<String, String> jobs = new LinkedHashMap<>();
+
+    private CourseReader(CourseFiles files, DomainLibrary domain) {
+        this.files = Objects.requireNonNull(files, "files");
+        projects = new ProjectReader(domain.vocabulary());
+    }
+
+    /** The file {@code course.json}. */
+    record Contents(
+            @JsonProperty(required = true) int formatVersion,
+            @JsonProperty(required = true) List<String> lessons,
+            @JsonProperty(required = true) List<String> terms) {}
+
+    /** The file of a job, as far as the course needs it: which plans it names. */
+    private static final List<String> PLANS_OF_JOBS = List.of("start", "solution");
+
+    /**
+     * Reads a course.
+     *
+     * @return what could be read, and all that is wrong; no course only where {@code course.json} cannot be read
+     */
+    public static Reading<Course> read(CourseFiles files, DomainLibrary domain) {
+        return new CourseReader(files, domain).read();
+    }
+
+    private Reading<Course> read() {
+        Optional<Contents> contents = record("course.json", Contents.class);
+        if (contents.isEmpty()) {
+            return new Reading<>(Optional.empty(), findings);
+        }
+        List<Lesson> lessons = new ArrayList<>();
+        for (String id : contents.get().lessons()) {
+            lesson(id).ifPresent(lessons::add);
+        }
+        List<Term> terms = new ArrayList<>();
+        for (String file : contents.get().terms()) {
+            text(file).ifPresent(text -> {
+                Reading<List<Term>> read = LessonJson.readList(files.name(file), text, Term.class);
+                findings.addAll(read.findings());
+                read.result().ifPresent(terms::addAll);
+            });
+        }
+        Course course = new Course(lessons, terms, plans, jobs);
+        return new Reading<>(Optional.of(course), findings);
+    }
+
+    private Optional<Lesson> lesson(String id) {
+        String file = id + "/lesson.json";
+        Optional<Lesson> read = record(file, Lesson.class);
+        if (read.isEmpty()) {
+            return read;
+        }
+        Lesson lesson = read.get();
+        if (lesson.formatVersion() != Lesson.FORMAT_VERSION) {
+            problem(
+                    file,
+                    "its \"formatVersion\" is " + lesson.formatVersion() + "; this program reads "
+                            + Lesson.FORMAT_VERSION);
+            return Optional.empty();
+        }
+        if (!lesson.id().equals(id)) {
+            problem(file, "its \"id\" is \"" + lesson.id() + "\"; the name of its folder is wanted, \"" + id + "\"");
+            return Optional.empty();
+        }
+        boolean whole = true;
+        for (Step step : lesson.steps()) {
+            whole &= parts(lesson, step);
+        }
+        return whole ? read : Optional.empty();
+    }
+
+    private boolean parts(Lesson lesson, Step step) {
+        boolean whole =
+                step.picture().map(picture -> plan(lesson, picture.plan())).orElse(true);
+        if (step instanceof Step.Show show) {
+            whole &= plan(lesson, show.plan());
+            whole &= show.result().map(result -> plan(lesson, result)).orElse(true);
+        } else if (step instanceof Step.Play play) {
+            whole &= plan(lesson, play.plan());
+        } else if (step instanceof Step.Job job) {
+            whole &= job(lesson, job.job());
+        }
+        return whole;
+    }
+
+    private boolean job(Lesson lesson, String name) {
+        String file = lesson.id() + "/jobs/" + name + ".json";
+        Optional<String> text = text(file);
+        if (text.isEmpty()) {
+            return false;
+        }
+        Reading<JsonNode> tree = LessonJson.read(files.name(file), text.get(), JsonNode.class);
+        findings.addAll(tree.findings());
+        if (tree.result().isEmpty()) {
+            return false;
+        }
+        jobs.put(lesson.id() + "/" + name, text.get());
+        boolean whole = true;
+        for (String member : PLANS_OF_JOBS) {
+            JsonNode named = tree.result().get().path(member);
+            JsonNode reference = named.isObject() ? named.path("from") : named;
+            whole &= !reference.isTextual() || plan(lesson, reference.asText());
+        }
+        JsonNode example = tree.result().get().path("example").path("plan");
+        return whole & (!example.isTextual() || plan(lesson, example.asText()));
+    }
+
+    private boolean plan(Lesson lesson, String reference) {
+        String key = Course.fileOf(lesson.id(), reference);
+        if (plans.containsKey(key)) {
+            return true;
+        }
+        int slash = key.lastIndexOf('/');
+        String file = key.substring(0, slash) + "/plans" + key.substring(slash) + ".json";
+        Optional<String> text = text(file);
+        if (text.isEmpty()) {
+            return false;
+        }
+        Reading<Project> read = projects.read(text.get()).locatedIn(files.name(file), text.get());
+        read.findings().stream().filter(Finding::isError).forEach(findings::add);
+        read.result().ifPresent(project -> plans.put(key, project));
+        return read.result().isPresent();
+    }
+
+    private <T> Optional<T> record(String file, Class<T> type) {
+        Optional<String> text = text(file);
+        if (text.isEmpty()) {
+            return Optional.empty();
+        }
+        Reading<T> read = LessonJson.read(files.name(file), text.get(), type);
+        findings.addAll(read.findings());
+        return read.result();
+    }
+
+    private Optional<String> text(String file) {
+        try {
+            Optional<String> text = files.text(file);
+            if (text.isEmpty()) {
+                problem(file, "there is no such file");
+            }
+            return text;
+        } catch (IOException e) {
+            problem(file, "it cannot be read: " + e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private void problem(String file, String what) {
+        findings.add(
+                Finding.error(CODE, "", files.name(file) + ": " + what).at(new SourceLocation(files.name(file), 1, 1)));
+    }
+}

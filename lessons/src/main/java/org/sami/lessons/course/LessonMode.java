@@ -1,0 +1,18 @@
+package org.sami.lessons.course;
+
+import java.util.List;
+
+/**
+ * What of the window is hidden and locked while a lesson is taken (thesis, appendix .4.1): patterns of ids, as in a profile of DREAMM.
+ *
+ * @param hide what is not shown
+ * @param lock what is shown and cannot be used
+ * @param keep what is there in full although another pattern hides or locks it
+ */
+public record LessonMode(List<String> hide, List<String> lock, List<String> keep) {
+    public LessonMode {
+        hide = Lesson.orNone(hide);
+        lock = Lesson.orNone(lock);
+        keep = Lesson.orNone(keep);
+    }
+}
