@@ -4,11 +4,13 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.SourceLocation;
 import org.sami.spn.json.DomainLibrary;
@@ -26,6 +28,7 @@ public final class CourseReader {
     private final CourseFiles files;
     private final ProjectReader projects;
     private final List<Finding> findings = new ArrayList<>();
+    private final Set<String> asked = new HashSet<>();
     private final Map<String, Project> plans = new LinkedHashMap<>();
     private final Map<String, String> jobs = new LinkedHashMap<>();
 
@@ -131,13 +134,14 @@ public final class CourseReader {
             whole &= !reference.isTextual() || plan(lesson, reference.asText());
         }
         JsonNode example = tree.result().get().path("example").path("plan");
-        return whole & (!example.isTextual() || plan(lesson, example.asText()));
+        whole &= !example.isTextual() || plan(lesson, example.asText());
+        return whole;
     }
 
     private boolean plan(Lesson lesson, String reference) {
         String key = Course.fileOf(lesson.id(), reference);
-        if (plans.containsKey(key)) {
-            return true;
+        if (!asked.add(key)) {
+            return plans.containsKey(key);
         }
         int slash = key.lastIndexOf('/');
         String file = key.substring(0, slash) + "/plans" + key.substring(slash) + ".json";

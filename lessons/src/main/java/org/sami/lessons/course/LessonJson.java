@@ -12,6 +12,8 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.SourceLocation;
@@ -25,10 +27,11 @@ public final class LessonJson {
             .addModule(new Jdk8Module())
             .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
             .enable(MapperFeature.ACCEPT_CASE_INSENSITIVE_ENUMS)
             .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
             .build();
+
+    private static final Pattern MISSING = Pattern.compile("Missing required creator property '([^']+)'");
 
     private LessonJson() {}
 
@@ -83,7 +86,8 @@ public final class LessonJson {
                 ? mapping.getPath().stream().map(LessonJson::step).collect(Collectors.joining())
                 : "";
         Finding finding = Finding.error(CODE, pointer, words(e));
-        return e.getLocation() == null
+        return !pointer.isEmpty()
+                        || e.getLocation() == null
                         || e.getLocation().getLineNr() < 1
                         || e.getLocation().getColumnNr() < 1
                 ? finding
@@ -108,6 +112,10 @@ public final class LessonJson {
             return wrong.getMessage();
         }
         String message = e.getOriginalMessage();
+        Matcher missing = MISSING.matcher(String.valueOf(message));
+        if (missing.find()) {
+            return "\"" + missing.group(1) + "\" is missing";
+        }
         return message == null ? "cannot be read" : message.lines().findFirst().orElse("cannot be read");
     }
 }
