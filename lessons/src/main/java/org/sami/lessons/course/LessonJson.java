@@ -2,6 +2,7 @@ package org.sami.lessons.course;
 
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.exc.StreamReadException;
 import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonMappingException;
@@ -82,7 +83,8 @@ public final class LessonJson {
     }
 
     private static Finding finding(JsonProcessingException e) {
-        String pointer = e instanceof JsonMappingException mapping
+        boolean isJson = !(e instanceof StreamReadException || e.getCause() instanceof StreamReadException);
+        String pointer = isJson && e instanceof JsonMappingException mapping
                 ? mapping.getPath().stream().map(LessonJson::step).collect(Collectors.joining())
                 : "";
         Finding finding = Finding.error(CODE, pointer, words(e));

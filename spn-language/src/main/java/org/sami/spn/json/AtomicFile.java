@@ -13,13 +13,17 @@ import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.Objects;
 
 /** Replaces a file by a new one that is whole and on disk before it takes the name: readers see the old or the new. */
-final class AtomicFile {
+public final class AtomicFile {
     private static final int ATTEMPTS = 1000;
 
     private AtomicFile() {}
 
-    /** Writes the text; a link is followed, and the permissions of a file that was there are kept. */
-    static void write(Path path, String text) throws IOException {
+    /**
+     * Writes the text; a link is followed, and the permissions of a file that was there are kept.
+     *
+     * @throws IOException if it cannot be written; the file is as it was
+     */
+    public static void write(Path path, String text) throws IOException {
         Path file = Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
         Path folder = Objects.requireNonNull(file.getParent(), "a file lies in a folder");
         Files.createDirectories(folder);
