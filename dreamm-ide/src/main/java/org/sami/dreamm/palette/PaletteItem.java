@@ -5,6 +5,7 @@ import org.sami.spn.edit.FreshIds;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.TaskClass;
+import org.sami.spn.wizard.PaletteIds;
 
 /** Something that can be added to a plan. */
 public sealed interface PaletteItem {
@@ -31,7 +32,7 @@ public sealed interface PaletteItem {
 
         @Override
         public String id() {
-            return "palette-event-" + FreshIds.ofWords(type.name().replaceAll("([a-z0-9])([A-Z])", "$1-$2"));
+            return PaletteIds.event(type);
         }
 
         @Override
@@ -65,7 +66,7 @@ public sealed interface PaletteItem {
 
         @Override
         public String id() {
-            return "palette-sub-mission-" + FreshIds.ofWords(plan);
+            return PaletteIds.subMission(plan);
         }
 
         @Override
@@ -115,7 +116,7 @@ public sealed interface PaletteItem {
     record BlankPlace() implements PaletteItem {
         @Override
         public String id() {
-            return "palette-blank-place";
+            return PaletteIds.BLANK_PLACE;
         }
 
         @Override
@@ -143,7 +144,7 @@ public sealed interface PaletteItem {
     record BlankTransition() implements PaletteItem {
         @Override
         public String id() {
-            return "palette-blank-transition";
+            return PaletteIds.BLANK_TRANSITION;
         }
 
         @Override

@@ -102,7 +102,7 @@ final class EventSpecReader {
     }
 
     /** Exactly one of value, ask, variable says where a field comes from. */
-    private Optional<FieldSource> source(JsonObjectReader.Element element, FieldType field) {
+    Optional<FieldSource> source(JsonObjectReader.Element element, FieldType field) {
         Optional<JsonObjectReader> found = JsonObjectReader.of(element.node(), element.pointer(), parts.problems());
         if (found.isEmpty()) {
             return Optional.empty();

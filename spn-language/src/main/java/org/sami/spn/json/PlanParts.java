@@ -50,7 +50,7 @@ final class PlanParts {
                 .toList();
     }
 
-    private Optional<VariableSpec> variable(JsonObjectReader m, Names taken) {
+    Optional<VariableSpec> variable(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         boolean goodName = checkVariable(name, m.at("name"));
         taken.take(name, m.at("name"));
@@ -87,7 +87,7 @@ final class PlanParts {
                 .toList();
     }
 
-    private Optional<MarkupSpec> markup(JsonObjectReader m) {
+    Optional<MarkupSpec> markup(JsonObjectReader m) {
         String name = m.text("type");
         Optional<MarkupType> type = vocabulary.markup(name);
         Map<String, JsonObjectReader.Element> given = m.map("options");
@@ -138,7 +138,7 @@ final class PlanParts {
                 .toList();
     }
 
-    private Optional<TaskSpec> task(JsonObjectReader m, Names taken) {
+    Optional<TaskSpec> task(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         taken.take(name, m.at("name"));
         String className = m.text("class");
