@@ -61,7 +61,7 @@ class LearnersTest {
 
         assertThat(opened.progress()).isEqualTo(LearnerProgress.of("Ada"));
         assertThat(Files.readString(opened.setAside().orElseThrow())).isEqualTo(broken);
-        assertThat(opened.why()).contains("line 6");
+        assertThat(opened.why()).contains("line 7");
     }
 
     @Test
