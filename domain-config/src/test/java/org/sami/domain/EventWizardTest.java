@@ -433,6 +433,18 @@ class EventWizardTest {
         assertThat(in(plan, plan.transitions().get(1).id())).containsExactly("≥ 1 Generic");
     }
 
+    @Test
+    void aBlankVertexInFreeSpaceLeavesEdgesAsTheyAre() {
+        EditHistory drawn = history(
+                new PlanBuilder("p").start("a").transition("t").in("a", "t").build());
+
+        Plan plan =
+                done(drawn, new AddVertex("p", new AddVertex.Content.BlankPlace(), SOMEWHERE, Mode.NOMINAL, LIBRARY));
+
+        assertThat(plan.places()).hasSize(2);
+        assertThat(plan.inEdges().get(0).requirements()).isEmpty();
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

@@ -13,6 +13,7 @@ import org.sami.lessons.course.Lesson;
 import org.sami.lessons.course.Step;
 import org.sami.lessons.course.Term;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -43,6 +44,21 @@ public final class CourseChecks {
                                 + "\", which is no step of the course",
                         term.id()));
             }
+        }
+        return all;
+    }
+
+    /** The same, and that what steps show can be played to its end and gives its result. */
+    public static List<Finding> check(Course course, CourseFiles files, DomainLibrary domain) {
+        List<Finding> all = new ArrayList<>(check(course, files, domain.vocabulary()));
+        for (Lesson lesson : course.lessons()) {
+            List<Finding> shows = new ArrayList<>();
+            for (int i = 0; i < lesson.steps().size(); i++) {
+                if (lesson.steps().get(i) instanceof Step.Show show) {
+                    shows.addAll(ShowCheck.check(course, lesson, show, "/steps/" + i, domain));
+                }
+            }
+            all.addAll(located(files, lesson.id() + "/lesson.json", shows));
         }
         return all;
     }

@@ -82,6 +82,8 @@ public record AddVertex(String plan, Content content, EventTarget target, Mode m
         String vertex = Placement.vertex(growth, target, place, name);
         if (content instanceof Content.SubMission sub) {
             growth.subMission(vertex, sub.plan());
+        } else if (target instanceof EventTarget.Free) {
+            return growth.plan(); // joins nothing: what other edges need is the same as before
         }
         return new RequirementComputation(context.vocabulary(), library).adjusted(before, growth.plan());
     }
