@@ -98,6 +98,12 @@ enum SamiModule {
             37,
             List.of("org.sami.palette..", "org.sami.picture.."),
             List.of(SPN_AUTHORING, SPN_LANGUAGE)),
+    /** The course: its content, the grading of quizzes and jobs, and what learners have done. No window, no boat. */
+    LESSONS(
+            "lessons",
+            60,
+            List.of("org.sami.lessons.."),
+            List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** Reports of runs and logs of boats. Of the boat server it uses the geometry of its local frame. */
     CRW_REPORT(
             "crw-report",
@@ -121,6 +127,7 @@ enum SamiModule {
                     CRW_SESSION,
                     CRW_DOMAIN,
                     CRW_SERVICES,
+                    LESSONS,
                     NET_PICTURE,
                     BOAT_SERVER,
                     BOAT_LINK,
@@ -134,7 +141,7 @@ enum SamiModule {
             "dreamm-ide",
             280,
             List.of("org.sami.dreamm.."),
-            List.of(UI_KIT, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
+            List.of(UI_KIT, LESSONS, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",

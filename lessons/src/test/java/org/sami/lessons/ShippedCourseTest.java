@@ -115,7 +115,7 @@ class ShippedCourseTest {
     @Test
     void theTenLessonsAndTheFinalPlansTakeLessThanThreeHours() {
         List<Lesson> first = READ.orThrow().lessons().stream()
-                .filter(lesson -> lesson.number() >= 1 && lesson.number() <= 10
+                .filter(lesson -> (lesson.number() >= 1 && lesson.number() <= 10)
                         || lesson.id().equals("final-panoramas"))
                 .toList();
 
