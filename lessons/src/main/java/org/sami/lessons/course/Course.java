@@ -80,7 +80,8 @@ public record Course(List<Lesson> lessons, List<Term> terms, Map<String, Project
                         hash < 0 ? project.plans().stream().findFirst() : project.plan(reference.substring(hash + 1)));
     }
 
-    static String fileOf(String lesson, String reference) {
+    /** The key of {@link #plans} that a lesson's step or job names, whether it is there or not. */
+    public static String fileOf(String lesson, String reference) {
         int hash = reference.indexOf('#');
         String file = hash < 0 ? reference : reference.substring(0, hash);
         return file.contains("/") ? file : lesson + "/" + file;

@@ -1,0 +1,199 @@
+package org.sami.lessons.site;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.sami.lessons.course.Course;
+import org.sami.lessons.course.Lesson;
+import org.sami.lessons.course.LessonJson;
+import org.sami.lessons.course.Paragraph;
+import org.sami.lessons.course.Picture;
+import org.sami.lessons.course.Question;
+import org.sami.lessons.course.QuizGrader;
+import org.sami.lessons.course.ReadingTime;
+import org.sami.lessons.course.Response;
+import org.sami.lessons.course.Step;
+import org.sami.lessons.course.Term;
+import org.sami.lessons.course.TokensAt;
+import org.sami.lessons.site.LessonPage.FieldPart;
+import org.sami.lessons.site.LessonPage.JobPart;
+import org.sami.lessons.site.LessonPage.ParagraphPart;
+import org.sami.lessons.site.LessonPage.SpanPart;
+import org.sami.lessons.site.LessonPage.StepPart;
+import org.sami.spn.model.Plan;
+import org.sami.spn.naming.ElementNames;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Turns lessons into what the templates of pages read. */
+final class LessonPages {
+    private final Course course;
+    private final Vocabulary vocabulary;
+
+    LessonPages(Course course, Vocabulary vocabulary) {
+        this.course = Objects.requireNonNull(course, "course");
+        this.vocabulary = Objects.requireNonNull(vocabulary, "vocabulary");
+    }
+
+    LessonPage page(Lesson lesson) {
+        return new LessonPage(
+                lesson.id(),
+                lesson.heading(),
+                lesson.summary(),
+                minutes(ReadingTime.of(lesson)),
+                lesson.steps().stream().map(step -> step(lesson, step)).toList(),
+                course.before(lesson.id()).map(Lesson::id).orElse(""),
+                course.after(lesson.id()).map(Lesson::id).orElse(""));
+    }
+
+    static long minutes(Duration time) {
+        return Math.max(1, Math.round(time.toSeconds() / 60.0));
+    }
+
+    private StepPart step(Lesson lesson, Step step) {
+        return new StepPart(
+                step.id(),
+                kind(step),
+                step.title(),
+                step.text().stream().map(Paragraph::of).map(this::paragraph).toList(),
+                step.picture().map(picture -> svg(lesson, picture)).orElse(""),
+                step.picture().map(Picture::caption).orElse(""),
+                step instanceof Step.Quiz quiz ? question(lesson, quiz) : "",
+                step instanceof Step.Quiz quiz ? fields(lesson, quiz) : List.of(),
+                step instanceof Step.Quiz quiz ? explained(lesson, quiz) : "",
+                step instanceof Step.Job job ? job(lesson, job) : JobPart.NONE);
+    }
+
+    private static String kind(Step step) {
+        if (step instanceof Step.Quiz) {
+            return "quiz";
+        } else if (step instanceof Step.Job) {
+            return "job";
+        } else if (step instanceof Step.Show) {
+            return "show";
+        }
+        return step instanceof Step.Play ? "play" : "text";
+    }
+
+    private ParagraphPart paragraph(Paragraph paragraph) {
+        return new ParagraphPart(
+                paragraph.isItem(), paragraph.spans().stream().map(this::span).toList());
+    }
+
+    private SpanPart span(Paragraph.Span span) {
+        if (span instanceof Paragraph.Span.TermLink link) {
+            String help = course.term(link.term()).map(Term::text).orElse("");
+            String id = course.term(link.term()).map(Term::id).orElse("");
+            return new SpanPart("term", link.words(), id, help);
+        }
+        return new SpanPart(span instanceof Paragraph.Span.Bold ? "bold" : "plain", span.words(), "", "");
+    }
+
+    private String svg(Lesson lesson, Picture picture) {
+        Plan plan = course.plan(lesson.id(), picture.plan()).orElseThrow();
+        String document = StepPicture.svg(plan, vocabulary, picture);
+        return document.substring(document.indexOf("<svg"));
+    }
+
+    private String explained(Lesson lesson, Step.Quiz quiz) {
+        return course.address(lesson.id(), quiz.explained())
+                .map(address -> address.lesson() + ".html#" + address.step())
+                .orElse("");
+    }
+
+    private JobPart job(Lesson lesson, Step.Job job) {
+        JsonNode file = LessonJson.read(
+                        job.job(), course.jobs().getOrDefault(lesson.id() + "/" + job.job(), "{}"), JsonNode.class)
+                .orThrow();
+        List<String> hints = new ArrayList<>();
+        file.path("hints").forEach(hint -> hints.add(hint.asText()));
+        String key = Course.fileOf(lesson.id(), file.path("start").asText());
+        return new JobPart(key, CourseSite.planFile(key), hints);
+    }
+
+    /** The quiz as the page's script reads it: its question and its right answer. */
+    private String question(Lesson lesson, Step.Quiz quiz) {
+        Map<String, Object> asked = new TreeMap<>();
+        asked.put("ask", quiz.ask());
+        asked.put("solved", quiz.solved());
+        Response right = new QuizGrader(course, vocabulary).right(lesson, quiz);
+        if (right instanceof Response.Tokens tokens) {
+            asked.put("right", tokens.tokens());
+        }
+        return LessonJson.write(asked).replace("<", "\\u003c");
+    }
+
+    private List<FieldPart> fields(Lesson lesson, Step.Quiz quiz) {
+        Question ask = quiz.ask();
+        if (ask instanceof Question.One one) {
+            return choices(one.choices(), "radio");
+        } else if (ask instanceof Question.Several several) {
+            return choices(several.choices(), "checkbox");
+        } else if (ask instanceof Question.Amount amount) {
+            return List.of(new FieldPart("number", "number", amount.unit()));
+        }
+        Plan plan =
+                course.plan(lesson.id(), quiz.picture().orElseThrow().plan()).orElseThrow();
+        return ask instanceof Question.Mark mark ? elements(plan, mark) : tokens(lesson, quiz, plan);
+    }
+
+    private static List<FieldPart> choices(List<Question.Choice> choices, String type) {
+        List<FieldPart> fields = new ArrayList<>();
+        for (int i = 0; i < choices.size(); i++) {
+            fields.add(new FieldPart(type, String.valueOf(i), choices.get(i).text()));
+        }
+        return fields;
+    }
+
+    private List<FieldPart> elements(Plan plan, Question.Mark mark) {
+        Stream<String> places = plan.places().stream().map(place -> place.id());
+        Stream<String> transitions = plan.transitions().stream().map(transition -> transition.id());
+        Stream<String> edges = Stream.concat(
+                plan.inEdges().stream().map(edge -> edge.id()),
+                plan.outEdges().stream().map(edge -> edge.id()));
+        Stream<String> ids = switch (mark.of()) {
+            case PLACES -> places;
+            case TRANSITIONS -> transitions;
+            case EDGES -> edges;
+            case ELEMENTS -> Stream.of(places, transitions, edges).flatMap(each -> each);
+        };
+        ElementNames names = new ElementNames(plan, vocabulary);
+        return ids.map(id -> new FieldPart("checkbox", id, names.of(id).orElse(id)))
+                .toList();
+    }
+
+    /** A number of generic tokens for each place, and a box for each robot and task that stands anywhere in the question. */
+    private List<FieldPart> tokens(Lesson lesson, Step.Quiz quiz, Plan plan) {
+        Response.Tokens right = (Response.Tokens) new QuizGrader(course, vocabulary).right(lesson, quiz);
+        List<TokensAt> all = Stream.concat(quiz.picture().orElseThrow().tokens().stream(), right.tokens().stream())
+                .toList();
+        List<String> robots = all.stream()
+                .flatMap(at -> at.robots().stream())
+                .distinct()
+                .sorted()
+                .toList();
+        List<String> tasks = all.stream()
+                .flatMap(at -> at.tasks().stream())
+                .distinct()
+                .sorted()
+                .toList();
+        boolean generic = all.stream().anyMatch(at -> at.generic() > 0);
+        ElementNames names = new ElementNames(plan, vocabulary);
+        List<FieldPart> fields = new ArrayList<>();
+        plan.places().forEach(place -> {
+            String name = names.of(place.id()).orElse(place.id());
+            if (generic) {
+                fields.add(new FieldPart("number", place.id() + "|generic", name + ": generic tokens"));
+            }
+            robots.forEach(robot ->
+                    fields.add(new FieldPart("checkbox", place.id() + "|robot|" + robot, name + ": " + robot)));
+            tasks.forEach(
+                    task -> fields.add(new FieldPart("checkbox", place.id() + "|task|" + task, name + ": " + task)));
+        });
+        return fields;
+    }
+}
