@@ -4,9 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
-import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.Lesson;
@@ -115,15 +113,18 @@ final class LessonPages {
         return new JobPart(key, CourseSite.planFile(key), hints);
     }
 
-    /** The quiz as the page's script reads it: its question and its right answer. */
+    /**
+     * A quiz as the page's script reads it.
+     *
+     * @param right where tokens are to be put, where it asks that
+     */
+    record QuizData(Question ask, String solved, List<TokensAt> right) {}
+
+    /** The quiz as the page's script reads it. */
     private String question(Lesson lesson, Step.Quiz quiz) {
-        Map<String, Object> asked = new TreeMap<>();
-        asked.put("ask", quiz.ask());
-        asked.put("solved", quiz.solved());
         Response right = new QuizGrader(course, vocabulary).right(lesson, quiz);
-        if (right instanceof Response.Tokens tokens) {
-            asked.put("right", tokens.tokens());
-        }
+        List<TokensAt> tokens = right instanceof Response.Tokens put ? put.tokens() : List.of();
+        QuizData asked = new QuizData(quiz.ask(), quiz.solved(), tokens);
         return LessonJson.write(asked).replace("<", "\\u003c");
     }
 

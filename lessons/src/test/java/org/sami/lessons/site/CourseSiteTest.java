@@ -106,7 +106,8 @@ class CourseSiteTest {
         Path all = folder.resolve("all.html");
         StringBuilder sections = new StringBuilder("<body>");
         for (Path page : pages()) {
-            Matcher forms = Pattern.compile("(?s)<form class=\"quiz\">.*?</form>").matcher(Files.readString(page));
+            Matcher forms =
+                    Pattern.compile("(?s)<form class=\"quiz\">.*?</form>").matcher(Files.readString(page));
             while (forms.find()) {
                 sections.append(forms.group());
             }
@@ -157,7 +158,9 @@ class CourseSiteTest {
 
     private List<Path> pages() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.toString().endsWith(".html")).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(".html"))
+                    .sorted()
+                    .toList();
         }
     }
 }
