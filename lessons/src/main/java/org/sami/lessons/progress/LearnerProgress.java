@@ -1,12 +1,14 @@
 package org.sami.lessons.progress;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
+import java.time.LocalDate;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.Course.StepAddress;
 import org.sami.lessons.course.Lesson;
@@ -17,12 +19,14 @@ import org.sami.lessons.course.Lesson;
  * @param learner the name
  * @param at the step at which he is, as {@code LESSON/STEP}; empty where he has not begun
  * @param steps what he has done on each step, by {@code LESSON/STEP}
+ * @param begun the day on which he began a lesson, as ISO 8601 has it, by the lesson's id
  */
 public record LearnerProgress(
         @JsonProperty(required = true) int formatVersion,
         @JsonProperty(required = true) String learner,
         @JsonProperty(required = true) Optional<String> at,
-        @JsonProperty(required = true) Map<String, StepProgress> steps) {
+        @JsonProperty(required = true) Map<String, StepProgress> steps,
+        Map<String, String> begun) {
     /** The version of the format that this program reads. */
     public static final int FORMAT_VERSION = 1;
 
@@ -34,11 +38,16 @@ public record LearnerProgress(
         Objects.requireNonNull(learner, "learner");
         Objects.requireNonNull(at, "at");
         steps = Collections.unmodifiableMap(new LinkedHashMap<>(steps));
+        begun = orNone(begun);
+    }
+
+    private static Map<String, String> orNone(@Nullable Map<String, String> days) {
+        return days == null ? Map.of() : Collections.unmodifiableMap(new LinkedHashMap<>(days));
     }
 
     /** Somebody who has not begun. */
     public static LearnerProgress of(String learner) {
-        return new LearnerProgress(FORMAT_VERSION, learner, Optional.empty(), Map.of());
+        return new LearnerProgress(FORMAT_VERSION, learner, Optional.empty(), Map.of(), Map.of());
     }
 
     /** Where he goes on in a course: the step at which he was, if the course still has it, else the first step. */
@@ -66,7 +75,22 @@ public record LearnerProgress(
 
     /** He is at a step now. */
     public LearnerProgress movedTo(StepAddress step) {
-        return new LearnerProgress(formatVersion, learner, Optional.of(step.toString()), steps);
+        return new LearnerProgress(formatVersion, learner, Optional.of(step.toString()), steps, begun);
+    }
+
+    /** He has begun a lesson on a day, unless he had begun it before. */
+    public LearnerProgress begun(String lesson, LocalDate day) {
+        if (begun.containsKey(lesson)) {
+            return this;
+        }
+        Map<String, String> days = new LinkedHashMap<>(begun);
+        days.put(lesson, day.toString());
+        return new LearnerProgress(formatVersion, learner, at, steps, days);
+    }
+
+    /** The day on which he began a lesson; empty where he has not, or nobody kept it. */
+    public Optional<LocalDate> begun(String lesson) {
+        return Optional.ofNullable(begun.get(lesson)).map(LocalDate::parse);
     }
 
     /** He has read, seen or played a step. */
@@ -97,6 +121,6 @@ public record LearnerProgress(
     private LearnerProgress with(StepAddress step, UnaryOperator<StepProgress> change) {
         Map<String, StepProgress> next = new LinkedHashMap<>(steps);
         next.put(step.toString(), change.apply(on(step)));
-        return new LearnerProgress(formatVersion, learner, at, next);
+        return new LearnerProgress(formatVersion, learner, at, next, begun);
     }
 }
