@@ -101,7 +101,7 @@ final class EditTool implements NetTool {
         if (connecting.isUnderWay()) {
             gesture = Gesture.CONNECT;
         } else if (handled.isPresent()) {
-            boolean append = handled.get().append().contains(pointer.x(), pointer.y());
+            boolean append = handled.get().isAppendAt(pointer.x(), pointer.y());
             gesture = append ? Gesture.APPEND : Gesture.CONNECT;
             if (!append) {
                 connecting.begin(handled.get().vertex().id());
@@ -125,7 +125,11 @@ final class EditTool implements NetTool {
 
     /** The handles of the vertex under the pointer. */
     private Optional<Handles> handles() {
-        return hovered.flatMap(net::vertex).map(vertex -> new Handles(vertex, 1 / Math.max(0.05, view.zoom())));
+        return hovered.flatMap(net::vertex)
+                .map(vertex -> new Handles(
+                        vertex,
+                        1 / Math.max(0.05, view.zoom()),
+                        actions.whyNotEdit("net-append").isEmpty()));
     }
 
     private Optional<Handles> handled(NetPointer pointer) {

@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.util.Optional;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
@@ -13,8 +14,9 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
  * are as large on every zoom.
  *
  * @param unit drawing units of a pixel
+ * @param offersNext whether there is the lower one
  */
-record Handles(Vertex vertex, double unit) {
+record Handles(Vertex vertex, double unit, boolean offersNext) {
     private static final double RADIUS = 10;
     private static final double HANDLE_OFFSET = 15;
     private static final double HANDLE_SPACING = 12;
@@ -35,19 +37,25 @@ record Handles(Vertex vertex, double unit) {
         return handle(-HANDLE_SPACING);
     }
 
-    /** What opens the menu of what can come next. */
-    DrawingBox append() {
-        return handle(HANDLE_SPACING);
+    /** What opens the menu of what can come next; nowhere where that is not offered. */
+    Optional<DrawingBox> append() {
+        return offersNext ? Optional.of(handle(HANDLE_SPACING)) : Optional.empty();
+    }
+
+    /** Whether a point is on what opens that menu. */
+    boolean isAppendAt(double x, double y) {
+        return append().filter(box -> box.contains(x, y)).isPresent();
     }
 
     /** Whether a point is on one of the handles. */
     boolean isAt(double x, double y) {
-        return connect().contains(x, y) || append().contains(x, y);
+        return connect().contains(x, y) || isAppendAt(x, y);
     }
 
     /** Whether a point is so near that they stay. */
     boolean isNear(double x, double y) {
-        return vertex.box().union(connect()).union(append()).grown(REACH * unit).contains(x, y);
+        DrawingBox first = vertex.box().union(connect());
+        return append().map(first::union).orElse(first).grown(REACH * unit).contains(x, y);
     }
 
     void paint(Graphics2D g) {
@@ -60,9 +68,12 @@ record Handles(Vertex vertex, double unit) {
         g.draw(new Line2D.Double(arrow.x() + arm, y, tip, y));
         g.draw(new Line2D.Double(tip - arm, y - arm, tip, y));
         g.draw(new Line2D.Double(tip - arm, y + arm, tip, y));
-        DrawingBox plus = append();
-        double middleX = plus.x() + RADIUS * unit;
-        double middleY = plus.y() + RADIUS * unit;
+        append().ifPresent(plus -> paintPlus(g, plus, arm));
+    }
+
+    private static void paintPlus(Graphics2D g, DrawingBox plus, double arm) {
+        double middleX = plus.x() + plus.width() / 2;
+        double middleY = plus.y() + plus.height() / 2;
         disc(g, plus);
         g.draw(new Line2D.Double(middleX - arm, middleY, middleX + arm, middleY));
         g.draw(new Line2D.Double(middleX, middleY - arm, middleX, middleY + arm));

@@ -76,6 +76,9 @@ public final class ModelView extends JPanel implements NetDropTarget {
         if (!context.profile().shows(ProfileIds.MISSING_REQUIREMENT)) {
             net.setDetail(NetDetail.READER);
         }
+        if (!context.profile().shows(ProfileIds.EDGE)) {
+            net.setDetail(net.detail().withRequirements(false));
+        }
         actions = new NetActions(context, view, net);
         Connecting connecting = new Connecting(view, net, actions);
         EditTool tool = new EditTool(view, net, actions, connecting);

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.dreamm.profile.ProfileIds;
 import org.sami.dreamm.wizard.Additions;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
@@ -56,7 +57,13 @@ public final class DreammContext implements AutoCloseable {
         values = new ValueEditors(
                 new ComponentChoice(domain.components(), domain.vocabulary().types()),
                 new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), maps));
-        additions = new Additions(document, editor, domain.authoring(), wires(profile), this::apply);
+        additions = new Additions(
+                document,
+                editor,
+                domain.authoring(),
+                wires(profile),
+                !profile.shows(ProfileIds.SEQUENCES),
+                this::apply);
     }
 
     /** Additions declare and read variables only where the author is given them. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.sami.dreamm.profile.ProfileGuard;
+import org.sami.dreamm.profile.ProfileIds;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.model.FieldSource;
@@ -61,7 +62,7 @@ final class FieldSourceRow {
     }
 
     private void sayNothing() {
-        boolean needed = at.field().required();
+        boolean needed = at.field().required() && at.context().profile().shows(ProfileIds.finding("E-FIELD-MISSING"));
         below.say(
                 needed ? "▲ Needed: say where it comes from." : at.nothing() + ".",
                 needed ? SemanticColor.CRITICAL : SemanticColor.MUTED);

@@ -21,7 +21,7 @@ final class FindingRows extends JPanel {
         List<Finding> shown = findings.stream()
                 .filter(finding -> context.profile().shows(ProfileIds.finding(finding.code())))
                 .toList();
-        if (shown.isEmpty()) {
+        if (shown.isEmpty() && context.profile().shows("panel-issues")) {
             add(note("No issue here.", SemanticColor.MUTED), "span 2, wmin 0");
         }
         for (Finding finding : shown) {

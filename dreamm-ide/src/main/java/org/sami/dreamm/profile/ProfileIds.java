@@ -18,6 +18,12 @@ public final class ProfileIds {
     /** The mark on edges without requirement. */
     public static final String MISSING_REQUIREMENT = "net-missing-requirement";
 
+    /** The choice of what comes with an event; where it is hidden, events are added alone. */
+    public static final String SEQUENCES = "wizard-sequence";
+
+    /** An edge's requirements; where they are hidden, the net does not write them either. */
+    public static final String EDGE = "inspector-edge";
+
     /** What is dragged: vertices in the net, items onto it, lines of the mission tree. */
     private static final List<String> GESTURES = List.of("net-move", "net-drop", "plan-move");
 
@@ -25,7 +31,7 @@ public final class ProfileIds {
     private static final List<String> FIELDS = List.of(
             "search-everything-text",
             "palette-search",
-            "wizard-sequence",
+            SEQUENCES,
             "inspector-name",
             "inspector-start",
             "inspector-end",
@@ -36,7 +42,7 @@ public final class ProfileIds {
             "inspector-frame-title",
             "inspector-frame-color",
             "inspector-locked",
-            "inspector-edge",
+            EDGE,
             "inspector-fix",
             "inspector-add-event",
             "inspector-implied-generic",

@@ -24,6 +24,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.naming.ElementNames;
 import org.sami.spn.sequence.AuthoringLibrary;
+import org.sami.spn.sequence.Sequence;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.spn.wiring.FieldProposal;
 import org.sami.spn.wiring.Wires;
@@ -46,6 +47,7 @@ public final class Additions {
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private final List<Consumer<Set<String>>> addedListeners = new CopyOnWriteArrayList<>();
     private final Wires wires;
+    private final boolean alone;
     private Optional<AddEvent> last = Optional.empty();
     private Project beforeLast;
     private Project beforeNoted;
@@ -58,6 +60,7 @@ public final class Additions {
      * Additions to the plan that is open in an editor.
      *
      * @param wires from where the fields of added events are read where the author says nothing
+     * @param alone whether events are added without the transitions and places that their domain draws with them
      * @param apply makes an edit and reports the result to the author
      */
     public Additions(
@@ -65,11 +68,13 @@ public final class Additions {
             EditorState editor,
             AuthoringLibrary library,
             Wires wires,
+            boolean alone,
             Function<Edit, EditResult> apply) {
         this.document = Objects.requireNonNull(document, "document");
         this.editor = Objects.requireNonNull(editor, "editor");
         this.library = Objects.requireNonNull(library, "library");
         this.wires = Objects.requireNonNull(wires, "wires");
+        this.alone = alone;
         this.apply = Objects.requireNonNull(apply, "apply");
         this.after = document.project();
         this.beforeLast = document.project();
@@ -279,10 +284,11 @@ public final class Additions {
         });
     }
 
-    /** The edit that adds an event to the open plan as its domain offers it first, its fields read as they are proposed. */
+    /** The edit that adds an event to the open plan as its domain offers it first, or alone; its fields are read as they are proposed. */
     public AddEvent event(String type, EventTarget target) {
-        return AddEvent.usual(editor.plan().orElseThrow().id(), type, target, mode(), library)
+        AddEvent usual = AddEvent.usual(editor.plan().orElseThrow().id(), type, target, mode(), library)
                 .withWires(wires);
+        return alone ? usual.withSequence(Sequence.ALONE) : usual;
     }
 
     /** What the fields of the event could be read from that an edit adds, or that the last addition has added. */

@@ -92,7 +92,7 @@ class ModelViewTest {
     private Point2D handle(String id) {
         Point2D vertex = scene.pixel(id);
         scene.mouse(MouseEvent.MOUSE_MOVED, vertex.getX(), vertex.getY(), 0, 0);
-        DrawingBox box = new Handles(scene.vertex(id), 1 / scene.view.net().zoom()).connect();
+        DrawingBox box = new Handles(scene.vertex(id), 1 / scene.view.net().zoom(), true).connect();
         return scene.view.net().pixel(box.x() + box.width() / 2, box.y() + box.height() / 2);
     }
 
