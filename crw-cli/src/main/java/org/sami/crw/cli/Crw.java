@@ -2,6 +2,7 @@ package org.sami.crw.cli;
 
 import java.util.Map;
 import org.sami.crw.cli.defaults.DefaultsCommand;
+import org.sami.crw.cli.lesson.GradeCommand;
 import org.sami.crw.cli.option.Converters;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.LogFormatter;
@@ -50,6 +51,7 @@ import picocli.CommandLine.Spec;
             CheckCommand.class,
             SchemaCommand.class,
             TestCommand.class,
+            GradeCommand.class,
             DrawCommand.class,
             PhasesCommand.class,
             EventsCommand.class,

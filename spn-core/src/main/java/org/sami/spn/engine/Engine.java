@@ -41,7 +41,8 @@ public final class Engine {
     /**
      * An engine with its own idea of a livelock.
      *
-     * @param livelockLimit how often one mission may fire without new input; the next firing halts it instead
+     * @param livelockLimit how often one mission may fire without new input; the next firing halts it instead, as does one that would
+     *     add more than ten times as many tokens, and more than a thousand
      */
     public Engine(Vocabulary vocabulary, Project project, int livelockLimit) {
         if (livelockLimit < 1) {

@@ -248,6 +248,27 @@ class RulesOfFiringTest {
     }
 
     @Test
+    void tokensThatCopyThemselvesAreStoppedLongBeforeTheyFillTheMemory() {
+        Session s = new Session(new Engine(
+                TestVocabulary.TEST,
+                NetBuilder.project(new NetBuilder("net")
+                        .start("p")
+                        .transition("t")
+                        .in("p", "t", "generic >= 1")
+                        .out("t", "p", "add all generic")
+                        .build()),
+                100));
+
+        long m = s.start("net");
+
+        assertThat(s.notes()).containsExactly(NoteKind.LIVELOCK);
+        assertThat(s.outcome(m)).contains(Outcome.HALTED);
+        assertThat(s.fired())
+                .as("1024 tokens are more than ten for each of 100 firings")
+                .hasSize(10);
+    }
+
+    @Test
     void aPlanThatStartsItselfIsStopped() {
         Session s = new Session(new NetBuilder("net").start("s").sub("s", "net").build());
 

@@ -17,6 +17,8 @@ import org.sami.spn.vocabulary.Vocabulary;
  * loads projects has one of each version that something runs of (docs/decisions 0176).
  */
 public final class CompiledProject {
+    private static final long LEAST_TOKENS_ADDED = 1000;
+
     public final Vocabulary vocabulary;
     public final Project project;
     public final int livelockLimit;
@@ -64,6 +66,14 @@ public final class CompiledProject {
         for (Plan plan : project.plans()) {
             plans.putIfAbsent(plan.id(), new CompiledPlan(this, plan));
         }
+    }
+
+    /**
+     * How many tokens one firing may add: ten for each firing that a chain may have, and a thousand in any case. A firing that would add more
+     * halts its mission.
+     */
+    public long mostTokensAdded() {
+        return Math.max(LEAST_TOKENS_ADDED, 10L * livelockLimit);
     }
 
     /** The plan of that id, or null. */

@@ -80,10 +80,26 @@ public final class Firing {
         return true;
     }
 
+    /** Tokens that copy themselves would fill the memory long before their firings are counted as a livelock. */
+    private boolean addsTooMany(Selection.Selected selected) {
+        long added = 0;
+        for (List<Token> one : selected.added) {
+            added += one.size();
+        }
+        return added > rules.project().mostTokensAdded();
+    }
+
     private void fire(TransitionState t, List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {
         MissionState m = t.mission;
         CompiledTransition ct = t.transition;
         Selection.Selected selected = rules.selection.select(t, relevant, scope);
+        if (addsTooMany(selected)) {
+            rules.missionEnd.halt(
+                    m,
+                    m.chain + " firings without new input: '" + t.transition + "' would add more than "
+                            + rules.project().mostTokensAdded() + " tokens at once");
+            return;
+        }
         long before = rules.state.stamp;
         rules.state.firings++;
         m.firings++;
