@@ -90,6 +90,11 @@ public final class Additions {
         });
     }
 
+    /** Whether events are added without what their domain draws with them. */
+    boolean addsAlone() {
+        return alone;
+    }
+
     /** The groups and sequences of the domain. */
     public AuthoringLibrary library() {
         return library;

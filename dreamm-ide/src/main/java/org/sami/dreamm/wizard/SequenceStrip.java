@@ -105,7 +105,10 @@ public final class SequenceStrip extends JPanel {
         of.ifPresent(e -> offer(e, added));
         of.ifPresentOrElse(e -> offerReading(e, added), () -> reading.show(List.of(), Map.of(), (field, source) -> {}));
         if (added) {
-            preview.setText("Added. Choose another sequence to exchange it, or undo.");
+            preview.setText(
+                    additions.addsAlone()
+                            ? "Added. Undo takes it back."
+                            : "Added. Choose another sequence to exchange it, or undo.");
         } else {
             preview.setText(
                     refusal.orElseGet(() -> edit.map(e -> words(chosen(e))).orElse("")));
