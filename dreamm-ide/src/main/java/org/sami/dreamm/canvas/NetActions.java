@@ -48,7 +48,7 @@ final class NetActions {
         this.context = context;
         this.view = view;
         this.net = net;
-        this.edits = new NetEdits(net, context.additions().library());
+        this.edits = new NetEdits(net, context.domain().authoring());
         this.writing = new WriteInPlace(view);
     }
 

@@ -12,7 +12,6 @@ import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditResult;
 import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.sequence.AuthoringLibrary;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.spn.wiring.Wires;
 import org.sami.ui.command.CommandRegistry;
@@ -61,17 +60,10 @@ public final class DreammContext implements AutoCloseable {
         additions = new Additions(
                 document,
                 editor,
-                library(domain, profile),
+                domain.authoring(),
                 wires(profile),
                 !profile.shows(ProfileIds.SEQUENCES),
                 this::apply);
-    }
-
-    /** Edits adjust requirements only where the author may have them computed. */
-    private static AuthoringLibrary library(DomainLibrary domain, Profile profile) {
-        return profile.shows(ProfileIds.COMPUTE)
-                ? domain.authoring()
-                : domain.authoring().withoutAdjusting();
     }
 
     /** Additions declare and read variables only where the author is given them. */

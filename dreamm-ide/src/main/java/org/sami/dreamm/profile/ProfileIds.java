@@ -24,9 +24,6 @@ public final class ProfileIds {
     /** An edge's requirements; where they are hidden, the net does not write them either. */
     public static final String EDGE = "inspector-edge";
 
-    /** The button that computes requirements; where it is hidden, they are left to the author after other edits too. */
-    public static final String COMPUTE = "inspector-compute";
-
     /** What is dragged: vertices in the net, items onto it, lines of the mission tree. */
     private static final List<String> GESTURES = List.of("net-move", "net-drop", "plan-move");
 
@@ -52,7 +49,7 @@ public final class ProfileIds {
             "inspector-add-requirement",
             "inspector-propose-requirement",
             "inspector-remove-requirement",
-            COMPUTE,
+            "inspector-compute",
             "inspector-match",
             "inspector-count",
             "inspector-action",

@@ -49,24 +49,6 @@ class BeforeRequirementsTest {
         }
     }
 
-    /** The requirements behind a transition, after a question to robots was put on the place before it. */
-    private static List<OutRequirement> afterQuestion(EditorScene scene) {
-        var additions = scene.context.additions();
-        additions.add(additions.event("OperatorSelectBoatList", new EventTarget.OnVertex("a")));
-        additions.add(additions.event("OperatorSelectsBoatList", new EventTarget.OnVertex("t")));
-        return scene.plan().outEdges().get(0).requirements();
-    }
-
-    @Test
-    void requirementsAreLeftToTheAuthorWhereComputingThemIsHidden() {
-        OutRequirement written = OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.ANY_PROXY);
-        try (EditorScene free = scene(ProfileIds.SEQUENCES);
-                EditorScene lesson = scene(ProfileIds.SEQUENCES, ProfileIds.COMPUTE)) {
-            assertThat(afterQuestion(free)).isNotEqualTo(List.of(written));
-            assertThat(afterQuestion(lesson)).containsExactly(written);
-        }
-    }
-
     private static List<String> lines(EditorScene scene) {
         return scene.view.net().scene().labels().stream()
                 .flatMap(label -> label.text().lines().stream())

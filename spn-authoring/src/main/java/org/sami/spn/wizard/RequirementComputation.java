@@ -29,11 +29,8 @@ public final class RequirementComputation {
         this.library = Objects.requireNonNull(library, "library");
     }
 
-    /** The changed plan with the requirements that the change makes needed; as it is where the library adjusts none. */
+    /** The changed plan with the requirements that the change makes needed. */
     public Plan adjusted(Plan before, Plan changed) {
-        if (!library.adjustsRequirements()) {
-            return changed;
-        }
         ComputedRequirements old = computed(before);
         ComputedRequirements now = computed(changed);
         return changed.withInEdges(changed.inEdges().stream()

@@ -71,7 +71,7 @@ public final class AuthoringReader {
                 .forEach(kind -> root.problem(
                         Codes.UNKNOWN_WORD, "requirements", "\"" + kind + "\"" + Words.noneOf(TokenKind.class, kind)));
         root.done();
-        return new AuthoringLibrary(categories, sequences, help, true);
+        return new AuthoringLibrary(categories, sequences, help);
     }
 
     private static boolean isKind(String word) {

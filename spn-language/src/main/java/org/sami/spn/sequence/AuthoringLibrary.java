@@ -19,13 +19,9 @@ import org.sami.spn.vocabulary.Vocabulary;
  * @param categories groups in the order of a palette
  * @param sequences flexible and manual ones
  * @param requirementHelp a sentence on each kind of token that a requirement speaks of, by its word in files, and on {@code implied-generic}
- * @param adjustsRequirements whether edits that add or remove events adjust the requirements of edges; else those are the author's alone
  */
 public record AuthoringLibrary(
-        List<EventCategory> categories,
-        List<Sequence> sequences,
-        Map<String, String> requirementHelp,
-        boolean adjustsRequirements) {
+        List<EventCategory> categories, List<Sequence> sequences, Map<String, String> requirementHelp) {
     /** Of a domain that says nothing. */
     public static final AuthoringLibrary EMPTY = new AuthoringLibrary(List.of(), List.of());
 
@@ -37,12 +33,7 @@ public record AuthoringLibrary(
 
     /** Groups and sequences without help on requirements. */
     public AuthoringLibrary(List<EventCategory> categories, List<Sequence> sequences) {
-        this(categories, sequences, Map.of(), true);
-    }
-
-    /** The same, by which edits leave the requirements of edges as they are. */
-    public AuthoringLibrary withoutAdjusting() {
-        return new AuthoringLibrary(categories, sequences, requirementHelp, false);
+        this(categories, sequences, Map.of());
     }
 
     /**
