@@ -1,10 +1,8 @@
 package org.sami.ui.dock;
 
 import io.github.andrewauclair.moderndocking.DockableTabPreference;
-import io.github.andrewauclair.moderndocking.app.AppState;
+import io.github.andrewauclair.moderndocking.api.DockingAPI;
 import io.github.andrewauclair.moderndocking.app.Docking;
-import io.github.andrewauclair.moderndocking.app.DockingState;
-import io.github.andrewauclair.moderndocking.app.LayoutPersistence;
 import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
 import io.github.andrewauclair.moderndocking.event.DockingListener;
 import io.github.andrewauclair.moderndocking.event.MaximizeListener;
@@ -39,8 +37,7 @@ import org.sami.ui.look.Look;
 /**
  * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the program's own, which
  * fits the window's size and the size of letters, and changes with them as long as nobody has moved a panel.
- * One a process, and no second one after it: Modern Docking keeps state
- * for the process. On the event thread.
+ * One a process at a time: Modern Docking keeps state for the process until it is {@linkplain #close closed}. On the event thread.
  */
 public final class DockArea extends JPanel implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(DockArea.class.getName());
@@ -103,8 +100,10 @@ public final class DockArea extends JPanel implements AutoCloseable {
             panel.setFoldable(folds && !panel.getPersistentID().equals(this.offered.largest()));
             Docking.registerDockable(panel);
         });
-        AppState.setPersistFile(remembered.toFile());
-        AppState.setAutoPersist(false); // it would keep the places that dividers have while a side is empty
+        docking().getAppState().setPersistFile(remembered.toFile());
+        docking()
+                .getAppState()
+                .setAutoPersist(false); // it would keep the places that dividers have while a side is empty
         saving.setRepeats(false);
         Docking.addDockingListener(docked);
         Docking.addMaximizeListener(enlarged);
@@ -118,6 +117,11 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Look.addListener(adapting);
     }
 
+    /** Of this area: the library's classes with such names keep to the first one of the process. */
+    private static DockingAPI docking() {
+        return Docking.getSingleInstance();
+    }
+
     private Arrangement fitting() {
         return offered.fitting(getWidth() > 0 ? getSize() : frame.getSize());
     }
@@ -129,7 +133,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         }
         Arrangement fit = fitting();
         fitted = Optional.of(fit);
-        String now = DockShape.of(DockingState.getApplicationLayout());
+        String now = DockShape.of(docking().getDockingState().getApplicationLayout());
         Set<String> placed = placed();
         if (isOf(now, Arrangement::layout)) {
             take(fit.layout(), now);
@@ -150,7 +154,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         }
         Component focused =
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        DockingState.restoreApplicationLayout(layout);
+        docking().getDockingState().restoreApplicationLayout(layout);
         if (focused != null) {
             EventThread.later(() -> keepFocus(focused));
         }
@@ -168,13 +172,13 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */
     public void arrange() {
-        AppState.setDefaultApplicationLayout(fitting().layout());
+        docking().getAppState().setDefaultApplicationLayout(fitting().layout());
         Optional<String> fault = LayoutFile.fault(remembered);
         try {
             if (fault.isPresent()) {
                 refuse(fault.get());
             } else {
-                AppState.restore();
+                docking().getAppState().restore();
             }
         } catch (DockingLayoutException unfit) {
             refuse("it is no arrangement of these panels: " + unfit.getMessage());
@@ -207,7 +211,11 @@ public final class DockArea extends JPanel implements AutoCloseable {
         if (isBesideOneAnother()) {
             proportions.inProportion(() -> {
                 try {
-                    LayoutPersistence.saveLayoutToFile(remembered.toFile(), DockingState.getApplicationLayout());
+                    docking()
+                            .getLayoutPersistence()
+                            .saveLayoutToFile(
+                                    remembered.toFile(),
+                                    docking().getDockingState().getApplicationLayout());
                 } catch (DockingLayoutException unwritable) {
                     LOG.log(System.Logger.Level.WARNING, "the arrangement of panels cannot be kept", unwritable);
                 }
@@ -346,7 +354,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     public void reset() {
         unfold();
         fitted = Optional.of(fitting());
-        DockingState.restoreApplicationLayout(fitting().layout());
+        docking().getDockingState().restoreApplicationLayout(fitting().layout());
         showFolded();
     }
 
