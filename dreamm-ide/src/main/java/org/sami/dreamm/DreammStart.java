@@ -2,19 +2,22 @@ package org.sami.dreamm;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntConsumer;
-import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.file.UnsavedWork;
+import org.sami.dreamm.learn.CourseAtHand;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
+import org.sami.lessons.course.CourseFiles;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
 import org.sami.ui.window.WindowSettings;
 
-/** Opens the window over the first project, on the main thread, which may wait. */
+/** Opens the window over the first project, or with the course, on the main thread, which may wait. */
 final class DreammStart {
     private DreammStart() {}
 
@@ -30,30 +33,57 @@ final class DreammStart {
      */
     static DreammWindow open(DreammOptions options, FirstProject first, AuthorDirectory data, IntConsumer ended)
             throws IOException {
+        return begin(options, first, data, CourseFiles.SHIPPED, ended).window();
+    }
+
+    /**
+     * Opens the first window of a process.
+     *
+     * @param files the course that can be opened
+     * @param ended is called when the last window was closed
+     */
+    static DreammSession begin(
+            DreammOptions options, FirstProject first, AuthorDirectory data, CourseFiles files, IntConsumer ended)
+            throws IOException {
+        boolean isNew =
+                data.isNew() && options.open().isEmpty() && options.profile().isWhole();
         List<UnsavedWork> left = RecoveryFolder.leftBehind(data.recovery());
         RecoveryFolder recovery =
                 RecoveryFolder.take(data.recovery(), first.domain().vocabulary());
         WindowSettings settings = new WindowSettings(data.settings());
+        DreammSession session = new DreammSession(options, first, data, files, settings, ended);
+        Optional<CourseAtHand> course = options.learn().wanted()
+                ? Optional.of(session.readCourse(options.learn().learner()))
+                : Optional.empty();
         DreammWindow window = EventThread.get(() -> {
             Look.setHighRows(settings.highRows());
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
-            DreammContext context =
-                    new DreammContext(first.source(), first.domain(), first.document(), options.profile());
-            context.maps().remember(settings.text("map-last"), text -> settings.keep("map-last", text));
-            first.plan().ifPresent(context.editor()::open);
-            DreammWindow made = new DreammWindow(context, recovery, data, settings, ended);
-            if (made.unknownInProfile().isPresent()) {
-                made.discard();
-            } else {
-                made.open();
+            DreammWindow made =
+                    course.isPresent() ? session.openCourse(course.get(), recovery) : session.openFirst(recovery);
+            if (course.isPresent() || made.unknownInProfile().isEmpty()) {
                 made.files().offer(left);
+                if (isNew && course.isEmpty() && session.whyNot().isEmpty()) {
+                    offerCourse(made, session);
+                }
             }
             return made;
         });
-        if (window.unknownInProfile().isPresent()) {
+        if (course.isEmpty() && window.unknownInProfile().isPresent()) {
             throw new IOException(window.unknownInProfile().get());
         }
-        return window;
+        return session;
+    }
+
+    private static void offerCourse(DreammWindow window, DreammSession session) {
+        window.context()
+                .questions()
+                .ask(new AuthorQuestion(
+                        "learn-offer",
+                        "New here? The course teaches you to write plans in DREAMM itself, step by step. The menu Learn opens it at any time.",
+                        List.of(
+                                new AuthorQuestion.Choice("learn-offer-yes", "Open the course", session::enter),
+                                new AuthorQuestion.Choice("learn-offer-no", "Not now", () -> {})),
+                        () -> {}));
     }
 }

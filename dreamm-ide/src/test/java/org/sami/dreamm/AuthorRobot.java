@@ -8,6 +8,7 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -59,9 +60,10 @@ final class AuthorRobot implements AutoCloseable {
                 () -> "there is no display; get one by: " + System.getProperty("window.install"));
         DreammOptions options = new DreammOptions(open, domain, profile, Optional.of(Theme.LIGHT), Optional.of(100));
         CompletableFuture<Integer> ended = new CompletableFuture<>();
-        AuthorRobot author = new AuthorRobot(
-                DreammStart.open(options, FirstProject.open(options), AuthorDirectory.open(data), ended::complete),
-                ended);
+        AuthorDirectory known = AuthorDirectory.open(data);
+        Files.writeString(known.settings(), ""); // who has worked here before is offered no course
+        AuthorRobot author =
+                new AuthorRobot(DreammStart.open(options, FirstProject.open(options), known, ended::complete), ended);
         author.robot.untilShown("model-view");
         return author;
     }

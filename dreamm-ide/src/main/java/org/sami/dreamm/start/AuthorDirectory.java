@@ -51,6 +51,16 @@ public final class AuthorDirectory {
         return folder.resolve("unsaved");
     }
 
+    /** The folder of the learners of this machine. */
+    public Path learners() {
+        return folder.resolve("learners");
+    }
+
+    /** Whether nobody has worked or learned with it yet. */
+    public boolean isNew() {
+        return !Files.exists(settings()) && !Files.exists(learners());
+    }
+
     /** The file of settings. */
     public Path settings() {
         return folder.resolve("window.properties");

@@ -26,6 +26,7 @@ import picocli.CommandLine.Spec;
             "  dreamm",
             "  dreamm station-keep",
             "  dreamm my-beach.json --theme dark",
+            "  dreamm --learn",
             "  dreamm --domain rovers rovers/plans/look.json"
         })
 public final class DreammCommand implements Callable<Integer> {
@@ -51,6 +52,15 @@ public final class DreammCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "Hides and locks what the file says, as for a lesson.")
     private Path profile;
+
+    @Option(names = "--learn", description = "Opens the course, where you left it.")
+    private boolean learn;
+
+    @Option(
+            names = "--learner",
+            paramLabel = "NAME",
+            description = "Opens the course where NAME left it; several can learn on one machine.")
+    private String learner;
 
     @Option(
             names = "--data",
@@ -90,11 +100,16 @@ public final class DreammCommand implements Callable<Integer> {
     }
 
     private DreammOptions options() throws IOException {
+        boolean course = learn || learner != null;
+        if (course && (open != null || domain != null || profile != null)) {
+            throw new IOException("--learn opens the plans of the course: no plan, --domain or --profile goes with it");
+        }
         return new DreammOptions(
                 Optional.ofNullable(open),
                 Optional.ofNullable(domain),
                 profile == null ? Profile.ALL : ProfileFile.read(profile),
                 look.theme(),
-                look.scale());
+                look.scale(),
+                new LearnOptions(course, Optional.ofNullable(learner)));
     }
 }

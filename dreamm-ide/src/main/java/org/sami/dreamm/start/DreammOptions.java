@@ -13,14 +13,31 @@ import org.sami.palette.Theme;
  * @param domain folder of a domain; empty = the boats' domain, which ships
  * @param theme from now on; empty = as it was
  * @param scale in percent, from now on; empty = as it was
+ * @param learn whether the course is opened
  */
 public record DreammOptions(
-        Optional<String> open, Optional<Path> domain, Profile profile, Optional<Theme> theme, Optional<Integer> scale) {
+        Optional<String> open,
+        Optional<Path> domain,
+        Profile profile,
+        Optional<Theme> theme,
+        Optional<Integer> scale,
+        LearnOptions learn) {
     public DreammOptions {
         Objects.requireNonNull(open, "open");
         Objects.requireNonNull(domain, "domain");
         Objects.requireNonNull(profile, "profile");
         Objects.requireNonNull(theme, "theme");
         Objects.requireNonNull(scale, "scale");
+        Objects.requireNonNull(learn, "learn");
+    }
+
+    /** Without the course. */
+    public DreammOptions(
+            Optional<String> open,
+            Optional<Path> domain,
+            Profile profile,
+            Optional<Theme> theme,
+            Optional<Integer> scale) {
+        this(open, domain, profile, theme, scale, LearnOptions.NONE);
     }
 }

@@ -125,6 +125,24 @@ final class DreammMenus {
         menus.add(issues, "deep-stop");
         bar.add(issues);
         bar.add(menus.view(panels));
+        bar.add(menus.menu(
+                "Learn",
+                'L',
+                "learn-open",
+                "learn-next",
+                "learn-back",
+                "learn-contents",
+                "learn-glossary",
+                "",
+                "learn-check",
+                "learn-reveal",
+                "learn-explained",
+                "",
+                "learn-run-forward",
+                "learn-run-back",
+                "learn-run-restart",
+                "",
+                "learn-leave"));
         JMenu help = menus.help();
         menus.add(help, "", "help-here");
         bar.add(help);

@@ -1,11 +1,14 @@
 package org.sami.dreamm.window;
 
 import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.compare.ComparisonPanel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.inspector.InspectorPanel;
+import org.sami.dreamm.learn.view.LearnPanel;
 import org.sami.dreamm.palette.PalettePanel;
 import org.sami.dreamm.palette.PaletteSteps;
 import org.sami.dreamm.pattern.PatternCommands;
@@ -17,6 +20,8 @@ import org.sami.ui.dock.DockPanel;
 
 /** The panels of the window, and how they lie at first (thesis, Figure 5.1). Those that the profile hides are left out. */
 final class DreammPanels {
+    private static final String LEARN = "learn";
+
     /** The net with the drawing tools next to it; panels that check and run it open below it. */
     private static final Arrangement ROOMY = Arrangement.of("model-view")
             .right("palette", "model-view", 0.263)
@@ -38,6 +43,36 @@ final class DreammPanels {
     static final Arrangements FIRST =
             new Arrangements(ROOMY, COMPACT, TIGHT, new Dimension(1200, 0), new Dimension(720, 420));
 
+    /** The same for a window of the course, whose panel has the left side. */
+    static final Arrangements OF_COURSE = new Arrangements(
+            Arrangement.of("model-view")
+                    .left(LEARN, "model-view", 0.36)
+                    .right("palette", "model-view", 0.3)
+                    .behind("mission-tree", "palette")
+                    .below("inspector", "palette", 0.5)
+                    .below("issues", "model-view", 0.36)
+                    .behind("try-out", "issues")
+                    .behind("replay", "issues")
+                    .behind("comparison", "model-view")
+                    .folding("issues", "try-out", "replay", "comparison"),
+            besideCourse(0.42),
+            besideCourse(0.5),
+            new Dimension(1400, 0),
+            new Dimension(900, 420));
+
+    private static Arrangement besideCourse(double part) {
+        return Arrangement.of("model-view")
+                .left(LEARN, "model-view", part)
+                .below("inspector", "model-view", 0.5)
+                .behind("comparison", "model-view")
+                .behind("mission-tree", "inspector")
+                .behind("palette", "inspector")
+                .behind("issues", "inspector")
+                .behind("try-out", "inspector")
+                .behind("replay", "inspector")
+                .folding("inspector", "mission-tree", "palette", "issues", "try-out", "replay", "comparison");
+    }
+
     private static Arrangement besideOneStack(double part) {
         return Arrangement.of("model-view")
                 .right("inspector", "model-view", part)
@@ -54,10 +89,19 @@ final class DreammPanels {
     private final List<String> profileIds;
 
     DreammPanels(DreammContext context, RunParts run) {
+        this(context, run, Optional.empty());
+    }
+
+    /**
+     * The panels of a window.
+     *
+     * @param learn the panel of the course, in a window of it
+     */
+    DreammPanels(DreammContext context, RunParts run, Optional<LearnPanel> learn) {
         ModelView net = new ModelView(context);
         net.setAppendChoices(new PaletteSteps(context));
         PatternCommands.addTo(context);
-        List<DockPanel> every = List.of(
+        List<DockPanel> every = new ArrayList<>(List.of(
                 new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
                 new DockPanel("model-view", "Model view", "net", net)
                         .withFocusOn(net.net().canvas()),
@@ -66,7 +110,9 @@ final class DreammPanels {
                 new DockPanel("issues", "Issues", "alarm", run.issues()),
                 new DockPanel("try-out", "Try it", "play", run.tryOut()),
                 new DockPanel("replay", "Journal", "clock", run.replay()),
-                new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context)));
+                new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context))));
+        learn.ifPresent(
+                content -> every.add(new DockPanel(LEARN, "Learn", "help", content).withFocusOn(content.first())));
         profileIds = every.stream().map(DreammPanels::profileId).toList();
         all = every.stream()
                 .filter(panel -> context.profile().shows(profileId(panel)))

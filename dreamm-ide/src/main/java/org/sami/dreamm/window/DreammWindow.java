@@ -17,6 +17,9 @@ import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.help.HelpCommands;
+import org.sami.dreamm.learn.CourseCommands;
+import org.sami.dreamm.learn.Learning;
+import org.sami.dreamm.learn.view.LearnPanel;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.ui.command.Command;
@@ -37,6 +40,7 @@ public final class DreammWindow {
     private final StatusLine status;
     private final FileCommands files;
     private final CommandKeys keys;
+    private final Optional<LearnPanel> learn;
     private final Optional<String> unknownInProfile;
 
     /**
@@ -44,13 +48,15 @@ public final class DreammWindow {
      *
      * @param recovery where unsaved changes are kept, given up with the window
      * @param ended is called when all is closed, with the exit code
+     * @param learning what the window has to do with the course
      */
     public DreammWindow(
             DreammContext context,
             RecoveryFolder recovery,
             AuthorDirectory data,
             WindowSettings settings,
-            IntConsumer ended) {
+            IntConsumer ended,
+            Learning learning) {
         this.context = context;
         this.ended = ended;
         files = new FileCommands(context, frame, new RecentProjects(settings), recovery);
@@ -58,8 +64,15 @@ public final class DreammWindow {
         ExportCommands.addTo(context);
         new HelpCommands(context).addTo(frame);
         run = new RunParts(context);
-        DreammPanels panels = new DreammPanels(context, run);
-        dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
+        CourseCommands.addTo(
+                context.commands(), learning.door(), learning.lesson().isPresent());
+        learn = learning.lesson().map(model -> new LearnPanel(model, context.commands()));
+        DreammPanels panels = new DreammPanels(context, run, learn);
+        dock = new DockArea(
+                frame,
+                panels.all(),
+                learn.isPresent() ? DreammPanels.OF_COURSE : DreammPanels.FIRST,
+                data.arrangement(context.profile()));
         ViewCommands view = new ViewCommands(context.commands(), frame, settings);
         view.addPanels(dock);
         if (context.profile().shows("panel-model-view")) {
@@ -147,11 +160,30 @@ public final class DreammWindow {
     /** Shows it, as large as the screen allows. */
     public void open() {
         FrameSize.show(frame);
+        arrange();
+    }
+
+    /** Shows it where another window was, and as large as that. */
+    public void openAt(FramePlace place) {
+        place.give(frame);
+        frame.setVisible(true);
+        arrange();
+    }
+
+    /** Where it is, for a window that takes its place. */
+    public FramePlace place() {
+        return FramePlace.of(frame);
+    }
+
+    private void arrange() {
         dock.arrange();
         dock.panels().stream()
                 .map(DockPanel::getPersistentID)
                 .filter("model-view"::equals)
                 .forEach(dock::show);
+        if (learn.isPresent()) {
+            dock.show("learn");
+        }
     }
 
     /** The frame, for those who drive it. */
@@ -182,6 +214,7 @@ public final class DreammWindow {
 
     /** Discards a window that is not used. */
     public void discard() {
+        learn.ifPresent(LearnPanel::close);
         files.close();
         keys.close();
         dock.close();

@@ -4,7 +4,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 
 /** Runs an action after each change of a text. */
-record TextChanges(Runnable action) implements DocumentListener {
+public record TextChanges(Runnable action) implements DocumentListener {
     @Override
     public void insertUpdate(DocumentEvent event) {
         action.run();

@@ -1,0 +1,133 @@
+package org.sami.dreamm.learn.view;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.dreamm.learn.LessonModel;
+import org.sami.dreamm.learn.PictureRun;
+import org.sami.dreamm.learn.QuizModel;
+import org.sami.lessons.course.Step;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandRegistry;
+
+/** The commands of a learner's way through a lesson, each with its key. */
+final class LearnCommands {
+    private final LessonModel model;
+    private final LearnActions actions;
+    private final Command next;
+    private final Command back;
+    private final Command check;
+    private final Command reveal;
+    private final Command explained;
+    private final Command contents;
+    private final Command glossary;
+    private final Command runForward;
+    private final Command runBack;
+    private final Command runRestart;
+
+    LearnCommands(CommandRegistry registry, LessonModel model, LearnActions actions) {
+        this.model = model;
+        this.actions = actions;
+        next = registry.add(new Command("learn-next", "Next", model::forward)
+                .withKey("alt PAGE_DOWN")
+                .withIcon("right")
+                .unless(() -> model.hasNext() ? Optional.empty() : Optional.of("this is the end of the course")));
+        back = registry.add(new Command("learn-back", "Back", model::back)
+                .withKey("alt PAGE_UP")
+                .withIcon("left")
+                .unless(() -> model.hasBack() ? Optional.empty() : Optional.of("this is the first step")));
+        check = registry.add(new Command("learn-check", "Check my answer", model::check)
+                .withKey("F4")
+                .withIcon("check")
+                .unless(() -> model.quiz().isEmpty()
+                        ? Optional.of("this step asks nothing")
+                        : model.quiz().flatMap(QuizModel::whyNotCheck)));
+        reveal = registry.add(new Command("learn-reveal", "Show the right answer", model::reveal)
+                .withKey("shift F4")
+                .withIcon("help")
+                .unless(() -> model.quiz().filter(QuizModel::isWrong).isPresent()
+                        ? Optional.empty()
+                        : Optional.of("answer first")));
+        explained = registry.add(new Command("learn-explained", "Go to where it was explained", this::goToExplained)
+                .withKey("alt shift E")
+                .withIcon("go-to")
+                .unless(() ->
+                        model.step() instanceof Step.Quiz ? Optional.empty() : Optional.of("this step asks nothing")));
+        contents = registry.add(new Command("learn-contents", "Lessons and steps", actions::openContents)
+                .withKey("alt shift T")
+                .withIcon("layers"));
+        glossary = registry.add(new Command("learn-glossary", "Glossary and search", actions::openGlossary)
+                .withKey("alt shift W")
+                .withIcon("search"));
+        runForward = registry.add(new Command("learn-run-forward", "Step on", () -> move(PictureRun::forward))
+                .withKey("alt RIGHT")
+                .withIcon("play")
+                .unless(() -> actions.run().filter(PictureRun::hasNext).isPresent()
+                        ? Optional.empty()
+                        : Optional.of("no step is left")));
+        runBack = registry.add(new Command("learn-run-back", "Step back", () -> move(PictureRun::back))
+                .withKey("alt LEFT")
+                .withIcon("undo")
+                .unless(this::whyNotBack));
+        runRestart = registry.add(new Command("learn-run-restart", "To the start", () -> move(PictureRun::restart))
+                .withKey("alt shift HOME")
+                .withIcon("home")
+                .unless(this::whyNotBack));
+    }
+
+    private Optional<String> whyNotBack() {
+        return actions.run().filter(run -> run.steps() > 0).isPresent()
+                ? Optional.empty()
+                : Optional.of("no step was taken");
+    }
+
+    private void move(Consumer<PictureRun> how) {
+        actions.run().ifPresent(how);
+        actions.ran();
+    }
+
+    private void goToExplained() {
+        if (model.step() instanceof Step.Quiz quiz) {
+            model.course().address(model.lesson().id(), quiz.explained()).ifPresent(model::go);
+        }
+    }
+
+    Command next() {
+        return next;
+    }
+
+    Command back() {
+        return back;
+    }
+
+    Command check() {
+        return check;
+    }
+
+    Command reveal() {
+        return reveal;
+    }
+
+    Command explained() {
+        return explained;
+    }
+
+    Command contents() {
+        return contents;
+    }
+
+    Command glossary() {
+        return glossary;
+    }
+
+    Command runForward() {
+        return runForward;
+    }
+
+    Command runBack() {
+        return runBack;
+    }
+
+    Command runRestart() {
+        return runRestart;
+    }
+}
