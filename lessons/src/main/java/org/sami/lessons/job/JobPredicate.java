@@ -138,6 +138,18 @@ public sealed interface JobPredicate {
         }
     }
 
+    /** Each transition has one in place and one out place; or it is not so. */
+    record IsStraight(boolean is) implements JobPredicate {
+        @Override
+        public boolean holds(JobFacts facts) {
+            Plan plan = facts.structure().plan();
+            return is
+                    == plan.transitions().stream()
+                            .allMatch(t -> plan.inEdgesOf(t.id()).size() == 1
+                                    && plan.outEdgesOf(t.id()).size() == 1);
+        }
+    }
+
     /** An interrupt of a name. */
     record HasInterrupt(String name) implements JobPredicate {
         @Override

@@ -25,6 +25,7 @@ final class PredicateReader {
             "end",
             "places",
             "transitions",
+            "straight",
             "interrupt",
             "runs",
             "finding",
@@ -100,6 +101,7 @@ final class PredicateReader {
             case "end" -> Optional.of(new JobPredicate.EndPlaces(m.integer("end", 1)));
             case "places" -> Optional.of(new JobPredicate.VertexCount(m.integer("places", 0), true));
             case "transitions" -> Optional.of(new JobPredicate.VertexCount(m.integer("transitions", 0), false));
+            case "straight" -> Optional.of(new JobPredicate.IsStraight(m.flag("straight")));
             case "interrupt" -> Optional.of(new JobPredicate.HasInterrupt(m.text("interrupt")));
             case "runs" -> Optional.of(new JobPredicate.Runs(m.text("runs")));
             case "finding" -> Optional.of(new JobPredicate.HasFinding(m.text("finding")));
