@@ -168,10 +168,10 @@ final class WorldTrace {
 
     /** Text that operators read is worded as everybody likes. */
     private static boolean isForPeople(EventType type, Value value) {
-        return value instanceof TextValue
-                && type.role() == EventRole.NONE
+        boolean isMessage = type.role() == EventRole.NONE
                 && type.tokens() == TokenNeed.NONE
-                && (type.decision().isPresent() || type.answers().isEmpty());
+                && type.answers().isEmpty();
+        return value instanceof TextValue && (type.decision().isPresent() || isMessage);
     }
 
     private static Value ownPart(Value value, List<String> robots) {
