@@ -119,6 +119,11 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
     }
 
     @Override
+    InRequirement moreThanImplied() {
+        return InRequirement.of(TokenKind.GENERIC, Match.AT_LEAST, 2);
+    }
+
+    @Override
     Edit edit(String plan, String edge, List<InRequirement> requirements) {
         return new EdgeEdit.SetInRequirements(plan, edge, requirements);
     }

@@ -118,6 +118,11 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
     }
 
     @Override
+    OutRequirement moreThanImplied() {
+        return OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.GENERIC);
+    }
+
+    @Override
     Edit edit(String plan, String edge, List<OutRequirement> requirements) {
         return new EdgeEdit.SetOutRequirements(plan, edge, requirements);
     }

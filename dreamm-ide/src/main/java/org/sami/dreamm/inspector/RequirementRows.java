@@ -86,14 +86,14 @@ abstract class RequirementRows<R> extends Form {
         if (none) {
             note("No other requirement.", SemanticColor.MUTED);
         }
-        buttons(locked);
+        buttons(implied, locked);
     }
 
-    private void buttons(boolean locked) {
+    private void buttons(R implied, boolean locked) {
         JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4"));
         buttons.setOpaque(false);
-        JButton add =
-                button("+ Requirement", "inspector-add-requirement", "Add a requirement", () -> set(with(begun())));
+        JButton add = button(
+                "+ Requirement", "inspector-add-requirement", "Add a requirement", () -> set(with(begun(implied))));
         add.setEnabled(!offered().isEmpty());
         buttons.add(add);
         JButton compute = button(
@@ -137,10 +137,14 @@ abstract class RequirementRows<R> extends Form {
                 .toList();
     }
 
-    /** The likeliest requirement that makes sense here, else one of the kinds that the profile has. */
-    private R begun() {
-        R fresh = proposed().stream().findFirst().orElseGet(this::fresh);
-        return offered().contains(kind(fresh)) ? fresh : ofKind(fresh, offered().get(0));
+    /** The likeliest requirement that makes sense here, else one of the kinds that the profile has; not the implied one, which has no row. */
+    private R begun(R implied) {
+        R fresh =
+                proposed().stream().filter(r -> !r.equals(implied)).findFirst().orElseGet(this::fresh);
+        R offered = offered().contains(kind(fresh))
+                ? fresh
+                : ofKind(fresh, offered().get(0));
+        return offered.equals(implied) ? moreThanImplied() : offered;
     }
 
     /** The kinds of tokens that the profile has; relevant ones only where an input event names some, or where they stand. */
@@ -229,6 +233,9 @@ abstract class RequirementRows<R> extends Form {
 
     /** A requirement to begin with where none makes more sense. */
     abstract R fresh();
+
+    /** A requirement of generic tokens that is not the implied one. */
+    abstract R moreThanImplied();
 
     /** The edit that gives an edge these requirements. */
     abstract Edit edit(String plan, String edge, List<R> requirements);
