@@ -26,6 +26,18 @@ public final class ProjectDocument {
     private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
     private EditHistory history;
     private Optional<Path> file;
+    private Optional<Own> own = Optional.empty();
+
+    /** The author's project with its history, put aside while another one is shown. */
+    private record Own(EditHistory history, Optional<Path> file) {}
+
+    /**
+     * What the author works on.
+     *
+     * @param file that it is saved to
+     * @param modified whether it has changes that are not in its file
+     */
+    public record Work(Project project, Optional<Path> file, boolean modified) {}
 
     /**
      * A document that counts as saved.
@@ -101,8 +113,44 @@ public final class ProjectDocument {
 
     /** Puts another project into the place of the one that was, which is forgotten with its history. It counts as saved. */
     public void open(Project opened, Optional<Path> from) {
+        own = Optional.empty();
+        show(new EditHistory(opened, vocabulary, MOST_UNDO), from);
+    }
+
+    /**
+     * Shows another project until {@link #giveBack}, such as a copy on which something is explained. The author's own project, its history and its
+     * file stay as they are; the one that is shown has no file. One that is shown already is shown no longer.
+     */
+    public void lend(Project copy) {
+        if (own.isEmpty()) {
+            own = Optional.of(new Own(history, file));
+        }
+        show(new EditHistory(copy, vocabulary, MOST_UNDO), Optional.empty());
+    }
+
+    /** Shows the author's own project again, with its history; changes nothing where it is shown. */
+    public void giveBack() {
+        own.ifPresent(kept -> {
+            own = Optional.empty();
+            show(kept.history, kept.file);
+        });
+    }
+
+    /** Whether another project is shown than the author's own. */
+    public boolean isLent() {
+        return own.isPresent();
+    }
+
+    /** What the author works on, also while something else is shown. */
+    public Work work() {
+        Own kept = own.orElseGet(() -> new Own(history, file));
+        return new Work(kept.history.project(), kept.file, kept.history.isModified());
+    }
+
+    private void show(EditHistory next, Optional<Path> from) {
         Project before = project();
-        history = new EditHistory(opened, vocabulary, MOST_UNDO);
+        Project opened = next.project();
+        history = next;
         file = Objects.requireNonNull(from, "from");
         Set<String> plans = new LinkedHashSet<>();
         before.plans().forEach(p -> plans.add(p.id()));

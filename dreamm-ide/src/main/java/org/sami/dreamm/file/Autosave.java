@@ -1,7 +1,6 @@
 package org.sami.dreamm.file;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
@@ -12,7 +11,6 @@ import javax.swing.Timer;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.DocumentListener;
 import org.sami.dreamm.document.ProjectDocument;
-import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 
 /**
@@ -67,13 +65,11 @@ public final class Autosave implements AutoCloseable {
      * @param restored where it was kept before: forgotten there once it is kept here
      */
     void keep(Optional<UnsavedWork> restored) {
-        Project project = document.project();
-        Optional<Path> file = document.file();
-        boolean modified = document.isModified();
+        ProjectDocument.Work work = document.work();
         writer.execute(() -> {
             try {
-                if (modified) {
-                    folder.keep(project, file);
+                if (work.modified()) {
+                    folder.keep(work.project(), work.file());
                 } else {
                     folder.clear();
                 }

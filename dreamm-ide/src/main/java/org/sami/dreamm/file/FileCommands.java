@@ -138,6 +138,7 @@ public final class FileCommands implements AutoCloseable {
     }
 
     private void save(Runnable then) {
+        context.document().giveBack();
         Optional<Path> path = context.document().file();
         if (path.isEmpty()) {
             saveAs(then);
@@ -167,6 +168,7 @@ public final class FileCommands implements AutoCloseable {
     }
 
     private void saveAs(Runnable then) {
+        context.document().giveBack();
         String proposed = context.document()
                 .file()
                 .map(path -> path.getFileName().toString().replaceFirst("\\.json$", ""))
@@ -194,6 +196,7 @@ public final class FileCommands implements AutoCloseable {
     }
 
     private void saveAsFolder() {
+        context.document().giveBack();
         dialogs.folder("Save the project as a folder with one file for each plan")
                 .ifPresent(path -> {
                     try {

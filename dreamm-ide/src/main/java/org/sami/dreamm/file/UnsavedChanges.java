@@ -25,6 +25,7 @@ final class UnsavedChanges {
 
     /** Goes on at once where nothing is unsaved; else when the author has saved, or does not want to. */
     void guard(Runnable next) {
+        context.document().giveBack(); // what is shown only is nobody's work
         if (!context.document().isModified()) {
             context.questions().withdraw(ID);
             next.run();

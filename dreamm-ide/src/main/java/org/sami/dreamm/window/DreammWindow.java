@@ -140,15 +140,16 @@ public final class DreammWindow {
 
     private void showState() {
         ProjectDocument document = context.document();
-        String mark = document.isModified() ? "● " : "";
-        String file = document.file().map(Path::toString).orElse("not saved in a file yet");
+        String mark = document.isModified() && !document.isLent() ? "● " : "";
+        String file = document.isLent()
+                ? "a copy that is shown; your own project comes back"
+                : document.file().map(Path::toString).orElse("not saved in a file yet");
         String name = document.project().name().isEmpty()
                 ? document.project().id()
                 : document.project().name();
         String plan = context.editor().planId().map(id -> id + " – ").orElse("");
         frame.setTitle(mark + plan + name + " – DREAMM");
-        status.showFile(
-                mark + name + " · " + file, document.isModified() ? "There are changes that are not saved" : file);
+        status.showFile(mark + name + " · " + file, mark.isEmpty() ? file : "There are changes that are not saved");
         context.commands().refresh();
     }
 
