@@ -42,12 +42,18 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
                         matches,
                         Optional.of(r.match()),
                         InRequirementRows::words,
-                        m -> put(at, new InRequirement(r.kind(), m, counted(m) ? Math.max(1, r.n()) : 0, r.task()))),
+                        m -> put(at, new InRequirement(r.kind(), m, first(r, m), r.task()))),
                 "inspector-match-" + at,
                 "How many");
         if (counted(r.match())) {
             number(panel, r.n(), at, n -> put(at, new InRequirement(r.kind(), r.match(), n, r.task())));
         }
+    }
+
+    /** The number to begin with: that of before or one, but two where one is the implied requirement, which has no row. */
+    private static int first(InRequirement r, Match match) {
+        boolean impliedByOne = match == Match.AT_LEAST && r.kind() == TokenKind.GENERIC;
+        return counted(match) ? Math.max(impliedByOne ? 2 : 1, r.n()) : 0;
     }
 
     private static boolean counted(Match match) {

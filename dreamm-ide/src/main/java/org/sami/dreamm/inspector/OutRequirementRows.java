@@ -49,12 +49,19 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
                         Optional.of(r.takesAll()),
                         all -> all ? "All" : "n",
                         all -> put(
-                                at, new OutRequirement(r.kind(), all ? OutRequirement.ALL : 1, r.action(), r.task()))),
+                                at,
+                                new OutRequirement(
+                                        r.kind(), all ? OutRequirement.ALL : first(r), r.action(), r.task()))),
                 "inspector-quantity-" + at,
                 "All tokens, or so many");
         if (!r.takesAll()) {
             number(panel, r.n(), at, n -> put(at, new OutRequirement(r.kind(), n, r.action(), r.task())));
         }
+    }
+
+    /** The number to begin with: one token, but two where one is the implied requirement, which has no row. */
+    private static int first(OutRequirement r) {
+        return r.action() == Action.TAKE && r.kind() == TokenKind.GENERIC ? 2 : 1;
     }
 
     private static String words(Action action) {

@@ -126,4 +126,22 @@ class GenericRequirementsTest {
         assertThat(out()).hasSize(2).first().isEqualTo("Take 1 Generic");
         assertThat(out().get(1)).startsWith("Add");
     }
+
+    @Test
+    void numberIsChosenWithoutTheRowGoingIntoTheCheckBox() {
+        open(false);
+        set("inspector-implied-generic", false);
+        find("inspector-add-requirement", AbstractButton.class).doClick();
+
+        find("inspector-quantity-0", JComboBox.class).setSelectedItem(false);
+
+        assertThat(out()).containsExactly("Take 2 Generic");
+        close();
+        open(true);
+        set("inspector-implied-generic", false);
+        find("inspector-add-requirement", AbstractButton.class).doClick();
+        find("inspector-match-0", JComboBox.class).setSelectedItem(Match.ZERO);
+        find("inspector-match-0", JComboBox.class).setSelectedItem(Match.AT_LEAST);
+        assertThat(in()).containsExactly("≥ 2 Generic");
+    }
 }
