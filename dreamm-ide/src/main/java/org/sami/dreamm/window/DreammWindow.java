@@ -19,6 +19,7 @@ import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.help.HelpCommands;
 import org.sami.dreamm.learn.CourseCommands;
 import org.sami.dreamm.learn.Learning;
+import org.sami.dreamm.learn.show.LessonShow;
 import org.sami.dreamm.learn.view.LearnPanel;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.start.AuthorDirectory;
@@ -40,6 +41,7 @@ public final class DreammWindow {
     private final StatusLine status;
     private final FileCommands files;
     private final CommandKeys keys;
+    private final Optional<LessonShow> show;
     private final Optional<LearnPanel> learn;
     private final Optional<String> unknownInProfile;
 
@@ -66,6 +68,8 @@ public final class DreammWindow {
         run = new RunParts(context);
         CourseCommands.addTo(
                 context.commands(), learning.door(), learning.lesson().isPresent());
+        show = learning.lesson()
+                .map(model -> new LessonShow(context, model, frame)); // before the panel with its button
         learn = learning.lesson().map(model -> new LearnPanel(model, context.commands()));
         DreammPanels panels = new DreammPanels(context, run, learn);
         dock = new DockArea(
@@ -215,6 +219,7 @@ public final class DreammWindow {
 
     /** Discards a window that is not used. */
     public void discard() {
+        show.ifPresent(LessonShow::close);
         learn.ifPresent(LearnPanel::close);
         files.close();
         keys.close();

@@ -11,6 +11,7 @@ public final class LessonProfile {
     private static final List<String> ALWAYS = List.of(
             "panel-learn",
             "learn-*",
+            "show-*",
             "end",
             "theme-*",
             "scale-*",

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.sami.dreamm.learn.LessonModel;
 import org.sami.dreamm.learn.PictureRun;
 import org.sami.dreamm.learn.QuizModel;
+import org.sami.dreamm.learn.show.LessonShow;
 import org.sami.lessons.course.Step;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
@@ -23,10 +24,12 @@ final class LearnCommands {
     private final Command runForward;
     private final Command runBack;
     private final Command runRestart;
+    private final Optional<Command> show;
 
     LearnCommands(CommandRegistry registry, LessonModel model, LearnActions actions) {
         this.model = model;
         this.actions = actions;
+        show = registry.find(LessonShow.COMMAND);
         next = registry.add(new Command("learn-next", "Next", model::forward)
                 .withKey("alt PAGE_DOWN")
                 .withIcon("right")
@@ -129,5 +132,10 @@ final class LearnCommands {
 
     Command runRestart() {
         return runRestart;
+    }
+
+    /** Plays what a step shows; empty in a window without an editor. */
+    Optional<Command> show() {
+        return show;
     }
 }

@@ -99,6 +99,9 @@ final class StepView extends ScrolledPanel {
         if (step instanceof Step.Play) {
             begin();
         }
+        if (step instanceof Step.Show) {
+            commands.show().ifPresent(show -> add(CommandButton.primary(show, "play")));
+        }
         refresh();
     }
 
