@@ -3,6 +3,7 @@ package org.sami.crw.cli;
 import java.util.Map;
 import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.lesson.GradeCommand;
+import org.sami.crw.cli.lesson.LessonsCommand;
 import org.sami.crw.cli.option.Converters;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.LogFormatter;
@@ -51,6 +52,7 @@ import picocli.CommandLine.Spec;
             CheckCommand.class,
             SchemaCommand.class,
             TestCommand.class,
+            LessonsCommand.class,
             GradeCommand.class,
             DrawCommand.class,
             PhasesCommand.class,

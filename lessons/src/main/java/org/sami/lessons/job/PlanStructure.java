@@ -10,12 +10,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Predicate;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.model.FieldSource;
-import org.sami.spn.model.InEdge;
 import org.sami.spn.model.MarkupSpec;
-import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -32,14 +29,12 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** What a plan and the plans that it runs as sub-missions are made of, as predicates ask it: by types of events, never by ids or names. */
 final class PlanStructure {
-    /** Begins the kind of vertices that have a name. */
-    static final String BY_NAME = "name:";
-
     private static final String INTERRUPT_NAME = "interruptName";
 
     private final Vocabulary vocabulary;
     private final Plan plan;
     private final List<Plan> plans;
+    private final List<NetOfKinds> nets;
     private final List<Event> events = new ArrayList<>();
 
     /** An event on a vertex; output events have sources of fields, input events fixed values. */
@@ -54,6 +49,7 @@ final class PlanStructure {
         this.vocabulary = vocabulary;
         this.plan = plan;
         plans = withSubMissions(project, plan);
+        nets = plans.stream().map(one -> new NetOfKinds(one, vocabulary)).toList();
         for (Plan one : plans) {
             for (Place place : one.places()) {
                 place.outputs()
@@ -206,106 +202,15 @@ final class PlanStructure {
 
     // ---- Edges
 
-    private static boolean isNamed(String kind, String name) {
-        return name.strip().equalsIgnoreCase(kind.substring(BY_NAME.length()).strip());
-    }
-
-    private Predicate<Place> place(String kind) {
-        if (kind.startsWith(BY_NAME)) {
-            return place -> isNamed(kind, place.name());
-        }
-        return switch (kind) {
-            case "start" -> Place::start;
-            case "end" -> Place::end;
-            case "blank" ->
-                place -> place.outputs().isEmpty() && place.subMissions().isEmpty();
-            default ->
-                place -> place.outputs().stream()
-                        .anyMatch(output -> canonical(output.type()).equals(canonical(kind)));
-        };
-    }
-
-    private Predicate<Transition> transition(String kind) {
-        if (kind.startsWith(BY_NAME)) {
-            return transition -> isNamed(kind, transition.name());
-        }
-        return kind.equals("blank")
-                ? transition -> transition.inputs().isEmpty()
-                : transition -> transition.inputs().stream()
-                        .anyMatch(input -> canonical(input.type()).equals(canonical(kind)));
-    }
-
-    private static boolean isPlace(Plan in, String id, Predicate<Place> wanted) {
-        return in.place(id).filter(wanted).isPresent();
-    }
-
-    private static boolean isTransition(Plan in, String id, Predicate<Transition> wanted) {
-        return in.transition(id).filter(wanted).isPresent();
-    }
-
     boolean edgeRequires(String from, String to, Map<String, JsonNode> wanted) {
-        for (Plan one : plans) {
-            for (InEdge edge : one.inEdges()) {
-                if (isPlace(one, edge.place(), place(from))
-                        && isTransition(one, edge.transition(), transition(to))
-                        && (wanted.isEmpty()
-                                || edge.requirements().stream().anyMatch(r -> RequirementMembers.fit(r, wanted)))) {
-                    return true;
-                }
-            }
-            for (OutEdge edge : one.outEdges()) {
-                if (isTransition(one, edge.transition(), transition(from))
-                        && isPlace(one, edge.place(), place(to))
-                        && (wanted.isEmpty()
-                                || edge.requirements().stream().anyMatch(r -> RequirementMembers.fit(r, wanted)))) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return nets.stream().anyMatch(net -> net.edgeRequires(from, to, wanted));
     }
 
     boolean silentEdgeRequires(Map<String, JsonNode> wanted) {
-        return plans.stream()
-                .anyMatch(one -> one.inEdges().stream()
-                        .filter(edge -> isTransition(one, edge.transition(), transition("blank")))
-                        .anyMatch(
-                                edge -> edge.requirements().stream().anyMatch(r -> RequirementMembers.fit(r, wanted))));
+        return nets.stream().anyMatch(net -> net.silentEdgeRequires(wanted));
     }
 
     boolean leads(String from, String to, String through) {
-        return plans.stream().anyMatch(one -> {
-            Set<String> reached = reached(one, vertices(one, from));
-            if (!through.isEmpty()) {
-                Set<String> middle = vertices(one, through);
-                middle.retainAll(reached);
-                reached = reached(one, middle);
-            }
-            reached.retainAll(vertices(one, to));
-            return !reached.isEmpty();
-        });
-    }
-
-    private Set<String> vertices(Plan one, String kind) {
-        Set<String> found = new LinkedHashSet<>();
-        one.places().stream().filter(place(kind)).forEach(place -> found.add(place.id()));
-        one.transitions().stream().filter(transition(kind)).forEach(t -> found.add(t.id()));
-        return found;
-    }
-
-    /** What is reached from vertices by one edge at least. */
-    private static Set<String> reached(Plan one, Set<String> from) {
-        Set<String> reached = new LinkedHashSet<>();
-        Deque<String> open = new ArrayDeque<>(from);
-        while (!open.isEmpty()) {
-            String vertex = open.pop();
-            one.inEdges().stream()
-                    .filter(edge -> edge.place().equals(vertex) && reached.add(edge.transition()))
-                    .forEach(edge -> open.push(edge.transition()));
-            one.outEdges().stream()
-                    .filter(edge -> edge.transition().equals(vertex) && reached.add(edge.place()))
-                    .forEach(edge -> open.push(edge.place()));
-        }
-        return reached;
+        return nets.stream().anyMatch(net -> net.leads(from, to, through));
     }
 }

@@ -169,7 +169,7 @@ final class PredicateReader {
     }
 
     private String vertex(String kind, String pointer) {
-        return VERTICES.contains(kind) || kind.startsWith(PlanStructure.BY_NAME) ? kind : format.event(kind, pointer);
+        return VERTICES.contains(kind) || kind.startsWith(NetOfKinds.BY_NAME) ? kind : format.event(kind, pointer);
     }
 
     private Map<String, JsonNode> requirement(JsonObjectReader m, String member) {

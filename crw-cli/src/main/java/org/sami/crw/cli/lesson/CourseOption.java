@@ -24,7 +24,10 @@ public final class CourseOption {
         if (folder != null && !Files.isDirectory(folder)) {
             throw new UsageFault("--course: there is no folder '" + folder + "'");
         }
-        CourseFiles files = folder == null ? CourseFiles.SHIPPED : CourseFiles.in(folder);
-        return CourseReader.read(files, PlanSource.library());
+        return CourseReader.read(files(), PlanSource.library());
+    }
+
+    CourseFiles files() {
+        return folder == null ? CourseFiles.SHIPPED : CourseFiles.in(folder);
     }
 }
