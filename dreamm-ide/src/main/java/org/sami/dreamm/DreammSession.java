@@ -2,6 +2,7 @@ package org.sami.dreamm;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.IntConsumer;
@@ -12,7 +13,6 @@ import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.learn.CourseAtHand;
 import org.sami.dreamm.learn.CourseDoor;
 import org.sami.dreamm.learn.Learning;
-import org.sami.dreamm.learn.LessonDesk;
 import org.sami.dreamm.learn.LessonListener;
 import org.sami.dreamm.learn.LessonModel;
 import org.sami.dreamm.learn.mode.LessonDomain;
@@ -25,8 +25,10 @@ import org.sami.dreamm.window.DreammWindow;
 import org.sami.dreamm.window.FramePlace;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.CourseFiles;
+import org.sami.lessons.job.JobGrader;
 import org.sami.lessons.progress.Learners;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 import org.sami.ui.window.WindowSettings;
 
@@ -45,6 +47,7 @@ final class DreammSession implements CourseDoor, LessonListener {
     private final IntConsumer ended;
     private Optional<DreammWindow> window = Optional.empty();
     private Optional<LessonModel> lesson = Optional.empty();
+    private Optional<JobGrader> grader = Optional.empty();
 
     DreammSession(
             DreammOptions options,
@@ -98,7 +101,8 @@ final class DreammSession implements CourseDoor, LessonListener {
         context.maps().remember(settings.text("map-last"), text -> settings.keep("map-last", text));
         Optional<FramePlace> place = window.map(DreammWindow::place);
         window.ifPresent(DreammWindow::discard); // of docked panels a process has one set at a time
-        DreammWindow made = new DreammWindow(context, recovery, data, settings, this::end, new Learning(lesson, this));
+        DreammWindow made =
+                new DreammWindow(context, recovery, data, settings, this::end, new Learning(lesson, grader, this));
         if (made.unknownInProfile().isPresent() && lesson.isEmpty()) {
             made.discard();
             return made;
@@ -160,6 +164,7 @@ final class DreammSession implements CourseDoor, LessonListener {
     DreammWindow openCourse(CourseAtHand course, RecoveryFolder recovery) {
         LessonModel model = course.model();
         lesson = Optional.of(model);
+        grader = Optional.of(new JobGrader(model.course(), first.domain()));
         settings.keep(LEARNER, model.record().learner());
         model.addListener(this);
         DreammWindow made = openLesson(model, recovery);
@@ -177,7 +182,13 @@ final class DreammSession implements CourseDoor, LessonListener {
                 .of(first.domain());
         ProjectDocument document = new ProjectDocument(
                 domain.vocabulary(),
-                LessonDesk.empty(model.lesson(), domain.vocabulary().domain()),
+                new Project(
+                        "course",
+                        model.lesson().title(),
+                        domain.vocabulary().domain(),
+                        List.of(),
+                        List.of(),
+                        List.of()),
                 Optional.empty());
         return open(new DreammContext(first.source(), domain, document, LessonProfile.of(model.lesson())), recovery);
     }
@@ -194,6 +205,7 @@ final class DreammSession implements CourseDoor, LessonListener {
             model.record().close();
         });
         lesson = Optional.empty();
+        grader = Optional.empty();
         withRecovery(recovery -> open(
                 new DreammContext(
                         first.source(),

@@ -6,8 +6,10 @@ import static java.awt.event.KeyEvent.VK_BACK_SPACE;
 import static java.awt.event.KeyEvent.VK_CONTROL;
 import static java.awt.event.KeyEvent.VK_DELETE;
 import static java.awt.event.KeyEvent.VK_DOWN;
+import static java.awt.event.KeyEvent.VK_END;
 import static java.awt.event.KeyEvent.VK_ENTER;
 import static java.awt.event.KeyEvent.VK_ESCAPE;
+import static java.awt.event.KeyEvent.VK_F3;
 import static java.awt.event.KeyEvent.VK_F4;
 import static java.awt.event.KeyEvent.VK_HOME;
 import static java.awt.event.KeyEvent.VK_L;
@@ -187,7 +189,7 @@ class LearnWindowTest {
         robot.press(VK_T, VK_ALT, VK_SHIFT);
         robot.untilFocused("learn-contents-list");
         JList<?> contents = robot.find(JList.class, "learn-contents-list");
-        assertThat(WindowRobot.ask(() -> contents.getModel().getSize())).isEqualTo(6);
+        assertThat(WindowRobot.ask(() -> contents.getModel().getSize())).isEqualTo(7);
         robot.press(VK_ESCAPE);
         robot.until("the contents are closed", () -> !contents.isShowing());
         robot.press(VK_W, VK_ALT, VK_SHIFT);
@@ -259,6 +261,69 @@ class LearnWindowTest {
             opened.untilStep("Places");
         }
         assertThat(Files.isDirectory(folder.resolve("learners"))).isTrue();
+    }
+
+    @Test
+    void aPlanOfAJobIsCheckedFailedMendedAndPassedAndKept() throws Exception {
+        try (LearnerRobot opened = LearnerRobot.open(folder, LearnerRobot.COURSE, "ada")) {
+            learner = opened;
+            robot = opened.robot;
+            goToTheJob();
+            learner.check();
+            robot.untilSaid("learn-verdict-head", "Not yet");
+            robot.press(VK_F3);
+            learner.untilText("learn-help-1-words-1", "Which place comes last?");
+            tickTheEnd();
+            robot.until("the edit is kept", () -> kept().contains("\"end\": true"));
+            learner.check();
+            robot.untilSaid("learn-verdict-head", "Passed");
+        }
+        assertThat(new Learners(folder.resolve("learners"))
+                        .open("ada")
+                        .progress()
+                        .steps()
+                        .get("02-two/job")
+                        .attempts())
+                .isEqualTo(2);
+        try (LearnerRobot again = LearnerRobot.open(folder, LearnerRobot.COURSE, "ada")) {
+            again.untilStep("Let it end");
+            again.robot.untilShown("net-canvas");
+            assertThat(WindowRobot.ask(() -> again.document().project())
+                            .plan("wait")
+                            .orElseThrow()
+                            .place("end")
+                            .orElseThrow()
+                            .end())
+                    .isTrue();
+        }
+    }
+
+    private void goToTheJob() {
+        learner.untilStep("Places");
+        robot.press(VK_T, VK_ALT, VK_SHIFT);
+        robot.untilFocused("learn-contents-list");
+        robot.press(VK_END);
+        robot.press(VK_ENTER);
+        learner.untilStep("Several");
+        robot.press(VK_T, VK_ALT, VK_SHIFT);
+        robot.untilFocused("learn-contents-list");
+        robot.press(VK_END);
+        robot.press(VK_ENTER);
+        learner.untilStep("Let it end");
+    }
+
+    private void tickTheEnd() {
+        learner.select("end");
+        robot.untilShown("inspector-end");
+        robot.click("inspector-end");
+    }
+
+    private String kept() {
+        try {
+            return Files.readString(folder.resolve("learners/ada/jobs/02-two/end.json"));
+        } catch (IOException notYet) {
+            return "";
+        }
     }
 
     @Test

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
@@ -19,6 +21,7 @@ import org.sami.dreamm.window.DreammWindow;
 import org.sami.lessons.course.CourseFiles;
 import org.sami.palette.Theme;
 import org.sami.ui.check.WindowRobot;
+import org.sami.ui.net.NetView;
 import org.sami.ui.value.WrappedText;
 
 /** A learner at the real window: goes through lessons by keys and pointer alone, and looks at what is said. */
@@ -62,6 +65,23 @@ final class LearnerRobot implements AutoCloseable {
     /** The window that is open now: another one for each lesson. */
     DreammWindow window() {
         return WindowRobot.ask(session::window);
+    }
+
+    /** The document of the window that is open now. */
+    ProjectDocument document() {
+        return session.window().context().document();
+    }
+
+    /** Clicks a vertex of the net of the editor. */
+    void select(String vertex) {
+        NetView net = robot.find(NetView.class, "net");
+        Point at = WindowRobot.ask(() -> net.drawing().vertices().stream()
+                .filter(each -> each.id().equals(vertex))
+                .map(each -> net.pixel(each.centre().x(), each.centre().y()))
+                .map(pixel -> new Point((int) pixel.getX(), (int) pixel.getY()))
+                .findFirst()
+                .orElseThrow());
+        robot.clickAt(net.canvas(), at.x, at.y);
     }
 
     /** Goes on by its key. */

@@ -91,7 +91,7 @@ public final class ComparisonPanel extends JPanel {
     }
 
     /** Compares the open plan with a version of it. */
-    void compare(Plan before, String name) {
+    public void compare(Plan before, String name) {
         compared = Optional.of(new Compared(before, name));
         showDifferences(true);
     }

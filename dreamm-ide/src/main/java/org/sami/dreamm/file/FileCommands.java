@@ -12,6 +12,7 @@ import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
 import org.sami.spn.edit.PlanBuilder;
+import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 
@@ -72,6 +73,35 @@ public final class FileCommands implements AutoCloseable {
     /** Opens a project instead of the one that is open, once nothing of that is lost. */
     public void open(Path path) {
         unsaved.guard(() -> read(path));
+    }
+
+    /**
+     * Opens a project as the one of a file, which is written; for files that the program keeps by itself.
+     *
+     * @param path need not be there yet
+     */
+    public void openIn(Path path, Project project) {
+        try {
+            Files.createDirectories(path.toAbsolutePath().getParent());
+            new ProjectWriter(context.vocabulary()).write(project, path);
+            file.open(file.read(path));
+        } catch (IOException | UncheckedIOException fault) {
+            context.notices().refused(path + " cannot be kept: " + SaveFault.words(path, fault));
+            file.open(project);
+        }
+    }
+
+    /** Writes the project into its file without a word, where it has one and is not in it yet. */
+    public void keep() {
+        Optional<Path> path =
+                context.document().file().filter(each -> context.document().isModified());
+        path.ifPresent(each -> {
+            try {
+                file.save(each);
+            } catch (IOException | UncheckedIOException fault) {
+                context.notices().refused(each + " is not kept: " + SaveFault.words(each, fault));
+            }
+        });
     }
 
     /** The projects that were opened last. */

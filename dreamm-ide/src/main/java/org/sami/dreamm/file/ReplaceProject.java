@@ -6,8 +6,8 @@ import org.sami.spn.edit.EditContext;
 import org.sami.spn.model.Project;
 
 /** Puts another version of the project into the place of the one that is there, so that it can be taken back. */
-record ReplaceProject(String label, Project next) implements Edit {
-    ReplaceProject {
+public record ReplaceProject(String label, Project next) implements Edit {
+    public ReplaceProject {
         Objects.requireNonNull(label, "label");
         Objects.requireNonNull(next, "next");
     }

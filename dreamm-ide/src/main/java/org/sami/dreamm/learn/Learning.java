@@ -2,16 +2,19 @@ package org.sami.dreamm.learn;
 
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.lessons.job.JobGrader;
 
 /**
  * What a window has to do with the course.
  *
  * @param lesson where the learner is; empty in a window for authors
+ * @param grader of the jobs of the course; empty in a window for authors
  * @param door the way into the course and out of it
  */
-public record Learning(Optional<LessonModel> lesson, CourseDoor door) {
+public record Learning(Optional<LessonModel> lesson, Optional<JobGrader> grader, CourseDoor door) {
     public Learning {
         Objects.requireNonNull(lesson, "lesson");
+        Objects.requireNonNull(grader, "grader");
         Objects.requireNonNull(door, "door");
     }
 }

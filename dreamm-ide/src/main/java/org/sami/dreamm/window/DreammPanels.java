@@ -87,6 +87,7 @@ final class DreammPanels {
 
     private final List<DockPanel> all;
     private final List<String> profileIds;
+    private final ComparisonPanel comparison;
 
     DreammPanels(DreammContext context, RunParts run) {
         this(context, run, Optional.empty());
@@ -101,6 +102,7 @@ final class DreammPanels {
         ModelView net = new ModelView(context);
         net.setAppendChoices(new PaletteSteps(context));
         PatternCommands.addTo(context);
+        comparison = new ComparisonPanel(context);
         List<DockPanel> every = new ArrayList<>(List.of(
                 new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
                 new DockPanel("model-view", "Model view", "net", net)
@@ -110,7 +112,7 @@ final class DreammPanels {
                 new DockPanel("issues", "Issues", "alarm", run.issues()),
                 new DockPanel("try-out", "Try it", "play", run.tryOut()),
                 new DockPanel("replay", "Journal", "clock", run.replay()),
-                new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context))));
+                new DockPanel("comparison", "Comparison", "compare", comparison)));
         learn.ifPresent(
                 content -> every.add(new DockPanel(LEARN, "Learn", "help", content).withFocusOn(content.first())));
         profileIds = every.stream().map(DreammPanels::profileId).toList();
@@ -128,6 +130,11 @@ final class DreammPanels {
     /** The ids by which profiles name them, of those that are hidden as well. */
     List<String> profileIds() {
         return profileIds;
+    }
+
+    /** The one that compares the open plan with another. */
+    ComparisonPanel comparison() {
+        return comparison;
     }
 
     /** All of them, in order. */

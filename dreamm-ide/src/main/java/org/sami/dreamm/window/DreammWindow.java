@@ -18,11 +18,13 @@ import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.help.HelpCommands;
 import org.sami.dreamm.learn.CourseCommands;
+import org.sami.dreamm.learn.JobModel;
 import org.sami.dreamm.learn.Learning;
 import org.sami.dreamm.learn.show.LessonShow;
 import org.sami.dreamm.learn.view.LearnPanel;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.start.AuthorDirectory;
+import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.dock.DockArea;
@@ -72,6 +74,12 @@ public final class DreammWindow {
                 .map(model -> new LessonShow(context, model, frame)); // before the panel with its button
         learn = learning.lesson().map(model -> new LearnPanel(model, context.commands()));
         DreammPanels panels = new DreammPanels(context, run, learn);
+        learn.ifPresent(panel -> panel.setJobs(new JobModel(
+                learning.lesson().orElseThrow(),
+                learning.grader().orElseThrow(),
+                new LessonEditor(context, files, run, panels.comparison()),
+                run.grading(),
+                EventThread.executor())));
         dock = new DockArea(
                 frame,
                 panels.all(),

@@ -3,6 +3,7 @@ package org.sami.dreamm.window;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.swing.JComponent;
@@ -22,6 +23,7 @@ import org.sami.dreamm.tryout.TryOut;
 import org.sami.dreamm.tryout.TryOutCommands;
 import org.sami.dreamm.tryout.TryOutOverlay;
 import org.sami.dreamm.tryout.TryOutPanel;
+import org.sami.spn.model.TestCase;
 import org.sami.ui.EventThread;
 
 /** What checks and runs the plan that is written, for the panels of one window: models, commands, and threads of their own. */
@@ -30,6 +32,7 @@ final class RunParts implements AutoCloseable {
     private final ExecutorService searching = worker("dreamm-search");
     private final ExecutorService trying = worker("dreamm-try");
     private final ExecutorService replaying = worker("dreamm-replay");
+    private final ExecutorService grading = worker("dreamm-grade");
     private final DreammContext context;
     private final LiveFindings live;
     private final IssueList issues;
@@ -78,6 +81,21 @@ final class RunParts implements AutoCloseable {
         context.commands().find(panel).ifPresent(command -> command.run());
     }
 
+    /** Where plans of jobs are graded. */
+    Executor grading() {
+        return grading;
+    }
+
+    /** Plays a test case of a plan and shows it; false where the plan is not started. */
+    boolean play(String plan, TestCase test) {
+        tryOut.stop();
+        boolean begun = tryOut.play(plan, test) || tryOut.stepper().isPresent();
+        if (begun) {
+            show("panel-try-out");
+        }
+        return begun;
+    }
+
     /** The findings about the document, which all panels share. */
     LiveFindings live() {
         return live;
@@ -119,5 +137,6 @@ final class RunParts implements AutoCloseable {
         searching.shutdownNow();
         trying.shutdownNow();
         replaying.shutdownNow();
+        grading.shutdownNow();
     }
 }

@@ -115,6 +115,11 @@ public final class JobGrader {
         return new IgnoredFindings(job, course.lesson(lesson).map(Lesson::mode).orElse(none));
     }
 
+    /** What is run of a learner's project: where a job asks for none, or the lesson has none yet, with requirements on its edges. */
+    public Project runnable(String lesson, Job job, Project project) {
+        return runnable(project, ignored(lesson, job));
+    }
+
     /** What is run of a project. */
     Project runnable(Project project, IgnoredFindings ignored) {
         Project computed = ignored.job().isComputed() ? FilledRequirements.computed(project, domain) : project;

@@ -2,11 +2,14 @@ package org.sami.dreamm.learn.view;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
+import org.sami.dreamm.learn.JobModel;
 import org.sami.dreamm.learn.LessonModel;
 import org.sami.dreamm.learn.PictureRun;
 import org.sami.dreamm.learn.QuizModel;
 import org.sami.dreamm.learn.show.LessonShow;
 import org.sami.lessons.course.Step;
+import org.sami.lessons.job.Verdict;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
 
@@ -19,6 +22,10 @@ final class LearnCommands {
     private final Command check;
     private final Command reveal;
     private final Command explained;
+    private final Command cancel;
+    private final Command hint;
+    private final Command failure;
+    private final Command startOver;
     private final Command contents;
     private final Command glossary;
     private final Command runForward;
@@ -38,12 +45,31 @@ final class LearnCommands {
                 .withKey("alt PAGE_UP")
                 .withIcon("left")
                 .unless(() -> model.hasBack() ? Optional.empty() : Optional.of("this is the first step")));
-        check = registry.add(new Command("learn-check", "Check my answer", model::check)
+        check = registry.add(new Command("learn-check", "Check my answer", this::checkNow)
                 .withKey("F4")
                 .withIcon("check")
-                .unless(() -> model.quiz().isEmpty()
-                        ? Optional.of("this step asks nothing")
-                        : model.quiz().flatMap(QuizModel::whyNotCheck)));
+                .unless(this::whyNotCheck));
+        cancel = registry.add(new Command(
+                        "learn-cancel", "Stop checking", () -> actions.jobs().ifPresent(JobModel::cancel))
+                .withKey("alt shift F4")
+                .withIcon("stop")
+                .unless(() -> of(JobModel::isChecking, "nothing is being checked")));
+        hint = registry.add(
+                new Command("learn-hint", "A hint", () -> actions.jobs().ifPresent(JobModel::showHelp))
+                        .withKey("F3")
+                        .withIcon("help")
+                        .unless(() -> of(jobs -> jobs.nextHelp().isPresent(), "there is no more help")));
+        failure = registry.add(new Command("learn-failure", "Play what went wrong", actions::playFailure)
+                .withKey("ctrl F4")
+                .withIcon("play")
+                .unless(() -> of(jobs -> jobs.run().isPresent(), "no run went wrong")));
+        startOver = registry.add(new Command(
+                        "learn-start-over",
+                        "Begin the job anew",
+                        () -> actions.jobs().ifPresent(JobModel::startOver))
+                .withKey("ctrl shift F4")
+                .withIcon("undo")
+                .unless(() -> of(jobs -> jobs.job().isPresent(), "this step has no job")));
         reveal = registry.add(new Command("learn-reveal", "Show the right answer", model::reveal)
                 .withKey("shift F4")
                 .withIcon("help")
@@ -53,8 +79,7 @@ final class LearnCommands {
         explained = registry.add(new Command("learn-explained", "Go to where it was explained", this::goToExplained)
                 .withKey("alt shift E")
                 .withIcon("go-to")
-                .unless(() ->
-                        model.step() instanceof Step.Quiz ? Optional.empty() : Optional.of("this step asks nothing")));
+                .unless(() -> explanation().isPresent() ? Optional.empty() : Optional.of("nothing was wrong")));
         contents = registry.add(new Command("learn-contents", "Lessons and steps", actions::openContents)
                 .withKey("alt shift T")
                 .withIcon("layers"));
@@ -77,6 +102,27 @@ final class LearnCommands {
                 .unless(this::whyNotBack));
     }
 
+    private Optional<String> of(Predicate<JobModel> so, String otherwise) {
+        return actions.jobs().filter(so).isPresent() ? Optional.empty() : Optional.of(otherwise);
+    }
+
+    private Optional<String> whyNotCheck() {
+        if (model.step() instanceof Step.Job) {
+            return actions.jobs().map(JobModel::whyNotCheck).orElse(Optional.of("no plan is open yet"));
+        }
+        return model.quiz().isEmpty()
+                ? Optional.of("this step asks nothing")
+                : model.quiz().flatMap(QuizModel::whyNotCheck);
+    }
+
+    private void checkNow() {
+        if (model.step() instanceof Step.Job) {
+            actions.jobs().ifPresent(JobModel::check);
+        } else {
+            model.check();
+        }
+    }
+
     private Optional<String> whyNotBack() {
         return actions.run().filter(run -> run.steps() > 0).isPresent()
                 ? Optional.empty()
@@ -89,9 +135,16 @@ final class LearnCommands {
     }
 
     private void goToExplained() {
-        if (model.step() instanceof Step.Quiz quiz) {
-            model.course().address(model.lesson().id(), quiz.explained()).ifPresent(model::go);
-        }
+        explanation()
+                .flatMap(step -> model.course().address(model.lesson().id(), step))
+                .ifPresent(model::go);
+    }
+
+    /** The step that explains what was wrong. */
+    Optional<String> explanation() {
+        return model.step() instanceof Step.Quiz quiz
+                ? Optional.of(quiz.explained())
+                : actions.jobs().flatMap(JobModel::verdict).flatMap(Verdict::explained);
     }
 
     Command next() {
@@ -112,6 +165,22 @@ final class LearnCommands {
 
     Command explained() {
         return explained;
+    }
+
+    Command cancel() {
+        return cancel;
+    }
+
+    Command hint() {
+        return hint;
+    }
+
+    Command failure() {
+        return failure;
+    }
+
+    Command startOver() {
+        return startOver;
     }
 
     Command contents() {

@@ -11,9 +11,11 @@ import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.learn.JobModel;
 import org.sami.dreamm.learn.LessonListener;
 import org.sami.dreamm.learn.LessonModel;
 import org.sami.dreamm.learn.PictureRun;
+import org.sami.lessons.course.Step;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
@@ -34,6 +36,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
     private final StrongLabel lesson = new StrongLabel("");
     private final JLabel where = new JLabel();
     private final JProgressBar progress = new JProgressBar();
+    private transient Optional<JobModel> jobs = Optional.empty();
     private final CommandButton check;
     private final CommandButton next;
 
@@ -55,6 +58,27 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
         add(foot(), BorderLayout.SOUTH);
         stepChanged();
         model.addListener(this);
+    }
+
+    /** Gives it the jobs of the window, once that has its editor. */
+    public void setJobs(JobModel of) {
+        jobs = Optional.of(of);
+        step.setJobs(of);
+        stepChanged();
+    }
+
+    @Override
+    public Optional<JobModel> jobs() {
+        return jobs;
+    }
+
+    @Override
+    public void playFailure() {
+        jobs.flatMap(JobModel::play).ifPresent(failed -> {
+            step.play(failed);
+            registry.refresh();
+            showFeedback();
+        });
     }
 
     /** What gets the keyboard's focus when the panel is shown. */
@@ -107,6 +131,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
 
     @Override
     public void stepChanged() {
+        jobs.ifPresent(JobModel::showStep);
         step.showStep();
         showWhere();
         SwingUtilities.invokeLater(() -> step.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
@@ -116,13 +141,19 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
     public void changed() {
         step.refresh();
         showWhere();
+        showFeedback();
+    }
+
+    private void showFeedback() {
         step.feedback()
                 .ifPresent(said -> SwingUtilities.invokeLater(
                         () -> said.scrollRectToVisible(new Rectangle(0, 0, said.getWidth(), said.getHeight()))));
     }
 
     private void showWhere() {
-        check.setVisible(model.quiz().isPresent());
+        boolean job = model.step() instanceof Step.Job;
+        check.setVisible(job || model.quiz().isPresent());
+        commands.check().retitle(job ? "Check my plan" : "Check my answer");
         lesson.setText(model.lesson().heading());
         lesson.setToolTipText(model.lesson().summary());
         int all = model.lesson().steps().size();

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
+import org.sami.dreamm.learn.JobModel;
 import org.sami.dreamm.learn.LessonModel;
 import org.sami.dreamm.learn.PictureRun;
 import org.sami.dreamm.learn.QuizModel;
@@ -42,7 +43,10 @@ final class StepView extends ScrolledPanel {
     private transient Optional<PictureView> picture = Optional.empty();
     private transient Optional<QuizView> quiz = Optional.empty();
     private transient Optional<RunBar> runBar = Optional.empty();
+    private transient Optional<JobView> jobView = Optional.empty();
     private transient Optional<JComponent> feedback = Optional.empty();
+    private transient Optional<JobModel> jobs = Optional.empty();
+    private transient Optional<PicturePane> failedPicture = Optional.empty();
     private transient Optional<String> whyNoRun = Optional.empty();
 
     /**
@@ -96,6 +100,10 @@ final class StepView extends ScrolledPanel {
                 .ifPresent(caption -> addNote("learn-caption", caption));
         quiz = model.quiz().map(asked -> new QuizView(asked, drawn, marks, model::changed));
         quiz.ifPresent(this::add);
+        jobView = step instanceof Step.Job
+                ? jobs.map(of -> new JobView(of, commands, this::pictureOf))
+                : Optional.empty();
+        jobView.ifPresent(this::add);
         if (step instanceof Step.Play) {
             begin();
         }
@@ -103,6 +111,30 @@ final class StepView extends ScrolledPanel {
             commands.show().ifPresent(show -> add(CommandButton.primary(show, "play")));
         }
         refresh();
+    }
+
+    /** Shows the jobs of a window from now on. */
+    void setJobs(JobModel of) {
+        jobs = Optional.of(of);
+    }
+
+    private JComponent pictureOf(Plan plan) {
+        return new PicturePane(new PictureView(plan, model.vocabulary(), marks));
+    }
+
+    /** Plays a run of the learner's plan below what was said of it. */
+    void play(PictureRun failed) {
+        runBar.ifPresent(this::remove);
+        failedPicture.ifPresent(this::remove);
+        PictureView view = new PictureView(failed.plan(), model.vocabulary(), marks);
+        picture = Optional.of(view);
+        PicturePane pane = new PicturePane(view);
+        failedPicture = Optional.of(pane);
+        add(pane);
+        run = Optional.of(failed);
+        addRun(failed);
+        feedback = Optional.of(pane);
+        revalidate();
     }
 
     private void addNote(String name, String words) {
@@ -160,6 +192,11 @@ final class StepView extends ScrolledPanel {
 
     /** Shows what is said of the answer. */
     void refresh() {
+        if (model.step() instanceof Step.Job) {
+            jobView.ifPresent(JobView::refresh);
+            feedback = jobView.map(JComponent.class::cast);
+            return;
+        }
         feedback.ifPresent(this::remove);
         feedback = model.quiz().flatMap(this::said);
         feedback.ifPresent(said -> add(said, runBar.isPresent() ? getComponentCount() - 1 : getComponentCount()));
