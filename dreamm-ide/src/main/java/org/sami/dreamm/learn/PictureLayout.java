@@ -3,7 +3,9 @@ package org.sami.dreamm.learn;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.sami.picture.NetFonts;
+import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.model.LayoutPoint;
@@ -16,8 +18,8 @@ import org.sami.spn.vocabulary.Vocabulary;
  */
 public final class PictureLayout {
     private static final double SAME_ROW = 70;
-    private static final double LEAST_BLANK = 92;
-    private static final double LEAST_WITH_WORDS = 128;
+    private static final double LEAST_BLANK = 120; // drawing units, as the next
+    private static final double LEAST_WITH_WORDS = 170;
     private static final int TRIES = 6;
 
     private PictureLayout() {}
@@ -29,7 +31,7 @@ public final class PictureLayout {
      */
     public static NetDrawing of(Plan plan, Vocabulary vocabulary, double width) {
         NetDrawing own = NetLayout.given(plan, vocabulary, NetFonts::width);
-        double least = least(plan);
+        double least = least(plan, own.scale());
         if (own.bounds().width() <= width || least >= 1) {
             return own;
         }
@@ -37,7 +39,12 @@ public final class PictureLayout {
         double factor = 1;
         for (int i = 0; i < TRIES && best.bounds().width() > width && factor > least; i++) {
             factor = Math.max(least, factor * width / best.bounds().width());
-            best = NetLayout.given(nearer(plan, factor), vocabulary, NetFonts::width);
+            best = NetLayout.edited(
+                    nearer(plan, factor),
+                    vocabulary,
+                    NetFonts::width,
+                    NetDetail.READER,
+                    OptionalDouble.of(own.scale())); // the scale of the whole, else it would move all apart again
         }
         return best;
     }
@@ -49,7 +56,7 @@ public final class PictureLayout {
     }
 
     /** How much nearer vertices of one row can come to each other without their words meeting. */
-    private static double least(Plan plan) {
+    private static double least(Plan plan, double scale) {
         boolean words =
                 plan.inEdges().stream().anyMatch(edge -> !edge.requirements().isEmpty())
                         || plan.outEdges().stream()
@@ -65,6 +72,6 @@ public final class PictureLayout {
                 }
             }
         }
-        return Math.min(1, needed / nearest);
+        return Math.min(1, needed / (nearest * scale));
     }
 }
