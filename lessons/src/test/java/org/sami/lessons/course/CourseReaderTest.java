@@ -66,6 +66,18 @@ class CourseReaderTest {
     }
 
     @Test
+    void aTextThatIsNoTextIsRefused() throws IOException {
+        copyCourse();
+        Path file = folder.resolve("01-one/lesson.json");
+        Files.writeString(file, Files.readString(file).replace("\"text\": \"an edge\"", "\"text\": true"));
+
+        Reading<Course> read = CourseReader.read(CourseFiles.in(folder), TestCourse.DOMAIN);
+
+        assertThat(read.findings()).hasSize(1);
+        assertThat(read.findings().get(0).pointer()).isEqualTo("/steps/1/ask/choices/1/text");
+    }
+
+    @Test
     void aMissingPlanIsNamed() throws IOException {
         copyCourse();
         Files.delete(folder.resolve("01-one/plans/wait.json"));
