@@ -46,7 +46,7 @@ final class DreammPanels {
     /** The same for a window of the course, whose panel has the left side. */
     static final Arrangements OF_COURSE = new Arrangements(
             Arrangement.of("model-view")
-                    .left(LEARN, "model-view", 0.36)
+                    .left(LEARN, "model-view", 0.4)
                     .right("palette", "model-view", 0.3)
                     .behind("mission-tree", "palette")
                     .below("inspector", "palette", 0.5)

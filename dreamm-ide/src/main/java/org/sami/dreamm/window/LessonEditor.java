@@ -40,7 +40,9 @@ final class LessonEditor implements JobEditor {
             keeping = true;
             EventThread.later(() -> {
                 keeping = false;
-                files.keep();
+                if (!context.document().isLent()) { // a copy that is only shown is not the learner's
+                    files.keep();
+                }
             });
         }
     }

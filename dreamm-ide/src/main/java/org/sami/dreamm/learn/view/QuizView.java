@@ -1,6 +1,7 @@
 package org.sami.dreamm.learn.view;
 
 import java.util.LinkedHashSet;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.JLabel;
@@ -53,8 +54,9 @@ final class QuizView extends JPanel {
             hint("Click in the net, or go by the arrow keys and mark with Space.");
             drawn.ifPresent(there -> there.view().setPickable(elements(there.plan(), mark.of()), this::mark));
         } else if (ask instanceof Question.Tokens asked) {
-            hint("Where do tokens stand after this: " + asked.after()
-                    + "? Choose a place by a click or the arrow keys, and put tokens there.");
+            hint(
+                    sentence(asked.after())
+                            + " Where do tokens stand then? Choose a place by a click or the arrow keys, and put tokens there.");
             drawn.ifPresent(there -> tokens(there, marks));
         } else if (ask instanceof Question.Amount amount) {
             number(amount);
@@ -64,6 +66,11 @@ final class QuizView extends JPanel {
 
     /** A picture and the plan that it draws. */
     record Drawn(PictureView view, Plan plan) {}
+
+    private static String sentence(String words) {
+        String first = words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+        return first.endsWith(".") ? first : first + ".";
+    }
 
     private void hint(String words) {
         WrappedText text = new WrappedText(words);
