@@ -38,7 +38,9 @@ public final class PictureLayout {
         NetDrawing best = own;
         double factor = 1;
         for (int i = 0; i < TRIES && best.bounds().width() > width && factor > least; i++) {
-            factor = Math.max(least, factor * width / best.bounds().width());
+            factor = Math.max(
+                    least,
+                    factor * (width - 1) / best.bounds().width()); // a little less: it comes near it only by steps
             best = NetLayout.edited(
                     nearer(plan, factor),
                     vocabulary,
