@@ -42,7 +42,7 @@ public final class JobChecks {
         int slash = name.indexOf('/');
         String lesson = name.substring(0, slash);
         String path = lesson + "/jobs/" + name.substring(slash + 1) + ".json";
-        Reading<Job> read = JobReader.read(files.name(path), course.jobs().get(name), domain.vocabulary());
+        Reading<Job> read = JobReader.read(files.name(path), course.jobs().getOrDefault(name, ""), domain.vocabulary());
         findings.addAll(read.findings());
         if (read.result().isEmpty()) {
             return;

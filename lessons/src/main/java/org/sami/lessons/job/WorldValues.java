@@ -87,7 +87,8 @@ final class WorldValues {
         if (!robots.isEmpty()) {
             List<GeoPoint> points = points(asked, view);
             for (int i = 0; i < points.size(); i++) {
-                ways.get(robots.get(i % robots.size())).add(points.get(i));
+                ways.computeIfAbsent(robots.get(i % robots.size()), robot -> new ArrayList<>())
+                        .add(points.get(i));
             }
             asked.values().values().forEach(value -> own(value, ways));
         }
