@@ -43,6 +43,8 @@ import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.profile.ProfileFile;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.lessons.course.CourseFiles;
+import org.sami.lessons.course.CourseReader;
 import org.sami.palette.Theme;
 import org.sami.picture.net.NetScene;
 import org.sami.spn.edit.PlanBuilder;
@@ -437,5 +439,23 @@ class ProfileWalkTest {
                 .extracting(command -> command.id())
                 .doesNotContain("try-start", "issue-next")
                 .contains("net-connect", "project-save", "undo");
+    }
+
+    /** What a lesson's mode names and nothing has would silently be there in full. */
+    @Test
+    void everyPatternOfALessonsModeNamesSomethingOfTheWindow() throws IOException {
+        Set<String> ids = open(Profile.ALL).ids();
+        ids.addAll(Set.of("panels-fold", "course-open"));
+
+        assertThat(CourseReader.read(CourseFiles.SHIPPED, BOATS).orThrow().lessons())
+                .isNotEmpty()
+                .allSatisfy(lesson -> assertThat(ProfileIds.unknown(
+                                new Profile(
+                                        lesson.heading(),
+                                        lesson.mode().hide(),
+                                        lesson.mode().lock(),
+                                        lesson.mode().keep()),
+                                ids))
+                        .isEmpty());
     }
 }
