@@ -180,7 +180,7 @@ public final class JobModel {
         } catch (CancellationException stopped) {
             return Optional.empty();
         } catch (IllegalStateException unfit) {
-            return Optional.of(Verdict.wrong(Verdict.Stage.FILE, unfit.getMessage(), List.of()));
+            return Optional.of(Verdict.wrong(Verdict.Stage.FILE, String.valueOf(unfit.getMessage()), List.of()));
         }
     }
 

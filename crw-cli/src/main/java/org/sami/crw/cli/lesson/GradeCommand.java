@@ -45,12 +45,15 @@ import picocli.CommandLine.Spec;
         })
 public final class GradeCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(index = "0", paramLabel = "LESSON/JOB", description = "The job, by the id of its lesson and its own.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
     @Parameters(index = "1", paramLabel = "FILE", description = "The plan file.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path file;
 
     @Mixin

@@ -50,6 +50,7 @@ import picocli.CommandLine.Spec;
         })
 public final class LessonsCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(index = "0", arity = "0..1", paramLabel = "LESSON", description = "The id of a lesson: its steps.")

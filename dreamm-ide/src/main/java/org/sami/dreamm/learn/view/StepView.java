@@ -165,7 +165,7 @@ final class StepView extends ScrolledPanel {
         try {
             run = StepRuns.of(model.course(), model.vocabulary(), model.lesson(), model.step());
         } catch (IllegalArgumentException refused) {
-            whyNoRun = Optional.of(refused.getMessage());
+            whyNoRun = Optional.of(String.valueOf(refused.getMessage()));
         }
         run.ifPresent(this::addRun);
     }

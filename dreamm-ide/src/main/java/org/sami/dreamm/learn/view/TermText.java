@@ -26,6 +26,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import org.jspecify.annotations.Nullable;
 import org.sami.lessons.course.Paragraph;
 import org.sami.lessons.course.Paragraph.Span;
 import org.sami.palette.SemanticColor;
@@ -142,7 +143,7 @@ final class TermText extends JComponent {
     }
 
     @Override
-    public String getToolTipText(MouseEvent e) {
+    public @Nullable String getToolTipText(MouseEvent e) {
         int span = termAt(e.getPoint());
         return span >= 0 && paragraph.spans().get(span) instanceof Span.TermLink term
                 ? meaning.apply(term.term()).orElse(null)
