@@ -135,7 +135,7 @@ enum SamiModule {
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
     DREAMM_IDE(
             "dreamm-ide",
-            280,
+            370,
             List.of("org.sami.dreamm.."),
             List.of(UI_KIT, LESSONS, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display, and the link for words of snapshots such as modes. */

@@ -15,8 +15,8 @@ import org.sami.lessons.course.CourseFiles;
 import org.sami.lessons.course.CourseReader;
 import org.sami.lessons.course.Grade;
 import org.sami.lessons.course.Lesson;
-import org.sami.lessons.course.Question;
 import org.sami.lessons.course.QuizGrader;
+import org.sami.lessons.course.QuizQuestion;
 import org.sami.lessons.course.ReadingTime;
 import org.sami.lessons.course.Response;
 import org.sami.lessons.course.Step;
@@ -76,19 +76,19 @@ class ShippedCourseTest {
     }
 
     /** Wrong answers to a question: each single wrong choice, each likely wrong marking or number, nothing at all. */
-    private static List<Response> wrong(Question ask, Response right) {
-        if (ask instanceof Question.One one) {
+    private static List<Response> wrong(QuizQuestion ask, Response right) {
+        if (ask instanceof QuizQuestion.One one) {
             return Stream.iterate(0, i -> i < one.choices().size(), i -> i + 1)
                     .filter(i -> !one.choices().get(i).right())
                     .<Response>map(Response.Choice::new)
                     .toList();
-        } else if (ask instanceof Question.Several several) {
+        } else if (ask instanceof QuizQuestion.Several several) {
             return Stream.iterate(0, i -> i < several.choices().size(), i -> i + 1)
                     .<Response>map(i -> turned((Response.Choices) right, i))
                     .toList();
-        } else if (ask instanceof Question.Mark) {
+        } else if (ask instanceof QuizQuestion.Mark) {
             return List.of(new Response.Marks(Set.of()));
-        } else if (ask instanceof Question.Tokens tokens) {
+        } else if (ask instanceof QuizQuestion.Tokens tokens) {
             return Stream.concat(
                             tokens.why().stream().map(each -> each.tokens()).map(Response.Tokens::new),
                             Stream.of(right)
@@ -98,7 +98,7 @@ class ShippedCourseTest {
                     .<Response>map(each -> each)
                     .toList();
         }
-        Question.Amount amount = (Question.Amount) ask;
+        QuizQuestion.Amount amount = (QuizQuestion.Amount) ask;
         return Stream.concat(amount.why().keySet().stream().map(Integer::valueOf), Stream.of(amount.right() + 1_000))
                 .<Response>map(Response.Amount::new)
                 .toList();

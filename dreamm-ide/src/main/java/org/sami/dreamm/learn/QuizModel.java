@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.sami.lessons.course.Grade;
 import org.sami.lessons.course.Lesson;
-import org.sami.lessons.course.Question;
 import org.sami.lessons.course.QuizGrader;
+import org.sami.lessons.course.QuizQuestion;
 import org.sami.lessons.course.Response;
 import org.sami.lessons.course.Step;
 import org.sami.lessons.course.TokensAt;
@@ -54,11 +54,11 @@ public final class QuizModel {
         return new TokenDraft(quiz.picture().map(picture -> picture.tokens()).orElse(List.of()));
     }
 
-    private static List<Question.Choice> choicesOf(Question ask) {
-        if (ask instanceof Question.One one) {
+    private static List<QuizQuestion.Choice> choicesOf(QuizQuestion ask) {
+        if (ask instanceof QuizQuestion.One one) {
             return one.choices();
         }
-        return ask instanceof Question.Several several ? several.choices() : List.of();
+        return ask instanceof QuizQuestion.Several several ? several.choices() : List.of();
     }
 
     /** The quiz. */
@@ -77,7 +77,7 @@ public final class QuizModel {
     }
 
     /** A choice by its index in the file. */
-    public Question.Choice choice(int index) {
+    public QuizQuestion.Choice choice(int index) {
         return choicesOf(quiz.ask()).get(index);
     }
 
@@ -92,7 +92,7 @@ public final class QuizModel {
             return;
         }
         boolean taken = choices.contains(index);
-        if (quiz.ask() instanceof Question.One) {
+        if (quiz.ask() instanceof QuizQuestion.One) {
             choices.clear();
             choices.add(index);
         } else if (taken) {
@@ -127,7 +127,8 @@ public final class QuizModel {
     public List<Token> tokenKinds() {
         List<TokensAt> all =
                 new ArrayList<>(quiz.picture().map(picture -> picture.tokens()).orElse(List.of()));
-        if (quiz.ask() instanceof Question.Tokens ask && grader.right(lesson, quiz) instanceof Response.Tokens right) {
+        if (quiz.ask() instanceof QuizQuestion.Tokens ask
+                && grader.right(lesson, quiz) instanceof Response.Tokens right) {
             all.addAll(right.tokens());
             ask.why().forEach(wrong -> all.addAll(wrong.tokens()));
         }
@@ -179,25 +180,25 @@ public final class QuizModel {
     }
 
     private String missing() {
-        if (quiz.ask() instanceof Question.One) {
+        if (quiz.ask() instanceof QuizQuestion.One) {
             return "choose one first";
-        } else if (quiz.ask() instanceof Question.Several) {
+        } else if (quiz.ask() instanceof QuizQuestion.Several) {
             return "choose at least one first";
-        } else if (quiz.ask() instanceof Question.Mark) {
+        } else if (quiz.ask() instanceof QuizQuestion.Mark) {
             return "mark at least one element of the net first";
         }
         return "type a whole number first";
     }
 
     private Optional<Response> response() {
-        Question ask = quiz.ask();
-        if (ask instanceof Question.One) {
+        QuizQuestion ask = quiz.ask();
+        if (ask instanceof QuizQuestion.One) {
             return choices.stream().findFirst().map(Response.Choice::new);
-        } else if (ask instanceof Question.Several) {
+        } else if (ask instanceof QuizQuestion.Several) {
             return choices.isEmpty() ? Optional.empty() : Optional.of(new Response.Choices(choices));
-        } else if (ask instanceof Question.Mark) {
+        } else if (ask instanceof QuizQuestion.Mark) {
             return marks.isEmpty() ? Optional.empty() : Optional.of(new Response.Marks(marks));
-        } else if (ask instanceof Question.Tokens) {
+        } else if (ask instanceof QuizQuestion.Tokens) {
             return Optional.of(new Response.Tokens(tokens.tokens()));
         }
         return number.strip().matches("-?\\d{1,9}")

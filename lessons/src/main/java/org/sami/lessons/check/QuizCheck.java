@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.Lesson;
-import org.sami.lessons.course.Question;
-import org.sami.lessons.course.Question.Choice;
+import org.sami.lessons.course.QuizQuestion;
+import org.sami.lessons.course.QuizQuestion.Choice;
 import org.sami.lessons.course.Step;
 import org.sami.lessons.course.TokensAfter;
 import org.sami.spn.model.Plan;
@@ -37,14 +37,14 @@ final class QuizCheck {
             problems.add(pointer + "/solved", "the quiz \"" + quiz.id() + "\" does not say what is so");
         }
         quiz.play().ifPresent(name -> plays(quiz, name, pointer + "/play"));
-        Question ask = quiz.ask();
-        if (ask instanceof Question.One one) {
+        QuizQuestion ask = quiz.ask();
+        if (ask instanceof QuizQuestion.One one) {
             choices(one.choices(), false, pointer);
-        } else if (ask instanceof Question.Several several) {
+        } else if (ask instanceof QuizQuestion.Several several) {
             choices(several.choices(), true, pointer);
-        } else if (ask instanceof Question.Mark mark) {
+        } else if (ask instanceof QuizQuestion.Mark mark) {
             mark(quiz, mark, pointer);
-        } else if (ask instanceof Question.Tokens tokens) {
+        } else if (ask instanceof QuizQuestion.Tokens tokens) {
             tokens(quiz, tokens, pointer);
         }
     }
@@ -60,7 +60,7 @@ final class QuizCheck {
         }
     }
 
-    private void mark(Step.Quiz quiz, Question.Mark mark, String pointer) {
+    private void mark(Step.Quiz quiz, QuizQuestion.Mark mark, String pointer) {
         plan(quiz, pointer).ifPresent(plan -> {
             PictureCheck.elements(plan, mark.right(), pointer + "/ask/right", problems);
             PictureCheck.elements(plan, mark.why().keySet(), pointer + "/ask/why", problems);
@@ -68,7 +68,7 @@ final class QuizCheck {
         });
     }
 
-    private void tokens(Step.Quiz quiz, Question.Tokens ask, String pointer) {
+    private void tokens(Step.Quiz quiz, QuizQuestion.Tokens ask, String pointer) {
         plan(quiz, pointer).ifPresent(plan -> {
             for (int i = 0; i < ask.why().size(); i++) {
                 String at = pointer + "/ask/why/" + i;

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A lesson: what it introduces, what of the window it leaves, and its steps.
@@ -38,16 +37,12 @@ public record Lesson(
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(title, "title");
         Objects.requireNonNull(summary, "summary");
-        events = orNone(events);
-        tasks = orNone(tasks);
-        markups = orNone(markups);
-        terms = orNone(terms);
+        events = Absent.orNone(events);
+        tasks = Absent.orNone(tasks);
+        markups = Absent.orNone(markups);
+        terms = Absent.orNone(terms);
         Objects.requireNonNull(mode, "mode");
         steps = List.copyOf(steps);
-    }
-
-    static <T> List<T> orNone(@Nullable List<T> given) {
-        return given == null ? List.of() : List.copyOf(given);
     }
 
     /** The step of an id. */

@@ -11,8 +11,8 @@ import java.util.List;
  */
 public record LessonMode(List<String> hide, List<String> lock, List<String> keep) {
     public LessonMode {
-        hide = Lesson.orNone(hide);
-        lock = Lesson.orNone(lock);
-        keep = Lesson.orNone(keep);
+        hide = Absent.orNone(hide);
+        lock = Absent.orNone(lock);
+        keep = Absent.orNone(keep);
     }
 }

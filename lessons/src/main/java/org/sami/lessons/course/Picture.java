@@ -3,7 +3,6 @@ package org.sami.lessons.course;
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A picture that is drawn from a plan.
@@ -17,12 +16,8 @@ public record Picture(
         @JsonProperty(required = true) String plan, List<String> mark, List<TokensAt> tokens, String caption) {
     public Picture {
         Objects.requireNonNull(plan, "plan");
-        mark = Lesson.orNone(mark);
-        tokens = Lesson.orNone(tokens);
-        caption = orEmpty(caption);
-    }
-
-    static String orEmpty(@Nullable String given) {
-        return given == null ? "" : given;
+        mark = Absent.orNone(mark);
+        tokens = Absent.orNone(tokens);
+        caption = Absent.orEmpty(caption);
     }
 }

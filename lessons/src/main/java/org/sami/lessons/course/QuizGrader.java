@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.sami.lessons.course.Question.Choice;
+import org.sami.lessons.course.QuizQuestion.Choice;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Grades answers to quizzes. Each wrong answer is told why that one is wrong. */
@@ -32,17 +32,17 @@ public final class QuizGrader {
 
     /** The right answer to a quiz. */
     public Response right(Lesson lesson, Step.Quiz quiz) {
-        Question ask = quiz.ask();
-        if (ask instanceof Question.One one) {
+        QuizQuestion ask = quiz.ask();
+        if (ask instanceof QuizQuestion.One one) {
             return new Response.Choice(rightOf(one.choices()).iterator().next());
-        } else if (ask instanceof Question.Several several) {
+        } else if (ask instanceof QuizQuestion.Several several) {
             return new Response.Choices(rightOf(several.choices()));
-        } else if (ask instanceof Question.Mark mark) {
+        } else if (ask instanceof QuizQuestion.Mark mark) {
             return new Response.Marks(new LinkedHashSet<>(mark.right()));
-        } else if (ask instanceof Question.Tokens tokens) {
+        } else if (ask instanceof QuizQuestion.Tokens tokens) {
             return new Response.Tokens(after(lesson, quiz, tokens));
         } else {
-            return new Response.Amount(((Question.Amount) ask).right());
+            return new Response.Amount(((QuizQuestion.Amount) ask).right());
         }
     }
 
@@ -57,17 +57,17 @@ public final class QuizGrader {
     }
 
     private List<String> wrong(Lesson lesson, Step.Quiz quiz, Response response) {
-        Question ask = quiz.ask();
-        if (ask instanceof Question.One one && response instanceof Response.Choice chosen) {
+        QuizQuestion ask = quiz.ask();
+        if (ask instanceof QuizQuestion.One one && response instanceof Response.Choice chosen) {
             Choice choice = one.choices().get(chosen.index());
             return choice.right() ? List.of() : List.of(choice.why());
-        } else if (ask instanceof Question.Several several && response instanceof Response.Choices chosen) {
+        } else if (ask instanceof QuizQuestion.Several several && response instanceof Response.Choices chosen) {
             return wrongChoices(several.choices(), chosen.indices());
-        } else if (ask instanceof Question.Mark mark && response instanceof Response.Marks marked) {
+        } else if (ask instanceof QuizQuestion.Mark mark && response instanceof Response.Marks marked) {
             return wrongMarks(mark, marked.ids());
-        } else if (ask instanceof Question.Tokens tokens && response instanceof Response.Tokens put) {
+        } else if (ask instanceof QuizQuestion.Tokens tokens && response instanceof Response.Tokens put) {
             return wrongTokens(tokens, after(lesson, quiz, tokens), put.tokens());
-        } else if (ask instanceof Question.Amount amount && response instanceof Response.Amount given) {
+        } else if (ask instanceof QuizQuestion.Amount amount && response instanceof Response.Amount given) {
             return given.number() == amount.right()
                     ? List.of()
                     : List.of(amount.why().getOrDefault(String.valueOf(given.number()), amount.otherwise()));
@@ -85,7 +85,7 @@ public final class QuizGrader {
         return wrong;
     }
 
-    private static List<String> wrongMarks(Question.Mark mark, Set<String> marked) {
+    private static List<String> wrongMarks(QuizQuestion.Mark mark, Set<String> marked) {
         Set<String> wrong = new LinkedHashSet<>();
         marked.stream()
                 .filter(id -> !mark.right().contains(id))
@@ -97,13 +97,13 @@ public final class QuizGrader {
         return List.copyOf(wrong);
     }
 
-    private static List<String> wrongTokens(Question.Tokens ask, List<TokensAt> right, List<TokensAt> put) {
+    private static List<String> wrongTokens(QuizQuestion.Tokens ask, List<TokensAt> right, List<TokensAt> put) {
         if (set(right).equals(set(put))) {
             return List.of();
         }
         return List.of(ask.why().stream()
                 .filter(wrong -> set(wrong.tokens()).equals(set(put)))
-                .map(Question.WrongTokens::why)
+                .map(QuizQuestion.WrongTokens::why)
                 .findFirst()
                 .orElse(ask.otherwise()));
     }
@@ -115,7 +115,7 @@ public final class QuizGrader {
                 .collect(Collectors.toSet());
     }
 
-    private List<TokensAt> after(Lesson lesson, Step.Quiz quiz, Question.Tokens ask) {
+    private List<TokensAt> after(Lesson lesson, Step.Quiz quiz, QuizQuestion.Tokens ask) {
         String reference = quiz.picture()
                 .orElseThrow(() -> new IllegalArgumentException("the quiz \"" + quiz.id() + "\" has no picture"))
                 .plan();

@@ -34,14 +34,15 @@ public final class ReadingTime {
         return time.plusSeconds(Math.round(words * 60.0 / WORDS_A_MINUTE));
     }
 
-    private static int wordsOf(Question ask) {
-        if (ask instanceof Question.One one) {
+    private static int wordsOf(QuizQuestion ask) {
+        if (ask instanceof QuizQuestion.One one) {
             return Paragraph.count(
-                    one.choices().stream().map(Question.Choice::text).toList());
+                    one.choices().stream().map(QuizQuestion.Choice::text).toList());
         }
-        return ask instanceof Question.Several several
-                ? Paragraph.count(
-                        several.choices().stream().map(Question.Choice::text).toList())
+        return ask instanceof QuizQuestion.Several several
+                ? Paragraph.count(several.choices().stream()
+                        .map(QuizQuestion.Choice::text)
+                        .toList())
                 : 0;
     }
 }

@@ -95,7 +95,7 @@ public sealed interface Step {
             Objects.requireNonNull(picture, "picture");
             Objects.requireNonNull(plan, "plan");
             Objects.requireNonNull(testCase, "testCase");
-            robots = Lesson.orNone(robots);
+            robots = Absent.orNone(robots);
         }
     }
 
@@ -114,7 +114,7 @@ public sealed interface Step {
             @JsonProperty(required = true) List<String> text,
             Optional<Picture> picture,
             boolean review,
-            @JsonProperty(required = true) Question ask,
+            @JsonProperty(required = true) QuizQuestion ask,
             @JsonProperty(required = true) String explained,
             @JsonProperty(required = true) String solved,
             Optional<String> play)

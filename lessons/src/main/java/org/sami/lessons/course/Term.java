@@ -26,7 +26,7 @@ public record Term(
     public Term {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(term, "term");
-        also = Lesson.orNone(also);
+        also = Absent.orNone(also);
         Objects.requireNonNull(text, "text");
         Objects.requireNonNull(lesson, "lesson");
         Objects.requireNonNull(step, "step");

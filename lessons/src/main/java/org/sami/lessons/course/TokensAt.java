@@ -16,8 +16,8 @@ public record TokensAt(
         @JsonProperty(required = true) String place, int generic, List<String> robots, List<String> tasks) {
     public TokensAt {
         Objects.requireNonNull(place, "place");
-        robots = Lesson.orNone(robots);
-        tasks = Lesson.orNone(tasks);
+        robots = Absent.orNone(robots);
+        tasks = Absent.orNone(tasks);
         if (generic < 0) {
             throw new IllegalArgumentException("\"generic\" is not negative: " + generic);
         }

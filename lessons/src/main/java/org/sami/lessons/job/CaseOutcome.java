@@ -16,7 +16,7 @@ record CaseOutcome(JobCase job, CaseRun run, CaseRun right, Optional<String> dif
         return difference.isEmpty();
     }
 
-    boolean went(JobPredicate.How how) {
+    boolean went(CaseEnd how) {
         boolean rightEnds = right.hasEnded();
         return switch (how) {
             case SAME -> isSame();

@@ -175,7 +175,7 @@ public sealed interface JobPredicate {
     }
 
     /** How a hidden case went. */
-    record CaseWent(String name, How how) implements JobPredicate {
+    record CaseWent(String name, CaseEnd how) implements JobPredicate {
         public CaseWent {
             Objects.requireNonNull(name, "name");
             Objects.requireNonNull(how, "how");
@@ -185,17 +185,6 @@ public sealed interface JobPredicate {
         public boolean holds(JobFacts facts) {
             return facts.outcome(name).filter(outcome -> outcome.went(how)).isPresent();
         }
-    }
-
-    /** How a case can go; in files in small letters with hyphens. */
-    enum How {
-        SAME,
-        DIFFERENT,
-        NEVER_ENDS,
-        ENDS_EARLY,
-        ASKS_NOBODY,
-        ENDLESS,
-        REFUSED
     }
 
     /** Not so. */

@@ -189,7 +189,7 @@ final class PredicateReader {
             m.problem(JobFormat.CODE, "case", "The job has no case \"" + name + "\"");
         }
         String word = m.text("is", "different");
-        for (JobPredicate.How how : JobPredicate.How.values()) {
+        for (CaseEnd how : CaseEnd.values()) {
             if (how.name().toLowerCase(Locale.ROOT).replace('_', '-').equals(word)) {
                 return Optional.of(new JobPredicate.CaseWent(name, how));
             }

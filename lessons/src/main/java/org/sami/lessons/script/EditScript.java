@@ -92,6 +92,6 @@ public record EditScript(List<ScriptElement> elements) {
      * @param vocabulary the words that are known, of a lesson those that were introduced
      */
     public ScriptRun applyTo(Project project, Vocabulary vocabulary, AuthoringLibrary library) {
-        return ScriptRun.of(this, project, vocabulary, library);
+        return ScriptRun.of(elements, project, vocabulary, library);
     }
 }

@@ -45,7 +45,7 @@ final class ScriptAdditions {
         }
         Edit edit = bare(add, project, plan, target);
         Plan drawn = Tried.plan(edit, project, plan.id(), vocabulary);
-        return ScriptEdits.named(edit, names(add, edit, plan, drawn));
+        return NamedEdit.of(edit, names(add, edit, plan, drawn));
     }
 
     private Edit bare(ScriptElement.Add add, Project project, Plan plan, EventTarget target)

@@ -131,17 +131,7 @@ final class ScriptEdits {
         }
         Plan drawn = Tried.plan(connect, project, plan.id(), vocabulary);
         String made = new PlanIds(drawn).edge(e.from() + ">" + e.to(), "");
-        return named(connect, List.of(new RenameElement(plan.id(), made, e.id().get())));
-    }
-
-    /** An edit with others that give what it makes its ids and names: one edit to undo. */
-    static Edit named(Edit edit, List<Edit> names) {
-        List<Edit> all = new ArrayList<>();
-        all.add(edit);
-        names.stream()
-                .filter(n -> !(n instanceof RenameElement r && r.from().equals(r.to())))
-                .forEach(all::add);
-        return all.size() == 1 ? edit : new EditSequence(edit.label(), all);
+        return NamedEdit.of(connect, List.of(new RenameElement(plan.id(), made, e.id().get())));
     }
 
     private Edit require(ScriptElement.Require e, Plan plan, String edge) throws ScriptRefusedException {

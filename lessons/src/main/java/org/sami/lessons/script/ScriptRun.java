@@ -63,12 +63,12 @@ public record ScriptRun(Project start, List<Done> done, Optional<Refusal> refusa
         return project();
     }
 
-    static ScriptRun of(EditScript script, Project start, Vocabulary vocabulary, AuthoringLibrary library) {
+    static ScriptRun of(List<ScriptElement> script, Project start, Vocabulary vocabulary, AuthoringLibrary library) {
         EditHistory history = new EditHistory(start, vocabulary, MOST_UNDO);
         ScriptEdits edits = new ScriptEdits(vocabulary, library);
         Optional<String> open = start.plans().stream().map(Plan::id).findFirst();
         List<Done> done = new ArrayList<>();
-        for (ScriptElement element : script.elements()) {
+        for (ScriptElement element : script) {
             try {
                 Optional<Edit> edit = edits.edit(element, history.project(), open);
                 if (edit.isPresent() && history.apply(edit.get()) instanceof EditResult.Refused refused) {

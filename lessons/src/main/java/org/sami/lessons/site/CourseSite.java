@@ -78,15 +78,6 @@ public final class CourseSite {
         return lessons.size() + 2;
     }
 
-    /**
-     * The file of a plan, below the pages.
-     *
-     * @param key as in {@link Course#plans}
-     */
-    static String planFile(String key) {
-        return "plans/" + key.replace('/', '-') + ".json";
-    }
-
     private void writeStarts(LessonPage lesson, Path folder) throws IOException {
         for (LessonPage.StepPart step : lesson.steps()) {
             Project start = course.plans().get(step.job().key());

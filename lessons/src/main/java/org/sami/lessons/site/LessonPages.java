@@ -11,8 +11,8 @@ import org.sami.lessons.course.Lesson;
 import org.sami.lessons.course.LessonJson;
 import org.sami.lessons.course.Paragraph;
 import org.sami.lessons.course.Picture;
-import org.sami.lessons.course.Question;
 import org.sami.lessons.course.QuizGrader;
+import org.sami.lessons.course.QuizQuestion;
 import org.sami.lessons.course.ReadingTime;
 import org.sami.lessons.course.Response;
 import org.sami.lessons.course.Step;
@@ -50,6 +50,15 @@ final class LessonPages {
 
     static long minutes(Duration time) {
         return Math.max(1, Math.round(time.toSeconds() / 60.0));
+    }
+
+    /**
+     * The file of a plan, below the pages.
+     *
+     * @param key as in {@link Course#plans}
+     */
+    static String planFile(String key) {
+        return "plans/" + key.replace('/', '-') + ".json";
     }
 
     private StepPart step(Lesson lesson, Step step) {
@@ -110,7 +119,7 @@ final class LessonPages {
         List<String> hints = new ArrayList<>();
         file.path("hints").forEach(hint -> hints.add(hint.asText()));
         String key = Course.fileOf(lesson.id(), file.path("start").asText());
-        return new JobPart(key, CourseSite.planFile(key), hints);
+        return new JobPart(key, planFile(key), hints);
     }
 
     /**
@@ -118,7 +127,7 @@ final class LessonPages {
      *
      * @param right where tokens are to be put, where it asks that
      */
-    record QuizData(Question ask, String solved, List<TokensAt> right) {}
+    record QuizData(QuizQuestion ask, String solved, List<TokensAt> right) {}
 
     /** The quiz as the page's script reads it. */
     private String question(Lesson lesson, Step.Quiz quiz) {
@@ -129,20 +138,20 @@ final class LessonPages {
     }
 
     private List<FieldPart> fields(Lesson lesson, Step.Quiz quiz) {
-        Question ask = quiz.ask();
-        if (ask instanceof Question.One one) {
+        QuizQuestion ask = quiz.ask();
+        if (ask instanceof QuizQuestion.One one) {
             return choices(one.choices(), "radio");
-        } else if (ask instanceof Question.Several several) {
+        } else if (ask instanceof QuizQuestion.Several several) {
             return choices(several.choices(), "checkbox");
-        } else if (ask instanceof Question.Amount amount) {
+        } else if (ask instanceof QuizQuestion.Amount amount) {
             return List.of(new FieldPart("number", "number", amount.unit()));
         }
         Plan plan =
                 course.plan(lesson.id(), quiz.picture().orElseThrow().plan()).orElseThrow();
-        return ask instanceof Question.Mark mark ? elements(plan, mark) : tokens(lesson, quiz, plan);
+        return ask instanceof QuizQuestion.Mark mark ? elements(plan, mark) : tokens(lesson, quiz, plan);
     }
 
-    private static List<FieldPart> choices(List<Question.Choice> choices, String type) {
+    private static List<FieldPart> choices(List<QuizQuestion.Choice> choices, String type) {
         List<FieldPart> fields = new ArrayList<>();
         for (int i = 0; i < choices.size(); i++) {
             fields.add(new FieldPart(type, String.valueOf(i), choices.get(i).text()));
@@ -150,7 +159,7 @@ final class LessonPages {
         return fields;
     }
 
-    private List<FieldPart> elements(Plan plan, Question.Mark mark) {
+    private List<FieldPart> elements(Plan plan, QuizQuestion.Mark mark) {
         Stream<String> places = plan.places().stream().map(place -> place.id());
         Stream<String> transitions = plan.transitions().stream().map(transition -> transition.id());
         Stream<String> edges = Stream.concat(

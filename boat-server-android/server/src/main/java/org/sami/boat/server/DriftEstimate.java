@@ -1,6 +1,6 @@
 package org.sami.boat.server;
 
-import org.sami.boat.server.traffic.Course;
+import org.sami.boat.server.traffic.CourseVector;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
@@ -21,7 +21,7 @@ final class DriftEstimate {
      *
      * @param eastM in metres, in any frame that stays the same until {@link #reset}
      */
-    void see(double eastM, double northM, Course heading, double seconds) {
+    void see(double eastM, double northM, CourseVector heading, double seconds) {
         if (seconds > 0 && !Double.isNaN(lastEastM)) {
             double starboardEast = heading.north();
             double starboardNorth = -heading.east();
@@ -52,7 +52,7 @@ final class DriftEstimate {
     }
 
     /** Heading in radians at which a vehicle with this speed through the water makes good a course; the course itself where it is too slow. */
-    double headingRad(Course course, double speedMps) {
+    double headingRad(CourseVector course, double speedMps) {
         double acrossMps = eastMps * course.north() - northMps * course.east(); // to starboard
         double part = Math.max(-0.9, Math.min(0.9, acrossMps / Math.max(speedMps, 1e-3)));
         return course.rad() - StrictMath.asin(part);

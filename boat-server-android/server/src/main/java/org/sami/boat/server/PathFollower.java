@@ -1,8 +1,8 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.traffic.CourseAndSpeed;
+import org.sami.boat.server.traffic.CourseVector;
 import org.sami.boat.server.traffic.GivingWay;
 import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -82,7 +82,7 @@ final class PathFollower {
             drift.reset();
             return;
         }
-        Course heading = new Course(headingRad);
+        CourseVector heading = new CourseVector(headingRad);
         drift.see(eastM, northM, heading, seconds);
         double wantedMps = leg.speedMps(eastM, northM, legMps * multiplier, drift.speedMps());
         double courseRad = leg.courseRad(eastM, northM, wantedMps);

@@ -1,7 +1,7 @@
 package org.sami.boat.server;
 
-import org.sami.boat.server.traffic.Course;
 import org.sami.boat.server.traffic.CourseAndSpeed;
+import org.sami.boat.server.traffic.CourseVector;
 import org.sami.boat.server.traffic.GivingWay;
 import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -46,7 +46,7 @@ final class StationDrive {
         }
         CourseAndSpeed chosen = givingWay.choose(
                 new CourseAndSpeed(courseRad, speedMps),
-                new Course(vehicle.headingRad()),
+                new CourseVector(vehicle.headingRad()),
                 LineAhead.straight(courseRad, steering.distanceM(to)),
                 false,
                 nowMs,

@@ -14,7 +14,7 @@ import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import org.sami.dreamm.learn.QuizModel;
-import org.sami.lessons.course.Question;
+import org.sami.lessons.course.QuizQuestion;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
@@ -36,7 +36,7 @@ final class ChoicesView extends JPanel {
         this.changed = changed;
         setOpaque(false);
         setName("learn-choices");
-        boolean single = quiz.quiz().ask() instanceof Question.One;
+        boolean single = quiz.quiz().ask() instanceof QuizQuestion.One;
         ButtonGroup group = new ButtonGroup();
         for (int shown = 0; shown < quiz.order().size(); shown++) {
             int index = quiz.order().get(shown);

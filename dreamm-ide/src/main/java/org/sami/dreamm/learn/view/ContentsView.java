@@ -103,7 +103,7 @@ final class ContentsView extends JPanel {
 
     private static String kind(Step step) {
         if (step instanceof Step.Quiz quiz) {
-            return quiz.review() ? "Review question" : "Question";
+            return quiz.review() ? "Review question" : "QuizQuestion";
         } else if (step instanceof Step.Job) {
             return "Job";
         } else if (step instanceof Step.Play) {

@@ -9,7 +9,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
-import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.learn.JobModel;
 import org.sami.dreamm.learn.LessonListener;
@@ -17,6 +16,7 @@ import org.sami.dreamm.learn.LessonModel;
 import org.sami.dreamm.learn.PictureRun;
 import org.sami.lessons.course.Step;
 import org.sami.palette.SemanticColor;
+import org.sami.ui.EventThread;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.command.CommandRow;
@@ -134,7 +134,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
         jobs.ifPresent(JobModel::showStep);
         step.showStep();
         showWhere();
-        SwingUtilities.invokeLater(() -> step.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
+        EventThread.later(() -> step.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
     }
 
     @Override
@@ -146,7 +146,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
 
     private void showFeedback() {
         step.feedback()
-                .ifPresent(said -> SwingUtilities.invokeLater(
+                .ifPresent(said -> EventThread.later(
                         () -> said.scrollRectToVisible(new Rectangle(0, 0, said.getWidth(), said.getHeight()))));
     }
 

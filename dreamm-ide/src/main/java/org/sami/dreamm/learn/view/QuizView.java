@@ -9,7 +9,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.learn.QuizModel;
-import org.sami.lessons.course.Question;
+import org.sami.lessons.course.QuizQuestion;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
@@ -43,22 +43,22 @@ final class QuizView extends JPanel {
         picture = drawn.map(Drawn::view);
         setOpaque(false);
         setName("learn-quiz");
-        Question ask = quiz.quiz().ask();
-        if (ask instanceof Question.One || ask instanceof Question.Several) {
-            if (ask instanceof Question.Several) {
+        QuizQuestion ask = quiz.quiz().ask();
+        if (ask instanceof QuizQuestion.One || ask instanceof QuizQuestion.Several) {
+            if (ask instanceof QuizQuestion.Several) {
                 hint("Choose all that are right.");
             }
             choices = Optional.of(new ChoicesView(quiz, changed));
             choices.ifPresent(this::add);
-        } else if (ask instanceof Question.Mark mark) {
+        } else if (ask instanceof QuizQuestion.Mark mark) {
             hint("Click in the net, or go by the arrow keys and mark with Space.");
             drawn.ifPresent(there -> there.view().setPickable(elements(there.plan(), mark.of()), this::mark));
-        } else if (ask instanceof Question.Tokens asked) {
+        } else if (ask instanceof QuizQuestion.Tokens asked) {
             hint(
                     sentence(asked.after())
                             + " Where do tokens stand then? Choose a place by a click or the arrow keys, and put tokens there.");
             drawn.ifPresent(there -> tokens(there, marks));
-        } else if (ask instanceof Question.Amount amount) {
+        } else if (ask instanceof QuizQuestion.Amount amount) {
             number(amount);
         }
         refresh();
@@ -79,16 +79,16 @@ final class QuizView extends JPanel {
         add(text);
     }
 
-    private static Set<String> elements(Plan plan, Question.Kind kind) {
+    private static Set<String> elements(Plan plan, QuizQuestion.Kind kind) {
         Set<String> ids = new LinkedHashSet<>();
-        boolean all = kind == Question.Kind.ELEMENTS;
-        if (all || kind == Question.Kind.PLACES) {
+        boolean all = kind == QuizQuestion.Kind.ELEMENTS;
+        if (all || kind == QuizQuestion.Kind.PLACES) {
             plan.places().forEach(place -> ids.add(place.id()));
         }
-        if (all || kind == Question.Kind.TRANSITIONS) {
+        if (all || kind == QuizQuestion.Kind.TRANSITIONS) {
             plan.transitions().forEach(transition -> ids.add(transition.id()));
         }
-        if (kind == Question.Kind.EDGES || all) {
+        if (kind == QuizQuestion.Kind.EDGES || all) {
             plan.inEdges().forEach(edge -> ids.add(edge.id()));
             plan.outEdges().forEach(edge -> ids.add(edge.id()));
         }
@@ -102,7 +102,7 @@ final class QuizView extends JPanel {
 
     private void tokens(Drawn drawn, IdentityMarks marks) {
         PictureView view = drawn.view();
-        view.setPickable(elements(drawn.plan(), Question.Kind.PLACES), place -> {});
+        view.setPickable(elements(drawn.plan(), QuizQuestion.Kind.PLACES), place -> {});
         var kinds = quiz.tokenKinds();
         for (int i = 0; i < Math.min(DIGITS, kinds.size()); i++) {
             Token token = kinds.get(i);
@@ -128,7 +128,7 @@ final class QuizView extends JPanel {
         changed.run();
     }
 
-    private void number(Question.Amount amount) {
+    private void number(QuizQuestion.Amount amount) {
         JPanel row = new JPanel(new MigLayout("insets 0, gap " + Spacing.NORMAL));
         row.setOpaque(false);
         JTextField field = new JTextField(quiz.number(), 6);
@@ -160,10 +160,10 @@ final class QuizView extends JPanel {
             }
         });
         picture.ifPresent(view -> {
-            if (quiz.quiz().ask() instanceof Question.Mark) {
+            if (quiz.quiz().ask() instanceof QuizQuestion.Mark) {
                 view.setSelected(quiz.marks());
                 view.setEnabled(open);
-            } else if (quiz.quiz().ask() instanceof Question.Tokens) {
+            } else if (quiz.quiz().ask() instanceof QuizQuestion.Tokens) {
                 view.setMarking(quiz.tokens().marking());
                 view.setEnabled(open);
             }

@@ -17,7 +17,7 @@ import org.sami.dreamm.learn.view.FeedbackView.Mood;
 import org.sami.lessons.course.Grade;
 import org.sami.lessons.course.Paragraph;
 import org.sami.lessons.course.Picture;
-import org.sami.lessons.course.Question;
+import org.sami.lessons.course.QuizQuestion;
 import org.sami.lessons.course.Step;
 import org.sami.lessons.course.Term;
 import org.sami.palette.IdentityMarks;
@@ -217,7 +217,7 @@ final class StepView extends ScrolledPanel {
     private void beginAnswer() {
         begin();
         run.ifPresent(running -> {
-            if (model.step() instanceof Step.Quiz asked && asked.ask() instanceof Question.Tokens tokens) {
+            if (model.step() instanceof Step.Quiz asked && asked.ask() instanceof QuizQuestion.Tokens tokens) {
                 for (int i = 0; i < tokens.steps(); i++) {
                     running.forward();
                 }

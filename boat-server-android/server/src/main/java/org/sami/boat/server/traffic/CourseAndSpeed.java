@@ -2,7 +2,7 @@ package org.sami.boat.server.traffic;
 
 /** Course and speed of a boat. */
 public final class CourseAndSpeed {
-    private final Course course;
+    private final CourseVector course;
     private final double speedMps;
 
     /**
@@ -12,12 +12,12 @@ public final class CourseAndSpeed {
      * @param speedMps m/s along it; negative is astern
      */
     public CourseAndSpeed(double courseRad, double speedMps) {
-        this.course = new Course(courseRad);
+        this.course = new CourseVector(courseRad);
         this.speedMps = speedMps;
     }
 
     /** The course. */
-    public Course course() {
+    public CourseVector course() {
         return course;
     }
 

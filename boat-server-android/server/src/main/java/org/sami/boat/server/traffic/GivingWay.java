@@ -61,7 +61,8 @@ public final class GivingWay {
     private static final double EDGE_HYSTERESIS = 0.15;
 
     // the courses tried, in degrees from the intended one, and the shares of the speed
-    private static final Course[] OFFSETS = offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
+    private static final CourseVector[] OFFSETS =
+            offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
     private static final double NEAR_COURSE_RAD = Math.toRadians(30); // within it the boat keeps to the intended speed
     private static final double[] SPEED_SHARES = {1, 0.6, 0.3};
 
@@ -83,10 +84,10 @@ public final class GivingWay {
     private double eastM; // of the boat, on the plane of the surroundings
     private double northM;
     private double speedMps;
-    private Course heading = OFFSETS[0]; // this and the next two: valid while others or an edge are near
-    private Course course = OFFSETS[0]; // intended, without others
+    private CourseVector heading = OFFSETS[0]; // this and the next two: valid while others or an edge are near
+    private CourseVector course = OFFSETS[0]; // intended, without others
     private double courseMps;
-    private Course line = OFFSETS[0];
+    private CourseVector line = OFFSETS[0];
     private double offsetM; // of the boat from that line, to starboard
     private boolean isOnLine; // or no edge is near
     private NoGoBorder border = NoGoBorder.NONE;
@@ -136,7 +137,7 @@ public final class GivingWay {
      * @param seconds since the last call
      */
     public CourseAndSpeed choose(
-            CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
+            CourseAndSpeed wanted, CourseVector towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         if (hasWay) {
             goingBack.record(vehicle.latDeg(), vehicle.lonDeg());
         }
@@ -157,7 +158,7 @@ public final class GivingWay {
     }
 
     private CourseAndSpeed chooseAmongOthers(
-            CourseAndSpeed wanted, Course towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
+            CourseAndSpeed wanted, CourseVector towards, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         update(Math.max(wanted.speedMps(), SIDESTEP_SPEED_MPS), hasWay, nowMs);
         if (!neighbours.isEmpty() || !border.isEmpty()) {
             heading = towards;
@@ -204,7 +205,7 @@ public final class GivingWay {
     }
 
     private CourseAndSpeed giveWay(LineAhead along, double seconds) {
-        line = new Course(along.courseRad());
+        line = new CourseVector(along.courseRad());
         offsetM = along.offsetM();
         boolean waits = speedMps * heading.along(course) < courseMps / 5;
         waitedS = waits ? Math.min(MAX_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
@@ -221,7 +222,7 @@ public final class GivingWay {
         if (along.aheadM() == 0) {
             return new CourseAndSpeed(heading.rad(), 0);
         }
-        course = new Course(along.courseRad());
+        course = new CourseVector(along.courseRad());
         courseMps = SIDESTEP_SPEED_MPS;
         line = course;
         offsetM = 0;
@@ -283,13 +284,13 @@ public final class GivingWay {
      *
      * @param followsLine whether the boat follows its line, which keeps it outside no-go areas
      */
-    private boolean isSafe(Course direction, double atMps, boolean followsLine) {
+    private boolean isSafe(CourseVector direction, double atMps, boolean followsLine) {
         double turn = direction.turnFrom(heading.rad());
         double wantedMps = atMps * Math.max(0, direction.along(heading));
         double gain = ACCELERATION_MPS2 * Stopping.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
-        Course least = leastTurn.after(direction, turn);
-        Course farthest = leastTurn.allows(turn) ? least : farthestTurn.after(direction, turn);
+        CourseVector least = leastTurn.after(direction, turn);
+        CourseVector farthest = leastTurn.allows(turn) ? least : farthestTurn.after(direction, turn);
         double wayM = (speedMps + thenMps) / 2 * Stopping.REACTION_S;
         double thenEastM = eastM + wayM * least.east();
         double thenNorthM = northM + wayM * least.north();
@@ -299,7 +300,7 @@ public final class GivingWay {
     }
 
     /** Whether a boat that hardly moves can take this course after turning on the spot. */
-    private boolean isSafeOnceTurned(Course direction, boolean followsLine) {
+    private boolean isSafeOnceTurned(CourseVector direction, boolean followsLine) {
         return isClear(Stopping.segment(eastM, northM, direction, ASTERN_SPEED_MPS, Stopping.REACTION_S), followsLine);
     }
 
@@ -313,13 +314,13 @@ public final class GivingWay {
 
     /** The cheapest safe motion, or a stop where none is safe. */
     private CourseAndSpeed best() {
-        Course best = Math.abs(speedMps) > 0.3 ? heading : course;
+        CourseVector best = Math.abs(speedMps) > 0.3 ? heading : course;
         double bestMps = 0;
         double least = cost(best, bestMps, Double.MAX_VALUE);
         double fullMps = Math.max(courseMps, SIDESTEP_SPEED_MPS);
         boolean turnsFirst = !border.isEmpty() && Math.abs(speedMps) < PIVOT_SPEED_MPS;
-        for (Course offset : OFFSETS) {
-            Course other = course.turned(offset);
+        for (CourseVector offset : OFFSETS) {
+            CourseVector other = course.turned(offset);
             boolean followsLine = isOnLine && offset == OFFSETS[0];
             double toPort = offset.rad() < 0 ? PORT_WEIGHT : 0;
             for (double part : SPEED_SHARES) {
@@ -346,7 +347,7 @@ public final class GivingWay {
     }
 
     /** The cost of a motion; exact only where it is below {@code leastCost}. */
-    private double cost(Course direction, double mps, double leastCost) {
+    private double cost(CourseVector direction, double mps, double leastCost) {
         double onward = mps * direction.along(course) / Math.max(courseMps, SIDESTEP_SPEED_MPS);
         if (onward > 0 && waitedS > AVOID_BLOCKED_AFTER_S && neighbours.isBlocked(direction)) {
             onward = 0;
@@ -367,9 +368,9 @@ public final class GivingWay {
                 : withoutRisk;
     }
 
-    private static Course[] offsets(double... degrees) {
+    private static CourseVector[] offsets(double... degrees) {
         return Arrays.stream(degrees)
-                .mapToObj(offset -> new Course(Math.toRadians(offset)))
-                .toArray(Course[]::new);
+                .mapToObj(offset -> new CourseVector(Math.toRadians(offset)))
+                .toArray(CourseVector[]::new);
     }
 }

@@ -132,7 +132,7 @@ final class Neighbours {
     }
 
     /** Risk of a course and speed: how close others come, and how soon; zero where none does. The sum stops once it exceeds {@code enough}. */
-    double risk(Course direction, double atMps, double enough) {
+    double risk(CourseVector direction, double atMps, double enough) {
         double eastMps = atMps * direction.east();
         double northMps = atMps * direction.north();
         double risk = 0;
@@ -157,7 +157,7 @@ final class Neighbours {
     }
 
     /** Whether a boat that lies still blocks this course. */
-    boolean isBlocked(Course direction) {
+    boolean isBlocked(CourseVector direction) {
         for (int i = 0; i < count; i++) {
             double aheadM = eastM[i] * direction.east() + northM[i] * direction.north();
             double asideM = Math.abs(eastM[i] * direction.north() - northM[i] * direction.east());

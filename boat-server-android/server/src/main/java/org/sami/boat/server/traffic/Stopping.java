@@ -21,7 +21,7 @@ final class Stopping {
     }
 
     /** The stopping segment: where a boat is until it has stopped, on the plane of {@link Surroundings}. */
-    static Segment segment(double eastM, double northM, Course heading, double speedMps, double reactionS) {
+    static Segment segment(double eastM, double northM, CourseVector heading, double speedMps, double reactionS) {
         return Segment.along(eastM, northM, distanceM(speedMps, reactionS), heading.east(), heading.north());
     }
 }

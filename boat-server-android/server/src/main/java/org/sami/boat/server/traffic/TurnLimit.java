@@ -8,9 +8,9 @@ import org.jspecify.annotations.Nullable;
  */
 final class TurnLimit {
     private final double mostRad;
-    private Course heading = new Course(0);
-    private @Nullable Course toPort; // the heading turned by the limit; null until needed
-    private @Nullable Course toStarboard;
+    private CourseVector heading = new CourseVector(0);
+    private @Nullable CourseVector toPort; // the heading turned by the limit; null until needed
+    private @Nullable CourseVector toStarboard;
 
     /** A limit in radians. */
     TurnLimit(double mostRad) {
@@ -18,7 +18,7 @@ final class TurnLimit {
     }
 
     /** Sets the heading from which the boat turns. */
-    void setHeading(Course newHeading) {
+    void setHeading(CourseVector newHeading) {
         heading = newHeading;
         toPort = null;
         toStarboard = null;
@@ -35,14 +35,14 @@ final class TurnLimit {
      * @param to the intended course
      * @param turnRad the turn from the heading to it in radians, positive to starboard
      */
-    Course after(Course to, double turnRad) {
+    CourseVector after(CourseVector to, double turnRad) {
         if (allows(turnRad)) {
             return to;
         } else if (turnRad < 0) {
-            toPort = toPort == null ? new Course(heading.rad() - mostRad) : toPort;
+            toPort = toPort == null ? new CourseVector(heading.rad() - mostRad) : toPort;
             return toPort;
         }
-        toStarboard = toStarboard == null ? new Course(heading.rad() + mostRad) : toStarboard;
+        toStarboard = toStarboard == null ? new CourseVector(heading.rad() + mostRad) : toStarboard;
         return toStarboard;
     }
 }

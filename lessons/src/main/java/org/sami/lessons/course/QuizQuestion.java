@@ -14,13 +14,13 @@ import org.jspecify.annotations.Nullable;
 /** What a quiz asks, what is right, and what is said of what is wrong. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonSubTypes({
-    @JsonSubTypes.Type(value = Question.One.class, name = "one"),
-    @JsonSubTypes.Type(value = Question.Several.class, name = "several"),
-    @JsonSubTypes.Type(value = Question.Mark.class, name = "mark"),
-    @JsonSubTypes.Type(value = Question.Tokens.class, name = "tokens"),
-    @JsonSubTypes.Type(value = Question.Amount.class, name = "number")
+    @JsonSubTypes.Type(value = QuizQuestion.One.class, name = "one"),
+    @JsonSubTypes.Type(value = QuizQuestion.Several.class, name = "several"),
+    @JsonSubTypes.Type(value = QuizQuestion.Mark.class, name = "mark"),
+    @JsonSubTypes.Type(value = QuizQuestion.Tokens.class, name = "tokens"),
+    @JsonSubTypes.Type(value = QuizQuestion.Amount.class, name = "number")
 })
-public sealed interface Question {
+public sealed interface QuizQuestion {
     /**
      * A choice.
      *
@@ -30,12 +30,12 @@ public sealed interface Question {
     record Choice(@JsonProperty(required = true) String text, boolean right, String why) {
         public Choice {
             Objects.requireNonNull(text, "text");
-            why = Picture.orEmpty(why);
+            why = Absent.orEmpty(why);
         }
     }
 
     /** One of some choices. */
-    record One(@JsonProperty(required = true) List<Choice> choices) implements Question {
+    record One(@JsonProperty(required = true) List<Choice> choices) implements QuizQuestion {
         public One {
             choices = List.copyOf(choices);
             long right = choices.stream().filter(Choice::right).count();
@@ -47,7 +47,7 @@ public sealed interface Question {
     }
 
     /** All that are right of some choices. */
-    record Several(@JsonProperty(required = true) List<Choice> choices) implements Question {
+    record Several(@JsonProperty(required = true) List<Choice> choices) implements QuizQuestion {
         public Several {
             choices = List.copyOf(choices);
             if (choices.size() < 2 || choices.size() > 6 || choices.stream().noneMatch(Choice::right)) {
@@ -85,7 +85,7 @@ public sealed interface Question {
             Map<String, String> why,
             Map<String, String> missing,
             @JsonProperty(value = "else", required = true) String otherwise)
-            implements Question {
+            implements QuizQuestion {
         public Mark {
             Objects.requireNonNull(of, "of");
             right = List.copyOf(right);
@@ -110,11 +110,11 @@ public sealed interface Question {
             @JsonProperty(required = true) int steps,
             List<WrongTokens> why,
             @JsonProperty(value = "else", required = true) String otherwise)
-            implements Question {
+            implements QuizQuestion {
         public Tokens {
             Objects.requireNonNull(after, "after");
             Objects.requireNonNull(testCase, "case");
-            why = Lesson.orNone(why);
+            why = Absent.orNone(why);
             Objects.requireNonNull(otherwise, "else");
         }
     }
@@ -141,9 +141,9 @@ public sealed interface Question {
             String unit,
             Map<String, String> why,
             @JsonProperty(value = "else", required = true) String otherwise)
-            implements Question {
+            implements QuizQuestion {
         public Amount {
-            unit = Picture.orEmpty(unit);
+            unit = Absent.orEmpty(unit);
             why = words(why);
             Objects.requireNonNull(otherwise, "else");
         }
