@@ -99,7 +99,7 @@ enum SamiModule {
             List.of("org.sami.palette..", "org.sami.picture.."),
             List.of(SPN_AUTHORING, SPN_LANGUAGE)),
     /** The course: its content, the grading of quizzes and jobs, and what learners have done. No window, no boat. */
-    LESSONS("lessons", 60, List.of("org.sami.lessons.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
+    LESSONS("lessons", 180, List.of("org.sami.lessons.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** Reports of runs and logs of boats. Of the boat server it uses the geometry of its local frame. */
     CRW_REPORT(
             "crw-report",
