@@ -36,6 +36,7 @@ class ThirdPartyNoticeTest {
             "crw-session",
             "crw-sim",
             "domain-config",
+            "lessons",
             "net-picture",
             "server",
             "spn-authoring",
