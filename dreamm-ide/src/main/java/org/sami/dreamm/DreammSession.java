@@ -10,8 +10,8 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.file.RecoveryFolder;
+import org.sami.dreamm.learn.CourseAccess;
 import org.sami.dreamm.learn.CourseAtHand;
-import org.sami.dreamm.learn.CourseDoor;
 import org.sami.dreamm.learn.Learning;
 import org.sami.dreamm.learn.LessonListener;
 import org.sami.dreamm.learn.LessonModel;
@@ -36,7 +36,7 @@ import org.sami.ui.window.WindowSettings;
  * The windows of a process, one at a time: that of an author, and those of the course, which is opened anew with each lesson, in the lesson's mode and at the same
  * place. On the event thread, but where it says otherwise.
  */
-final class DreammSession implements CourseDoor, LessonListener {
+final class DreammSession implements CourseAccess, LessonListener {
     private static final String LEARNER = "learner";
 
     private final DreammOptions options;

@@ -12,16 +12,16 @@ public final class CourseCommands {
      *
      * @param inCourse whether the window is one of the course
      */
-    public static void addTo(CommandRegistry commands, CourseDoor door, boolean inCourse) {
+    public static void addTo(CommandRegistry commands, CourseAccess access, boolean inCourse) {
         if (inCourse) {
-            commands.add(new Command("learn-leave", "Leave the course", door::leave)
+            commands.add(new Command("learn-leave", "Leave the course", access::leave)
                     .withKey("alt shift Q")
                     .withIcon("close"));
         } else {
-            commands.add(new Command("learn-open", "Open the course", door::enter)
+            commands.add(new Command("learn-open", "Open the course", access::enter)
                     .withKey("ctrl L")
                     .withIcon("help")
-                    .unless(door::whyNot));
+                    .unless(access::whyNot));
         }
     }
 }

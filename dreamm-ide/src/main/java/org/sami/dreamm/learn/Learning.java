@@ -9,12 +9,12 @@ import org.sami.lessons.job.JobGrader;
  *
  * @param lesson where the learner is; empty in a window for authors
  * @param grader of the jobs of the course; empty in a window for authors
- * @param door the way into the course and out of it
+ * @param access the way into the course and out of it
  */
-public record Learning(Optional<LessonModel> lesson, Optional<JobGrader> grader, CourseDoor door) {
+public record Learning(Optional<LessonModel> lesson, Optional<JobGrader> grader, CourseAccess access) {
     public Learning {
         Objects.requireNonNull(lesson, "lesson");
         Objects.requireNonNull(grader, "grader");
-        Objects.requireNonNull(door, "door");
+        Objects.requireNonNull(access, "access");
     }
 }

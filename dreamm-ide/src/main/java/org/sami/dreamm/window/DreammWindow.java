@@ -69,7 +69,7 @@ public final class DreammWindow {
         new HelpCommands(context).addTo(frame);
         run = new RunParts(context);
         CourseCommands.addTo(
-                context.commands(), learning.door(), learning.lesson().isPresent());
+                context.commands(), learning.access(), learning.lesson().isPresent());
         show = learning.lesson()
                 .map(model -> new LessonShow(context, model, frame)); // before the panel with its button
         learn = learning.lesson().map(model -> new LearnPanel(model, context.commands()));

@@ -3,7 +3,7 @@ package org.sami.dreamm.learn;
 import java.util.Optional;
 
 /** The way into the course from a window, and out of it: the window is opened anew. On the event thread. */
-public interface CourseDoor {
+public interface CourseAccess {
     /** Why the course cannot be opened, in a sentence; empty where it can. */
     Optional<String> whyNot();
 
