@@ -67,6 +67,8 @@ enum SamiModule {
             List.of(SPN_CORE, SPN_LANGUAGE)),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 66, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    /** Control board, position and motors of a real hull, on streams. */
+    BOAT_HULL("boat-server-android/hull", 1, List.of("org.sami.boat.hull.."), List.of(BOAT_SERVER, BOAT_LINK)),
     /** Planning over values: no engine and no boat. */
     CRW_SERVICES("crw-services", 116, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(
@@ -125,6 +127,7 @@ enum SamiModule {
                     CRW_SERVICES,
                     LESSONS,
                     NET_PICTURE,
+                    BOAT_HULL,
                     BOAT_SERVER,
                     BOAT_LINK,
                     SPN_AUTHORING,
