@@ -3,8 +3,6 @@ package org.sami.lessons.job;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.net.URISyntaxException;
-import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -26,6 +24,7 @@ class ShippedJobsTest {
     private static final Course COURSE =
             CourseReader.read(CourseFiles.SHIPPED, DOMAIN).orThrow();
     private static final JobGrader GRADER = new JobGrader(COURSE, DOMAIN);
+    private static final Path ANSWERS = Path.of("src", "test", "resources", "org", "sami", "lessons", "solutions");
 
     static Stream<String> jobs() {
         return COURSE.jobs().keySet().stream();
@@ -57,17 +56,25 @@ class ShippedJobsTest {
         assertThat(empty.words()).isNotBlank();
     }
 
-    static Stream<Path> answers() throws IOException, URISyntaxException {
-        URL folder = ShippedJobsTest.class.getResource("/org/sami/lessons/solutions");
-        if (folder == null) {
-            return Stream.of();
-        }
-        try (Stream<Path> files = Files.walk(Path.of(folder.toURI()))) {
+    static Stream<Path> answers() throws IOException {
+        try (Stream<Path> files = Files.walk(ANSWERS)) {
             return files.filter(file -> file.toString().endsWith(".json")).sorted().toList().stream();
         }
     }
 
-    @ParameterizedTest(allowZeroInvocations = true)
+    @ParameterizedTest
+    @MethodSource("jobs")
+    void aJobHasAtLeastThreeRightAndFiveWrongAnswers(String name) throws IOException {
+        List<String> files;
+        try (Stream<Path> all = Files.list(ANSWERS.resolve(name))) {
+            files = all.map(file -> file.getFileName().toString()).toList();
+        }
+
+        assertThat(files).filteredOn(file -> file.startsWith("right-")).hasSizeGreaterThanOrEqualTo(3);
+        assertThat(files).filteredOn(file -> file.startsWith("wrong-")).hasSizeGreaterThanOrEqualTo(5);
+    }
+
+    @ParameterizedTest
     @MethodSource("answers")
     void rightAnswersAreAcceptedAndWrongOnesAreExplained(Path file) throws IOException {
         String jobId = file.getParent().getFileName().toString();
