@@ -89,6 +89,10 @@ class CoursePagesTest {
                         || lesson.id().equals("final-panoramas"))
                 .toList();
         table.append(row("Lessons 1 to 10 and the two panorama plans", first));
+        List<Lesson> withBoth = COURSE.lessons().stream()
+                .filter(lesson -> lesson.number() <= 10)
+                .toList();
+        table.append(row("Lessons 1 to 10 and all final plans", withBoth));
         table.append(row("The whole course", COURSE.lessons()));
 
         hasTable("course.md", table.toString());
