@@ -21,6 +21,7 @@ public record LessonPage(
      * @param kind as in the lesson's file
      * @param svg its picture; empty text where it has none
      * @param caption of its picture
+     * @param said the sentences that go with what is shown; none where it shows nothing
      * @param question the quiz as JSON for the page's script; empty text where it is none
      * @param fields what a quiz lets one choose, mark or fill in
      * @param explained the page and step that explain a quiz; empty text where it is none
@@ -33,12 +34,14 @@ public record LessonPage(
             List<ParagraphPart> paragraphs,
             String svg,
             String caption,
+            List<String> said,
             String question,
             List<FieldPart> fields,
             String explained,
             JobPart job) {
         public StepPart {
             paragraphs = List.copyOf(paragraphs);
+            said = List.copyOf(said);
             fields = List.copyOf(fields);
         }
     }
@@ -72,12 +75,16 @@ public record LessonPage(
      *
      * @param key of the project that one begins with, among those of the course
      * @param start its file, below the pages
+     * @param example words of the example on another plan; none where it has no example
+     * @param exampleSvg its picture
      */
-    public record JobPart(String key, String start, List<String> hints) {
-        static final JobPart NONE = new JobPart("", "", List.of());
+    public record JobPart(
+            String key, String start, List<String> hints, List<ParagraphPart> example, String exampleSvg) {
+        static final JobPart NONE = new JobPart("", "", List.of(), List.of(), "");
 
         public JobPart {
             hints = List.copyOf(hints);
+            example = List.copyOf(example);
         }
     }
 }

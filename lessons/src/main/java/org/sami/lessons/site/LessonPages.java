@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.Lesson;
@@ -62,17 +63,40 @@ final class LessonPages {
     }
 
     private StepPart step(Lesson lesson, Step step) {
+        Optional<Picture> picture = step.picture().or(() -> drawn(step));
         return new StepPart(
                 step.id(),
                 kind(step),
                 step.title(),
-                step.text().stream().map(Paragraph::of).map(this::paragraph).toList(),
-                step.picture().map(picture -> svg(lesson, picture)).orElse(""),
-                step.picture().map(Picture::caption).orElse(""),
+                paragraphs(step.text()),
+                picture.map(one -> svg(lesson, one)).orElse(""),
+                picture.map(Picture::caption).orElse(""),
+                step instanceof Step.Show show ? said(show) : List.of(),
                 step instanceof Step.Quiz quiz ? question(lesson, quiz) : "",
                 step instanceof Step.Quiz quiz ? fields(lesson, quiz) : List.of(),
                 step instanceof Step.Quiz quiz ? explained(lesson, quiz) : "",
                 step instanceof Step.Job job ? job(lesson, job) : JobPart.NONE);
+    }
+
+    /** What DREAMM plays in its editor: where it leads, for who reads. */
+    private static Optional<Picture> drawn(Step step) {
+        if (step instanceof Step.Show show) {
+            return show.result().map(result -> new Picture(result, List.of(), List.of(), "What it leads to"));
+        }
+        return step instanceof Step.Play play
+                ? Optional.of(new Picture(play.plan(), List.of(), List.of(), ""))
+                : Optional.empty();
+    }
+
+    private static List<String> said(Step.Show show) {
+        return show.script().stream()
+                .map(element -> element.path("say").asText())
+                .filter(sentence -> !sentence.isBlank())
+                .toList();
+    }
+
+    private List<ParagraphPart> paragraphs(List<String> text) {
+        return text.stream().map(Paragraph::of).map(this::paragraph).toList();
     }
 
     private static String kind(Step step) {
@@ -119,7 +143,13 @@ final class LessonPages {
         List<String> hints = new ArrayList<>();
         file.path("hints").forEach(hint -> hints.add(hint.asText()));
         String key = Course.fileOf(lesson.id(), file.path("start").asText());
-        return new JobPart(key, planFile(key), hints);
+        JsonNode example = file.path("example");
+        List<String> text = new ArrayList<>();
+        example.path("text").forEach(paragraph -> text.add(paragraph.asText()));
+        String svg = example.path("plan").isTextual()
+                ? svg(lesson, new Picture(example.path("plan").asText(), List.of(), List.of(), ""))
+                : "";
+        return new JobPart(key, planFile(key), hints, paragraphs(text), svg);
     }
 
     /**

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.lessons.course.Course;
@@ -64,10 +64,10 @@ class CourseSiteTest {
             </script>""";
 
     @TempDir
-    Path folder;
+    static Path folder;
 
-    @BeforeEach
-    void write() throws IOException {
+    @BeforeAll
+    static void write() throws IOException {
         int pages = new CourseSite(COURSE, DOMAIN.vocabulary()).write(folder);
         assertThat(pages).isEqualTo(COURSE.lessons().size() + 2);
     }
@@ -86,6 +86,23 @@ class CourseSiteTest {
                 }
             }
         }
+    }
+
+    @Test
+    void whatIsShownInDreammIsReadWithItsSentencesAndWhereItLeads() throws IOException {
+        String page = Files.readString(folder.resolve("06-robots.html"));
+        String step =
+                page.substring(page.indexOf("<section id=\"show-joins\""), page.indexOf("<section id=\"job-late\""));
+
+        assertThat(step).contains("<li>A transition of its own …</li>", "<svg", "What it leads to");
+    }
+
+    @Test
+    void aJobHasItsExampleBehindItsHints() throws IOException {
+        String page = Files.readString(folder.resolve("06-robots.html"));
+        String job = page.substring(page.indexOf("<section id=\"job-late\""));
+
+        assertThat(job).containsSubsequence("Hint 1", "Hint 2", "An example on another plan", "<svg");
     }
 
     @Test
