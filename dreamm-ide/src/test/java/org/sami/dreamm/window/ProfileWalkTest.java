@@ -28,8 +28,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.dreamm.OnEventThread;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
@@ -39,12 +37,14 @@ import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.issues.LiveFindings;
+import org.sami.dreamm.learn.mode.LessonProfile;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.profile.ProfileFile;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.lessons.course.CourseFiles;
 import org.sami.lessons.course.CourseReader;
+import org.sami.lessons.course.Lesson;
 import org.sami.palette.Theme;
 import org.sami.picture.net.NetScene;
 import org.sami.spn.edit.PlanBuilder;
@@ -395,17 +395,36 @@ class ProfileWalkTest {
         assertThat(ProfileIds.unknown(hiding(ids), ids)).isEmpty();
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"lesson-1.json", "lesson-2.json"})
-    void lessonsNameOnlyWhatThereIs(String file) throws IOException {
-        Profile profile = ProfileFile.read(PROFILES.resolve(file));
+    @Test
+    void theProfileOfThePageNamesOnlyWhatThereIs() throws IOException {
+        Profile profile = ProfileFile.read(PROFILES.resolve("look-only.json"));
 
         assertThat(ProfileIds.unknown(profile, open(Profile.ALL).ids())).isEmpty();
     }
 
     @Test
-    void firstLessonShowsPlansAndChangesNone() throws IOException {
-        Parts parts = open(ProfileFile.read(PROFILES.resolve("lesson-1.json")));
+    void theModeOfALessonIsAProfileFile(@TempDir Path folder) throws IOException {
+        Lesson lesson = CourseReader.read(CourseFiles.SHIPPED, BOATS)
+                .orThrow()
+                .lessons()
+                .get(4);
+        Path file =
+                Files.writeString(folder.resolve("lesson.json"), lesson.mode().profile(lesson.heading()));
+
+        Profile profile = ProfileFile.read(file);
+
+        assertThat(profile)
+                .isEqualTo(new Profile(
+                        lesson.heading(),
+                        lesson.mode().hide(),
+                        lesson.mode().lock(),
+                        lesson.mode().keep()));
+        assertThat(profile.hide()).isNotEmpty();
+    }
+
+    @Test
+    void lookOnlyShowsPlansAndChangesNone() throws IOException {
+        Parts parts = open(ProfileFile.read(PROFILES.resolve("look-only.json")));
 
         assertThat(parts.panels().all())
                 .extracting(DockPanel::getPersistentID)
@@ -427,7 +446,11 @@ class ProfileWalkTest {
 
     @Test
     void secondLessonOffersBlankVerticesAloneAndSaysNothingOfRequirements() throws IOException {
-        Parts parts = open(ProfileFile.read(PROFILES.resolve("lesson-2.json")));
+        Lesson lesson = CourseReader.read(CourseFiles.SHIPPED, BOATS)
+                .orThrow()
+                .lessons()
+                .get(1);
+        Parts parts = open(LessonProfile.of(lesson));
         Map<String, List<Component>> found = walk(parts);
 
         assertThat(found).doesNotContainKeys("event", "inspector-add-requirement", "count-errors");

@@ -15,4 +15,12 @@ public record LessonMode(List<String> hide, List<String> lock, List<String> keep
         lock = Absent.orNone(lock);
         keep = Absent.orNone(keep);
     }
+
+    private record ProfileJson(
+            int formatVersion, String name, List<String> hide, List<String> lock, List<String> keep) {}
+
+    /** The mode as the text of a profile, for who wants the same window without the lesson. */
+    public String profile(String name) {
+        return LessonJson.write(new ProfileJson(1, name, hide, lock, keep));
+    }
 }
