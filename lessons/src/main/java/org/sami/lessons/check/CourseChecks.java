@@ -48,7 +48,9 @@ public final class CourseChecks {
         return all;
     }
 
-    /** The same, and that what steps show can be played to its end and gives its result. */
+    /**
+     * The same, and that what steps show can be played to its end and gives its result, and that jobs use what is introduced by then.
+     */
     public static List<Finding> check(Course course, CourseFiles files, DomainLibrary domain) {
         List<Finding> all = new ArrayList<>(check(course, files, domain.vocabulary()));
         for (Lesson lesson : course.lessons()) {
@@ -56,6 +58,9 @@ public final class CourseChecks {
             for (int i = 0; i < lesson.steps().size(); i++) {
                 if (lesson.steps().get(i) instanceof Step.Show show) {
                     shows.addAll(ShowCheck.check(course, lesson, show, "/steps/" + i, domain));
+                } else if (lesson.steps().get(i) instanceof Step.Job job) {
+                    String file = lesson.id() + "/jobs/" + job.job() + ".json";
+                    all.addAll(located(files, file, JobUseCheck.check(course, lesson, job.job(), domain)));
                 }
             }
             all.addAll(located(files, lesson.id() + "/lesson.json", shows));

@@ -31,6 +31,10 @@ final class ShowCheck {
                 .ifPresent(refusal -> findings.add(
                         Finding.error("E-LESSON", pointer + "/script" + refusal.pointer(), refusal.message())));
         if (run.refusal().isEmpty()) {
+            LessonProblems problems = new LessonProblems();
+            UseCheck.used(
+                    course, lesson, run.project(), "what \"" + show.id() + "\" draws", pointer + "/script", problems);
+            findings.addAll(problems.findings());
             show.result()
                     .flatMap(result -> course.project(lesson.id(), result))
                     .flatMap(result -> SamePlan.difference(run.project(), result))

@@ -38,10 +38,20 @@ final class UseCheck {
             problems.add(pointer, "there is no plan \"" + reference + "\"");
             return;
         }
+        used(course, lesson, project.get(), "the plan \"" + reference + "\"", pointer, problems);
+    }
+
+    /**
+     * What the plans of a project use is known by then.
+     *
+     * @param what what to call the project
+     */
+    static void used(
+            Course course, Lesson lesson, Project project, String what, String pointer, LessonProblems problems) {
         Set<String> events = course.eventsKnown(lesson.id());
         Set<String> tasks = course.tasksKnown(lesson.id());
         Set<String> markups = course.markupsKnown(lesson.id());
-        for (Plan plan : project.get().plans()) {
+        for (Plan plan : project.plans()) {
             List<String> early = new ArrayList<>();
             plan.places()
                     .forEach(place -> place.outputs().forEach(event -> {
@@ -54,9 +64,7 @@ final class UseCheck {
             early.stream()
                     .distinct()
                     .forEach(name -> problems.add(
-                            pointer,
-                            "the plan \"" + reference + "\" uses " + name
-                                    + ", which no lesson up to this one introduces"));
+                            pointer, what + " uses " + name + ", which no lesson up to this one introduces"));
         }
     }
 

@@ -87,16 +87,28 @@ public final class JobGrader {
      * @throws IllegalStateException if the job's own solution cannot be run, which tests of the course see first
      */
     public Verdict grade(String lesson, Job job, Project project, BooleanSupplier isCancelled) {
+        return graded(lesson, job, project, isCancelled).verdict();
+    }
+
+    /**
+     * A verdict, and what it was found by.
+     *
+     * @param plan the plan with the cases that were run; empty where the file has none that is run
+     */
+    record Graded(Verdict verdict, Optional<GradedPlan> plan) {
+        private static Graded refused(String why) {
+            return new Graded(Verdict.wrong(Verdict.Stage.FILE, why, List.of()), Optional.empty());
+        }
+    }
+
+    Graded graded(String lesson, Job job, Project project, BooleanSupplier isCancelled) {
         Optional<Plan> plan = project.plan(job.plan());
         if (plan.isEmpty()) {
-            return Verdict.wrong(
-                    Verdict.Stage.FILE,
-                    "The file has no plan \"" + job.plan() + "\": that is the plan of this job.",
-                    List.of());
+            return Graded.refused("The file has no plan \"" + job.plan() + "\": that is the plan of this job.");
         }
         Optional<String> excess = PlanLimits.excess(project, job.plan());
         if (excess.isPresent()) {
-            return Verdict.wrong(Verdict.Stage.FILE, excess.get(), List.of());
+            return Graded.refused(excess.get());
         }
         LessonMode mode =
                 course.lesson(lesson).map(Lesson::mode).orElse(new LessonMode(List.of(), List.of(), List.of()));
@@ -107,7 +119,7 @@ public final class JobGrader {
         Map<String, CaseRun> right = right(lesson, job, ignored, isCancelled);
         GradedPlan graded =
                 new GradedPlan(job, project, plan.get(), runnable, findings, right, vocabulary, isCancelled);
-        return verdict(lesson, job, project, graded, errors);
+        return new Graded(verdict(lesson, job, project, graded, errors), Optional.of(graded));
     }
 
     IgnoredFindings ignored(String lesson, Job job) {

@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.sami.lessons.course.LessonJson;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.SourceLocation;
 import org.sami.spn.json.AtomicFile;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.Reading;
@@ -113,15 +114,22 @@ public final class Learners {
         return folder.resolve(learner);
     }
 
-    /** All who have begun, as far as their files can be read. */
-    public List<LearnerProgress> all() throws IOException {
+    /** All who have begun, as far as their files can be read; a finding for each whose file cannot, which is left as it is. */
+    public Reading<List<LearnerProgress>> all() throws IOException {
         List<LearnerProgress> all = new ArrayList<>();
+        List<Finding> findings = new ArrayList<>();
         for (String name : names()) {
-            Path file = folderOf(name).resolve(FILE);
-            LessonJson.read(file.toString(), BoundedFile.text(file, BoundedFile.SETTINGS_BYTES), LearnerProgress.class)
-                    .result()
-                    .ifPresent(all::add);
+            Path file = folder.resolve(name).resolve(FILE);
+            try {
+                Reading<LearnerProgress> read = LessonJson.read(
+                        file.toString(), BoundedFile.text(file, BoundedFile.SETTINGS_BYTES), LearnerProgress.class);
+                read.result().ifPresent(all::add);
+                findings.addAll(read.findings());
+            } catch (IOException unreadable) {
+                findings.add(Finding.error("E-LEARNER", "", "it cannot be read: " + unreadable.getMessage())
+                        .at(new SourceLocation(file.toString(), 1, 1)));
+            }
         }
-        return all;
+        return new Reading<>(Optional.of(all), findings);
     }
 }

@@ -85,4 +85,13 @@ class ShowCheckTest {
                 .singleElement()
                 .matches(f -> f.pointer().equals("/steps/0/script/0/do"));
     }
+
+    @Test
+    void anEventThatNoLessonHasIntroducedIsNamed() {
+        assertThat(
+                        check(
+                                "[{'do': 'add', 'item': 'palette-event-timer-expired', 'on': 't', 'id': 'e', 'sequence': 'alone'}]"))
+                .anyMatch(f ->
+                        f.pointer().equals("/steps/0/script") && f.message().contains("uses TimerExpired"));
+    }
 }

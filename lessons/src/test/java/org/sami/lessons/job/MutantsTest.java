@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.CourseFiles;
 import org.sami.lessons.course.CourseReader;
-import org.sami.spn.engine.Engine;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -62,7 +61,7 @@ class MutantsTest {
                 .orThrow();
         Project solution = grader.solution(subject.lesson(), job).orThrow();
         Plan plan = solution.plan(job.plan()).orElseThrow();
-        List<Object> right = seen(grader, subject, job, solution);
+        List<Object> right = seen(job, run(grader, subject, job, solution));
         List<String> accepted = new ArrayList<>();
         List<String> wronglyAccepted = new ArrayList<>();
         List<PlanMutants.Mutant> mutants = PlanMutants.of(plan, SEED, subject.most());
@@ -70,9 +69,10 @@ class MutantsTest {
             Project mutated = solution.withPlans(solution.plans().stream()
                     .map(one -> one.id().equals(plan.id()) ? mutant.plan() : one)
                     .toList());
-            if (grader.grade(subject.lesson(), job, mutated).passed()) {
+            JobGrader.Graded graded = grader.graded(subject.lesson(), job, mutated, () -> false);
+            if (graded.verdict().passed()) {
                 accepted.add(mutant.error());
-                if (!seen(grader, subject, job, mutated).equals(right)) {
+                if (!seen(job, graded.plan().orElseThrow()).equals(right)) {
                     wronglyAccepted.add(mutant.error());
                 }
             }
@@ -84,13 +84,15 @@ class MutantsTest {
                 .isLessThan(Math.max(1, mutants.size()));
     }
 
-    /** What is seen from outside in all cases, put together without the grader: the watched events as a multiset, and the end. */
-    private static List<Object> seen(JobGrader grader, Subject subject, Job job, Project project) {
-        IgnoredFindings ignored = grader.ignored(subject.lesson(), job);
-        Engine engine = new Engine(DOMAIN.vocabulary(), grader.runnable(project, ignored), ScriptedWorld.MOST_FIRINGS);
+    private static GradedPlan run(JobGrader grader, Subject subject, Job job, Project project) {
+        return grader.graded(subject.lesson(), job, project, () -> false).plan().orElseThrow();
+    }
+
+    /** What is seen from outside in all cases, compared without the grader: the watched events as a multiset, and the end. */
+    private static List<Object> seen(Job job, GradedPlan plan) {
         List<Object> seen = new ArrayList<>();
         for (JobCase one : job.cases()) {
-            CaseRun run = ScriptedWorld.run(engine, job.plan(), one, () -> false);
+            CaseRun run = plan.outcome(one.name()).orElseThrow().run();
             Map<TraceItem, Integer> counts = new HashMap<>();
             run.watched(one.watch()).forEach(item -> counts.merge(item, 1, Integer::sum));
             seen.add(counts);

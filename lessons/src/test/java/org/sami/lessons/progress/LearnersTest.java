@@ -47,7 +47,7 @@ class LearnersTest {
 
         assertThat(learners.names()).containsExactly("Ada", "Björn");
         assertThat(learners.open("Björn").progress().on(PLACES)).isEqualTo(StepProgress.NONE);
-        assertThat(learners.all()).hasSize(2);
+        assertThat(learners.all().orThrow()).hasSize(2);
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
@@ -68,7 +69,9 @@ public final class GradeCommand implements Callable<Integer> {
         if (slash <= 0 || slash == name.length() - 1) {
             throw new UsageFault("'" + name + "' is no LESSON/JOB, such as 02-places/visit-buoy");
         }
-        if (!Files.isRegularFile(file)) {
+        if (Files.isDirectory(file)) {
+            throw new UsageFault("'" + file + "' is a folder; the file of a plan is wanted");
+        } else if (!Files.isRegularFile(file)) {
             throw new UsageFault("there is no file '" + file + "'");
         }
         String lesson = name.substring(0, slash);
@@ -97,7 +100,7 @@ public final class GradeCommand implements Callable<Integer> {
         try {
             return AnswerFile.read(file, lesson, job, grader, domain.vocabulary());
         } catch (IOException e) {
-            throw new UsageFault(String.valueOf(e.getMessage()));
+            throw new UsageFault(ErrorMessages.words(e));
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
@@ -45,6 +46,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw lessons",
             "  crw lessons 02-places",
+            "  crw lessons 02-places --profile > lesson-2.json",
             "  crw lessons --learners learners --csv",
             "  crw lessons --check --course my-course"
         })
@@ -74,8 +76,14 @@ public final class LessonsCommand implements Callable<Integer> {
                     "Check texts, pictures, quizzes, show-me's and jobs; each job's solution must pass, its start must not.")
     private boolean check;
 
+    @Option(
+            names = "--profile",
+            description = "With LESSON: what DREAMM hides and locks in it, as a file for dreamm --profile.")
+    private boolean profile;
+
     @Override
     public Integer call() {
+        refuseWhatDoesNotGoTogether();
         Reading<Course> read = course.read();
         if (read.result().isEmpty()) {
             print(read.findings());
@@ -91,11 +99,36 @@ public final class LessonsCommand implements Callable<Integer> {
             learners(out, found, learners);
         } else if (lesson == null) {
             found.lessons().forEach(one -> out.println(line(one)));
+        } else if (profile) {
+            Lesson one = known(found, lesson);
+            out.print(one.mode().profile(one.heading()));
         } else {
-            steps(out, found, lesson);
+            steps(out, known(found, lesson));
         }
         out.flush();
         return ExitCode.OK;
+    }
+
+    private void refuseWhatDoesNotGoTogether() {
+        if (csv && learners == null) {
+            throw new UsageFault("--csv goes with --learners FOLDER");
+        }
+        if (profile && lesson == null) {
+            throw new UsageFault("--profile goes with a LESSON, such as 02-places");
+        }
+        List<String> asked = new ArrayList<>();
+        if (lesson != null) {
+            asked.add("LESSON");
+        }
+        if (learners != null) {
+            asked.add("--learners");
+        }
+        if (check) {
+            asked.add("--check");
+        }
+        if (asked.size() > 1) {
+            throw new UsageFault(String.join(" and ", asked) + " do not go together");
+        }
     }
 
     private void print(List<Finding> findings) {
@@ -137,16 +170,19 @@ public final class LessonsCommand implements Callable<Integer> {
         return number + " " + (number == 1 ? one : more);
     }
 
-    private static void steps(PrintWriter out, Course found, String id) {
-        Lesson one = found.lesson(id)
+    private static Lesson known(Course found, String id) {
+        return found.lesson(id)
                 .orElseThrow(() -> new UsageFault("there is no lesson '" + id + "'; the course has "
                         + String.join(
                                 ", ", found.lessons().stream().map(Lesson::id).toList())));
+    }
+
+    private static void steps(PrintWriter out, Lesson one) {
         out.println(one.heading());
         out.println(one.summary());
         for (Step step : one.steps()) {
             String kind = step.getClass().getSimpleName().toLowerCase(Locale.ROOT);
-            String job = step instanceof Step.Job made ? "  crw grade " + id + "/" + made.job() + " FILE" : "";
+            String job = step instanceof Step.Job made ? "  crw grade " + one.id() + "/" + made.job() + " FILE" : "";
             out.printf("  %-5s %-24s %s%s%n", kind, step.id(), step.title(), job);
         }
     }
@@ -155,12 +191,14 @@ public final class LessonsCommand implements Callable<Integer> {
         if (!Files.isDirectory(folder)) {
             throw new UsageFault("--learners: there is no folder '" + folder + "'");
         }
-        List<LearnerProgress> all;
+        Reading<List<LearnerProgress>> read;
         try {
-            all = new Learners(folder).all();
+            read = new Learners(folder).all();
         } catch (IOException e) {
-            throw new UsageFault("--learners: " + e.getMessage());
+            throw new UsageFault("--learners: " + ErrorMessages.words(e));
         }
+        print(read.findings());
+        List<LearnerProgress> all = read.result().orElse(List.of());
         if (csv) {
             new LearnerTables(found, all).all().forEach(table -> {
                 out.println(table.title());

@@ -134,4 +134,49 @@ class LessonCommandsTest {
                         "\"everything\" is no step",
                         "1 lesson, 2 jobs: 2 findings");
     }
+
+    @Test
+    void whatALessonHidesIsWrittenAsAProfile() {
+        CommandResult profile = CommandResult.crw("lessons", "02-places", "--profile");
+        CommandResult whose = CommandResult.crw("lessons", "--profile");
+
+        assertThat(profile.exitCode()).isZero();
+        assertThat(profile.out()).startsWith("{").contains("\"formatVersion\" : 1", "\"panel-issues\"");
+        assertThat(whose.exitCode()).isEqualTo(2);
+        assertThat(whose.err()).contains("--profile goes with a LESSON");
+    }
+
+    @Test
+    void optionsThatWouldBeIgnoredAreRefused() {
+        CommandResult csv = CommandResult.crw("lessons", "--csv");
+        CommandResult both = CommandResult.crw("lessons", "02-places", "--check");
+
+        assertThat(csv.exitCode()).isEqualTo(2);
+        assertThat(csv.err()).contains("--csv goes with --learners");
+        assertThat(both.exitCode()).isEqualTo(2);
+        assertThat(both.err()).contains("LESSON and --check do not go together");
+    }
+
+    @Test
+    void aLearnerWhoseProgressIsBrokenIsNamedAndTheOthersAreListed() throws IOException {
+        new Learners(folder).keep(LearnerProgress.of("ada"));
+        Path broken = folder.resolve("bob/progress.json");
+        Files.createDirectories(folder.resolve("bob"));
+        Files.writeString(broken, "{\"formatVersion\": 1,\n oops}");
+
+        CommandResult listed = CommandResult.crw("lessons", "--course", COURSE, "--learners", folder.toString());
+
+        assertThat(listed.exitCode()).isZero();
+        assertThat(listed.out()).startsWith("ada").doesNotContain("bob");
+        assertThat(listed.err()).contains("bob/progress.json:2:");
+        assertThat(broken).hasContent("{\"formatVersion\": 1,\n oops}");
+    }
+
+    @Test
+    void aFolderIsNoPlan() {
+        CommandResult grade = CommandResult.crw("grade", "02-places/visit-buoy", folder.toString());
+
+        assertThat(grade.exitCode()).isEqualTo(2);
+        assertThat(grade.err()).contains("is a folder");
+    }
 }
