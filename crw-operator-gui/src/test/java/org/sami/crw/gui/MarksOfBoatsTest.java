@@ -6,7 +6,7 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.context.MarksOfBoats;
-import org.sami.crw.gui.context.ShownSession;
+import org.sami.crw.gui.context.RunningSession;
 import org.sami.palette.IdentityMarks;
 
 @Timeout(300)
@@ -18,12 +18,12 @@ class MarksOfBoatsTest {
             IdentityMarks later = new IdentityMarks();
             onEventThread(() -> {
                 fromTheStart.of("carl"); // it was seen first
-                MarksOfBoats.give(ShownSession.of(world.session), fromTheStart);
+                MarksOfBoats.give(new RunningSession(world.session), fromTheStart);
                 return null;
             });
             world.start("clv");
             onEventThread(() -> {
-                MarksOfBoats.give(ShownSession.of(world.session), later);
+                MarksOfBoats.give(new RunningSession(world.session), later);
                 return null;
             });
 

@@ -71,7 +71,7 @@ final class FrameEdits {
     }
 
     /** Adds a frame around the selected vertices with their words, or at a point where none is selected; returns its id. */
-    NetEdits.Made add(Set<String> selection, LayoutPoint at) {
+    MakingEdit add(Set<String> selection, LayoutPoint at) {
         NetDrawing drawing = net.drawing();
         Optional<DrawingBox> around = drawing.vertices().stream()
                 .filter(vertex -> selection.contains(vertex.id()))
@@ -84,7 +84,7 @@ final class FrameEdits {
                         .grown(FRAME_MARGIN));
         DrawingBox box = around.map(b -> new DrawingBox(b.x(), b.y() - HEAD, b.width(), b.height() + HEAD))
                 .orElse(new DrawingBox(at.x(), at.y(), FIRST_WIDTH, FIRST_HEIGHT));
-        return new NetEdits.Made(
+        return new MakingEdit(
                 new FrameEdit.AddFrame(net.plan().id(), framed(new NetFrame("", nextColor(), at, 1, 1), box)),
                 Set.of(NetScene.idOfFrame(net.plan().frames().size())));
     }

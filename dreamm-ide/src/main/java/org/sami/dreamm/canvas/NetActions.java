@@ -91,7 +91,7 @@ final class NetActions {
         return context.apply(edit) instanceof EditResult.Done;
     }
 
-    private void make(NetEdits.Made made) {
+    private void make(MakingEdit made) {
         if (apply(made.edit())) {
             context.editor().select(made.made());
             view.revealWhole(made.made());
@@ -261,7 +261,7 @@ final class NetActions {
     }
 
     void addNote(LayoutPoint at) {
-        NetEdits.Made made = edits.addNote(at.x(), at.y(), "Note");
+        MakingEdit made = edits.addNote(at.x(), at.y(), "Note");
         make(made);
         rename();
     }

@@ -34,13 +34,6 @@ final class NetEdits {
     private final FrameEdits frames;
     private final AuthoringLibrary library;
 
-    /**
-     * An edit with what it makes.
-     *
-     * @param made ids of new vertices and edges, to be selected
-     */
-    record Made(Edit edit, Set<String> made) {}
-
     NetEdits(ShownNet net, AuthoringLibrary library) {
         this.net = net;
         this.frames = new FrameEdits(net);
@@ -114,9 +107,9 @@ final class NetEdits {
     }
 
     /** Adds a blank place or transition. */
-    Made add(Kind kind, double x, double y, Mode mode) {
+    MakingEdit add(Kind kind, double x, double y, Mode mode) {
         String id = fresh(kind == Kind.PLACE ? "place" : "transition");
-        return new Made(keepingTheRest(blank(kind, id, x, y, mode)), Set.of(id));
+        return new MakingEdit(keepingTheRest(blank(kind, id, x, y, mode)), Set.of(id));
     }
 
     private Edit blank(Kind kind, String id, double x, double y, Mode mode) {
@@ -127,12 +120,12 @@ final class NetEdits {
     }
 
     /** Adds a blank vertex of the other kind, to which an edge leads. */
-    Made append(String from, double x, double y, Mode mode) {
+    MakingEdit append(String from, double x, double y, Mode mode) {
         Kind kind = plan().place(from).isPresent() ? Kind.TRANSITION : Kind.PLACE;
         String id = fresh(kind == Kind.PLACE ? "place" : "transition");
         Edit add = blank(kind, id, x, y, mode);
         Edit both = new EditSequence(add.label(), List.of(add, new EdgeEdit.Connect(plan().id(), from, id, mode)));
-        return new Made(keepingTheRest(both), Set.of(id));
+        return new MakingEdit(keepingTheRest(both), Set.of(id));
     }
 
     Edit connect(String from, String to, Mode mode) {
@@ -192,9 +185,9 @@ final class NetEdits {
     }
 
     /** Adds a note and returns its id. */
-    Made addNote(double x, double y, String text) {
+    MakingEdit addNote(double x, double y, String text) {
         Note note = new Note(text, Optional.of(net.toPlan(x, y)));
-        return new Made(
+        return new MakingEdit(
                 new NoteEdit.AddNote(plan().id(), note),
                 Set.of(NetScene.idOf(plan().notes().size())));
     }
@@ -211,13 +204,13 @@ final class NetEdits {
     }
 
     /** Pastes what was copied, its middle at a point. */
-    Made paste(Fragment copied, double x, double y) {
+    MakingEdit paste(Fragment copied, double x, double y) {
         LayoutPoint middle = middle(copied);
         return pasteShifted(copied, x - middle.x(), y - middle.y());
     }
 
     /** Pastes what was copied, so far from where it was. */
-    Made pasteShifted(Fragment copied, double dx, double dy) {
+    MakingEdit pasteShifted(Fragment copied, double dx, double dy) {
         double scale = net.drawing().scale();
         LayoutPoint shift = net.toPlan(dx, dy);
         Paste paste = new Paste(plan().id(), scaled(copied, 1 / scale), shift.x(), shift.y());
@@ -225,7 +218,7 @@ final class NetEdits {
         Map<String, String> ids = paste.idsIn(plan());
         copied.part().places().forEach(p -> made.add(ids.get(p.id())));
         copied.part().transitions().forEach(t -> made.add(ids.get(t.id())));
-        return new Made(keepingTheRest(paste), made);
+        return new MakingEdit(keepingTheRest(paste), made);
     }
 
     private static LayoutPoint middle(Fragment copied) {

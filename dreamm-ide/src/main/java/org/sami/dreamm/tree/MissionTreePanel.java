@@ -6,7 +6,6 @@ import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -26,9 +25,21 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 
 /** The mission tree with a field that searches everything: while something is typed there, what was found stands in the tree's place. */
-public final class MissionTreePanel extends JPanel {
+public final class MissionTreePanel extends JPanel implements SearchView {
     private static final String TREE = "tree";
     private static final String HITS = "hits";
+
+    /** The commands of the tree's menu. */
+    private static final List<String> MENU = List.of(
+            "plan-new",
+            "folder-new",
+            "rename",
+            "plan-clone",
+            "tree-delete",
+            "plan-up",
+            "plan-down",
+            "tree-open",
+            "usages-find");
 
     private final transient DreammContext context;
     private final JTextField search = new JTextField();
@@ -63,7 +74,7 @@ public final class MissionTreePanel extends JPanel {
         add(head, BorderLayout.NORTH);
         add(middle);
         add(names, BorderLayout.SOUTH);
-        new TreeCommands(context, this, tree, names).register();
+        new TreeCommands(context, tree, names, this).register();
         listen();
         tree.follow();
     }
@@ -133,7 +144,7 @@ public final class MissionTreePanel extends JPanel {
         if (e.isPopupTrigger() && row >= 0) {
             tree.setSelectionRow(row);
             JPopupMenu menu = new JPopupMenu();
-            for (String id : TreeCommands.MENU) {
+            for (String id : MENU) {
                 context.commands().find(id).filter(c -> !c.isHidden()).ifPresent(menu::add);
             }
             menu.show(tree, e.getX(), e.getY());
@@ -150,8 +161,8 @@ public final class MissionTreePanel extends JPanel {
         showHits(found.isEmpty() ? "Nothing says \"" + typed + "\"" : found.size() + " found", found);
     }
 
-    /** Shows what was found instead of the tree, until Escape. */
-    void showHits(String title, List<Hit> found) {
+    @Override
+    public void showHits(String title, List<Hit> found) {
         hits.showHits(title, found);
         cards.show(middle, HITS);
     }
@@ -163,14 +174,14 @@ public final class MissionTreePanel extends JPanel {
         }
     }
 
-    /** Puts the focus on what was found. */
-    void focusHits() {
+    @Override
+    public void focusHits() {
         bringUp();
         hits.focusFirst();
     }
 
-    /** Puts the focus where a search is typed. */
-    void focusSearch() {
+    @Override
+    public void focusSearch() {
         bringUp();
         search.requestFocusInWindow();
         search.selectAll();
@@ -180,10 +191,5 @@ public final class MissionTreePanel extends JPanel {
         search.setText("");
         cards.show(middle, TREE);
         tree.requestFocusInWindow();
-    }
-
-    /** What the author means by "this": the line of the tree that has the focus; empty where the focus is elsewhere. */
-    Optional<TreeItem> focused() {
-        return tree.isFocusOwner() ? tree.selected() : Optional.empty();
     }
 }

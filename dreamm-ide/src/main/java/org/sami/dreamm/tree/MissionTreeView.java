@@ -187,4 +187,9 @@ final class MissionTreeView extends JTree {
         setRowHeight(Look.px(ROW));
         LookColors.background(this, SemanticColor.SURFACE);
     }
+
+    /** What the author means by "this": the line of the tree that has the focus; empty where the focus is elsewhere. */
+    Optional<TreeItem> focusedItem() {
+        return isFocusOwner() ? selected() : Optional.empty();
+    }
 }

@@ -28,28 +28,16 @@ import org.sami.ui.command.Command;
 
 /** What can be done with lines of the mission tree, and with names everywhere. On the event thread. */
 final class TreeCommands {
-    /** The commands of the tree's menu. */
-    static final List<String> MENU = List.of(
-            "plan-new",
-            "folder-new",
-            "rename",
-            "plan-clone",
-            "tree-delete",
-            "plan-up",
-            "plan-down",
-            "tree-open",
-            "usages-find");
-
     private final DreammContext context;
-    private final MissionTreePanel panel;
     private final MissionTreeView tree;
     private final NameBar names;
+    private final SearchView search;
 
-    TreeCommands(DreammContext context, MissionTreePanel panel, MissionTreeView tree, NameBar names) {
+    TreeCommands(DreammContext context, MissionTreeView tree, NameBar names, SearchView search) {
         this.context = Objects.requireNonNull(context, "context");
-        this.panel = panel;
         this.tree = tree;
         this.names = names;
+        this.search = search;
     }
 
     void register() {
@@ -84,7 +72,7 @@ final class TreeCommands {
                         selected().filter(i -> i.kind() == Kind.SUB_MISSION).isPresent(),
                         "no sub-mission is selected in the mission tree")));
         add(new Command("usages-find", "Find usages", this::findUsages).withKey("alt F7"));
-        add(new Command("search-everything", "Search everything", panel::focusSearch)
+        add(new Command("search-everything", "Search everything", search::focusSearch)
                 .withKey("ctrl shift F")
                 .withIcon("search"));
         onTree("DELETE", "tree-delete");
@@ -186,7 +174,7 @@ final class TreeCommands {
     }
 
     private void rename() {
-        Optional<Renaming> renaming = panel.focused().flatMap(this::ofLine).or(this::ofSelection);
+        Optional<Renaming> renaming = tree.focusedItem().flatMap(this::ofLine).or(this::ofSelection);
         if (renaming.isEmpty()) {
             context.notices().refused("select a plan, a variable, a place or a transition to rename it");
             return;
@@ -262,7 +250,7 @@ final class TreeCommands {
 
     private void findUsages() {
         Usages usages = new Usages(project());
-        Optional<TreeItem> line = panel.focused();
+        Optional<TreeItem> line = tree.focusedItem();
         if (line.isPresent()) {
             TreeItem item = line.get();
             switch (item.kind()) {
@@ -302,7 +290,7 @@ final class TreeCommands {
 
     private void showUsages(String what, List<Usage> usages) {
         List<Hit> found = new ProjectSearch(project(), context.vocabulary()).of(usages);
-        panel.showHits(found.isEmpty() ? what + " is used nowhere" : what + ": " + found.size() + " usages", found);
-        panel.focusHits();
+        search.showHits(found.isEmpty() ? what + " is used nowhere" : what + ": " + found.size() + " usages", found);
+        search.focusHits();
     }
 }

@@ -18,7 +18,7 @@ import org.sami.spn.stepping.Turns;
 final class PlanRun {
     private final String plan;
     private final Stepper stepper;
-    private final List<TryOut.Line> lines = new ArrayList<>();
+    private final List<TryOutLine> lines = new ArrayList<>();
     private final Map<Long, Plan> plans = new HashMap<>();
     private List<Effect> lastEffects;
     private boolean outdated;
@@ -40,7 +40,7 @@ final class PlanRun {
     }
 
     /** The steps that were taken, in order. */
-    List<TryOut.Line> lines() {
+    List<TryOutLine> lines() {
         return List.copyOf(lines);
     }
 
@@ -63,10 +63,10 @@ final class PlanRun {
     }
 
     /** Notes a step that the stepper has taken, and returns its line. */
-    TryOut.Line add(String words, TakenStep taken) {
+    TryOutLine add(String words, TakenStep taken) {
         lastEffects = taken.effects();
         notePlans();
-        TryOut.Line line = new TryOut.Line(taken.number(), words, StepWords.of(taken.effects(), this::name));
+        TryOutLine line = new TryOutLine(taken.number(), words, StepWords.of(taken.effects(), this::name));
         lines.add(line);
         return line;
     }

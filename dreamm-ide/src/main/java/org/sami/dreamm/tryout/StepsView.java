@@ -12,7 +12,7 @@ import org.sami.ui.table.RowTable;
 /** The steps that were taken, and what each did; a double click goes back to behind one. */
 final class StepsView extends JPanel {
     private final transient TryOut tryOut;
-    private final RowTable<TryOut.Line> table;
+    private final RowTable<TryOutLine> table;
 
     StepsView(TryOut tryOut) {
         super(new BorderLayout());
@@ -20,12 +20,12 @@ final class StepsView extends JPanel {
         table = new RowTable<>(
                 "try-steps",
                 "No step was taken yet.",
-                TryOut.Line::number,
+                TryOutLine::number,
                 List.of(
-                        RowColumn.<TryOut.Line>number("", 36, line -> String.valueOf(line.number()))
+                        RowColumn.<TryOutLine>number("", 36, line -> String.valueOf(line.number()))
                                 .colored(line -> SemanticColor.MUTED),
-                        RowColumn.words("Done", 0, TryOut.Line::done),
-                        RowColumn.<TryOut.Line>words("What came of it", 0, TryOut.Line::came)
+                        RowColumn.words("Done", 0, TryOutLine::done),
+                        RowColumn.<TryOutLine>words("What came of it", 0, TryOutLine::came)
                                 .colored(line -> SemanticColor.MUTED)));
         table.table().addMouseListener(new MouseAdapter() {
             @Override
@@ -42,7 +42,7 @@ final class StepsView extends JPanel {
     }
 
     private void refresh() {
-        List<TryOut.Line> lines = tryOut.lines();
+        List<TryOutLine> lines = tryOut.lines();
         table.show(lines);
         if (!lines.isEmpty()) {
             table.table().scrollRectToVisible(table.table().getCellRect(lines.size() - 1, 0, true));

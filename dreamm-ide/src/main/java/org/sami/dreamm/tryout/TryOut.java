@@ -51,9 +51,6 @@ public final class TryOut {
     private String message = "";
     private int disabled;
 
-    /** A step that was taken: its number, what was done, and what came of it. */
-    public record Line(int number, String done, String came) {}
-
     /** A place where nothing is tried yet. */
     public TryOut(ProjectDocument document) {
         this.document = Objects.requireNonNull(document, "document");
@@ -331,7 +328,7 @@ public final class TryOut {
     }
 
     /** The steps that were taken, in order. */
-    public List<Line> lines() {
+    public List<TryOutLine> lines() {
         return run.map(PlanRun::lines).orElse(List.of());
     }
 

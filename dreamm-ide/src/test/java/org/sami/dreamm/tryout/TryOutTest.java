@@ -70,7 +70,7 @@ class TryOutTest {
         assertThat(runOn()).isPositive();
 
         assertThat(tryOut.isOver()).as(tryOut.message()).isTrue();
-        assertThat(tryOut.lines()).extracting(TryOut.Line::number).startsWith(1, 2, 3);
+        assertThat(tryOut.lines()).extracting(TryOutLine::number).startsWith(1, 2, 3);
         assertThat(tryOut.lines().get(0).done()).startsWith("operator: robot-1, robot-2, robot-3 to ");
     }
 
@@ -115,9 +115,9 @@ class TryOutTest {
 
         assertThat(tryOut.lines())
                 .hasSizeGreaterThan(2)
-                .extracting(TryOut.Line::done)
+                .extracting(TryOutLine::done)
                 .noneMatch(this::speaksOfAnId);
-        assertThat(tryOut.lines()).extracting(TryOut.Line::done).anyMatch(done -> done.contains("answering "));
+        assertThat(tryOut.lines()).extracting(TryOutLine::done).anyMatch(done -> done.contains("answering "));
     }
 
     /** An id that is no word as well: of an event, or the name of an event's type in one word. */

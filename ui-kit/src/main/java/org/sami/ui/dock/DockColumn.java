@@ -5,6 +5,7 @@ import java.awt.Container;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -23,7 +24,7 @@ final class DockColumn {
     private static final int EMPTY_HEIGHT = 120; // title, tabs, and two lines that say what would be here
 
     private final PaneKeeper topmost;
-    private final SplitProportions all;
+    private final Map<JSplitPane, PaneKeeper> keepers;
     private final Part top;
     private final List<Part> leaves = new ArrayList<>();
 
@@ -45,16 +46,16 @@ final class DockColumn {
      * The column below a pane.
      *
      * @param topmost its uppermost pane
-     * @param all where the keepers of the others are
+     * @param keepers of all panes
      */
-    DockColumn(PaneKeeper topmost, SplitProportions all) {
+    DockColumn(PaneKeeper topmost, Map<JSplitPane, PaneKeeper> keepers) {
         this.topmost = topmost;
-        this.all = all;
+        this.keepers = keepers;
         top = part(topmost.pane());
     }
 
     private Part part(Component side) {
-        Optional<PaneKeeper> keeper = split(side).flatMap(all::keeper).filter(one -> !one.isBeside());
+        Optional<PaneKeeper> keeper = split(side).map(keepers::get).filter(one -> !one.isBeside());
         if (keeper.isEmpty()) {
             Part leaf = new Part(side, keeper, List.of());
             leaves.add(leaf);

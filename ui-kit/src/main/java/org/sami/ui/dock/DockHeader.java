@@ -7,6 +7,7 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import javax.swing.BorderFactory;
+import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -26,13 +27,19 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
     private final JLabel title;
     private final boolean foldable;
 
-    DockHeader(DockPanel panel, HeaderController controller, HeaderModel model) {
+    /**
+     * The line above one panel.
+     *
+     * @param id of the panel; begins the names of the buttons
+     * @param foldable whether the panel is folded to the edge and not closed
+     */
+    DockHeader(String id, String name, Icon icon, boolean foldable, HeaderController controller, HeaderModel model) {
         super(new BorderLayout());
         this.controller = controller;
         this.model = model;
-        this.foldable = panel.isFoldable();
+        this.foldable = foldable;
         controller.setUI(this);
-        title = new JLabel(panel.title(), panel.getIcon(), JLabel.LEADING);
+        title = new JLabel(name, icon, JLabel.LEADING);
         JButton more = new JButton(Icons.small("more")) {
             @Override
             public Dimension getPreferredSize() {
@@ -40,21 +47,21 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
                 return new Dimension(Math.max(size.width, Look.px(Look.hitTarget())), size.height);
             }
         };
-        more.setName(panel.getPersistentID() + "-menu");
-        more.setToolTipText("Set " + panel.title() + " free, enlarge or " + (foldable ? "fold" : "close") + " it");
-        more.getAccessibleContext().setAccessibleName("Menu of " + panel.title());
+        more.setName(id + "-menu");
+        more.setToolTipText("Set " + name + " free, enlarge or " + (foldable ? "fold" : "close") + " it");
+        more.getAccessibleContext().setAccessibleName("Menu of " + name);
         more.putClientProperty("JButton.buttonType", "toolBarButton");
         more.addActionListener(e -> displaySettingsMenu(more));
         add(title);
-        add(panel.isFoldable() ? buttons(panel, more) : more, BorderLayout.EAST);
+        add(foldable ? buttons(id, name, more) : more, BorderLayout.EAST);
         colour();
     }
 
-    private JPanel buttons(DockPanel panel, JButton more) {
+    private JPanel buttons(String id, String name, JButton more) {
         JButton fold = new JButton(Icons.small("right"));
-        fold.setName(panel.getPersistentID() + "-fold");
-        fold.setToolTipText("Fold " + panel.title() + " to the edge");
-        fold.getAccessibleContext().setAccessibleName("Fold " + panel.title() + " to the edge");
+        fold.setName(id + "-fold");
+        fold.setToolTipText("Fold " + name + " to the edge");
+        fold.getAccessibleContext().setAccessibleName("Fold " + name + " to the edge");
         fold.putClientProperty("JButton.buttonType", "toolBarButton");
         fold.addActionListener(e -> controller.close());
         JPanel both = new JPanel(new BorderLayout());

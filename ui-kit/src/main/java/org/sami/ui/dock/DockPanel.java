@@ -149,6 +149,6 @@ public final class DockPanel extends JPanel implements Dockable {
 
     @Override
     public DockingHeaderUI createHeaderUI(HeaderController controller, HeaderModel model) {
-        return new DockHeader(this, controller, model);
+        return new DockHeader(getPersistentID(), title(), getIcon(), isFoldable(), controller, model);
     }
 }

@@ -5,6 +5,8 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import org.sami.ui.EventThread;
@@ -15,7 +17,9 @@ import org.sami.ui.EventThread;
  */
 final class PaneKeeper extends ComponentAdapter {
     private final JSplitPane pane;
-    private final SplitProportions all;
+    private final Consumer<PaneKeeper> show;
+    private final Predicate<PaneKeeper> leavesRoom;
+    private final Runnable moved;
     private int size; // that it has heard of
     private int laidOut; // size at which the divider was seen last
     private double proportion = Double.NaN; // not known until the divider has a place in a pane with a size
@@ -30,11 +34,15 @@ final class PaneKeeper extends ComponentAdapter {
     /**
      * The keeper of a pane.
      *
-     * @param all with whose panes it shares the room
+     * @param show has the dividers of the pane's column stand where they are to stand now
+     * @param leavesRoom whether some side in the pane's column leaves its room to another one
+     * @param moved is called when somebody has moved the divider
      */
-    PaneKeeper(JSplitPane pane, SplitProportions all) {
+    PaneKeeper(JSplitPane pane, Consumer<PaneKeeper> show, Predicate<PaneKeeper> leavesRoom, Runnable moved) {
         this.pane = pane;
-        this.all = all;
+        this.show = show;
+        this.leavesRoom = leavesRoom;
+        this.moved = moved;
     }
 
     void install() {
@@ -108,11 +116,11 @@ final class PaneKeeper extends ComponentAdapter {
             return;
         }
         if (byLayout) {
-            EventThread.later(() -> all.show(this));
-        } else if (!(all.leavesRoom(this) && isAtProportion())) {
-            pinned = all.leavesRoom(this);
+            EventThread.later(() -> show.accept(this));
+        } else if (!(leavesRoom.test(this) && isAtProportion())) {
+            pinned = leavesRoom.test(this);
             remember();
-            all.moved();
+            moved.run();
         }
     }
 
@@ -130,7 +138,7 @@ final class PaneKeeper extends ComponentAdapter {
         if (Double.isNaN(proportion)) {
             remember();
         } else {
-            all.show(this);
+            show.accept(this);
         }
     }
 

@@ -41,18 +41,9 @@ final class SplitProportions {
     }
 
     private void add(JSplitPane pane) {
-        PaneKeeper keeper = new PaneKeeper(pane, this);
+        PaneKeeper keeper = new PaneKeeper(pane, this::show, this::leavesRoom, moved);
         keeper.install();
         keepers.put(pane, keeper);
-    }
-
-    Optional<PaneKeeper> keeper(JSplitPane pane) {
-        return Optional.ofNullable(keepers.get(pane));
-    }
-
-    /** Somebody has moved a divider. */
-    void moved() {
-        moved.run();
     }
 
     /**
@@ -87,7 +78,7 @@ final class SplitProportions {
             Predicate<JSplitPane> mayShrink,
             Predicate<JSplitPane> mayReturn,
             Function<JSplitPane, Optional<PointerRest.Pressable>> pointedAt) {
-        DockColumn column = new DockColumn(top, this);
+        DockColumn column = new DockColumn(top, keepers);
         if (!column.isKnown()) {
             return;
         }
@@ -145,13 +136,13 @@ final class SplitProportions {
     }
 
     /** Whether some side in the column of a pane leaves its room to another one. */
-    boolean leavesRoom(PaneKeeper keeper) {
+    private boolean leavesRoom(PaneKeeper keeper) {
         return !top(keeper).emptied().isEmpty();
     }
 
     /** Has the dividers of the column of a pane stand where they are to stand now. */
-    void show(PaneKeeper keeper) {
-        DockColumn column = new DockColumn(top(keeper), this);
+    private void show(PaneKeeper keeper) {
+        DockColumn column = new DockColumn(top(keeper), keepers);
         if (!keeper.isBeside() && column.isKnown()) {
             column.show();
         } else {

@@ -60,6 +60,6 @@ public final class Fonts {
     }
 
     private static float scaled(int size) {
-        return size * Look.scalePercent() / 100f;
+        return size * LookScale.percent() / 100f;
     }
 }

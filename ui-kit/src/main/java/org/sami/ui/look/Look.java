@@ -21,13 +21,12 @@ public final class Look {
     public static final List<Integer> SCALES = List.of(80, 90, 100, 110, 125, 150, 175, 200);
 
     /** The smallest scale, in percent. */
-    public static final int LEAST = 80;
+    public static final int LEAST = LookScale.LEAST;
 
     /** The largest scale, in percent. */
-    public static final int MOST = 200;
+    public static final int MOST = LookScale.MOST;
 
     private static final List<Runnable> LISTENERS = new CopyOnWriteArrayList<>();
-    private static volatile int scalePercent = 100;
     private static volatile boolean highRows;
     private static volatile int hitTarget = Spacing.HIT_TARGET;
 
@@ -40,7 +39,7 @@ public final class Look {
      */
     public static void apply(Theme next, int percent) {
         next.putInForce();
-        scalePercent = Math.min(MOST, Math.max(LEAST, percent));
+        LookScale.put(percent);
         UIScale.setZoomFactor(1); // else the font's size would be taken as one at the scale that was
         UIManager.put("defaultFont", Fonts.base());
         PlainText.install();
@@ -49,7 +48,7 @@ public final class Look {
         } catch (UnsupportedLookAndFeelException e) {
             throw new IllegalStateException("the look of the theme " + next.id() + " does not run here", e);
         }
-        UIScale.setZoomFactor(scalePercent / 100f);
+        UIScale.setZoomFactor(LookScale.percent() / 100f);
         PlatformDefaults.setLogicalPixelBase(
                 PlatformDefaults.BASE_SCALE_FACTOR); // it asks the look for its scale by itself
         FlatLaf.updateUI();
@@ -71,7 +70,7 @@ public final class Look {
 
     /** The scale in force, in percent. */
     public static int scalePercent() {
-        return scalePercent;
+        return LookScale.percent();
     }
 
     /** Makes rows of tables and lists high enough for wet fingers from the next {@link #apply} on, or as high as their text needs. */
@@ -98,18 +97,18 @@ public final class Look {
     public static int nextScale(boolean larger) {
         return larger
                 ? SCALES.stream()
-                        .filter(each -> each > scalePercent)
+                        .filter(each -> each > LookScale.percent())
                         .findFirst()
-                        .orElse(scalePercent)
+                        .orElse(LookScale.percent())
                 : SCALES.stream()
-                        .filter(each -> each < scalePercent)
+                        .filter(each -> each < LookScale.percent())
                         .reduce((a, b) -> b)
-                        .orElse(scalePercent);
+                        .orElse(LookScale.percent());
     }
 
     /** Logical pixels as pixels at the scale in force. */
     public static int px(int logical) {
-        return Math.round(logical * scalePercent / 100f);
+        return Math.round(logical * LookScale.percent() / 100f);
     }
 
     /** Calls a listener after theme or scale have changed. */

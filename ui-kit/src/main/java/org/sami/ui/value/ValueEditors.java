@@ -23,9 +23,9 @@ public final class ValueEditors {
         this.context = Objects.requireNonNull(context, "context");
     }
 
-    /** Says of the robots that a question offers what is known of them now, not when it was asked. */
-    public void showNow(QuestionEditor question) {
-        question.showNow(context.names().proxies());
+    /** What is known now of the robots that can be chosen. */
+    public List<ChoiceRow> robots() {
+        return context.names().proxies();
     }
 
     /** An editor with which a value of the field's type is given; any type can be, also {@code any}. */

@@ -38,7 +38,7 @@ public record OperatorContext(
     /** The context of a window over a session that runs. */
     public OperatorContext(
             Session session, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
-        this(ShownSession.of(session), commands, marks, boats, notices);
+        this(new RunningSession(session), commands, marks, boats, notices);
     }
 
     /**

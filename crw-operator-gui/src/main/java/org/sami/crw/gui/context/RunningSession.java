@@ -18,8 +18,8 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** A session that runs, as a window shows it. */
-record RunningSession(Session running) implements ShownSession {
-    RunningSession {
+public record RunningSession(Session running) implements ShownSession {
+    public RunningSession {
         Objects.requireNonNull(running, "session");
     }
 

@@ -53,9 +53,4 @@ public interface ShownSession {
 
     /** The session, if it runs. */
     Optional<Session> session();
-
-    /** A session that runs. */
-    static ShownSession of(Session session) {
-        return new RunningSession(session);
-    }
 }

@@ -14,33 +14,33 @@ final class DecisionCommands {
     private final Command stopTimer;
     private final Command focus;
 
-    DecisionCommands(CommandRegistry registry, DecisionsPanel panel) {
-        answer = registry.add(new Command("decision-answer", "Answer", panel::answer)
+    DecisionCommands(CommandRegistry registry, DecisionSteps steps) {
+        answer = registry.add(new Command("decision-answer", "Answer", steps::answer)
                 .withKey("alt ENTER")
                 .withIcon("check")
                 .once() // the next decision is shown by then
-                .unless(panel::whyNot));
-        refuse = registry.add(new Command("decision-refuse", "None of these", panel::refuse)
+                .unless(steps::whyNot));
+        refuse = registry.add(new Command("decision-refuse", "None of these", steps::refuse)
                 .withKey("alt BACK_SPACE")
-                .unless(panel::whyNotRefuse));
-        draw = registry.add(new Command("decision-draw", "Answer on the map", panel::drawOnMap)
+                .unless(steps::whyNotRefuse));
+        draw = registry.add(new Command("decision-draw", "Answer on the map", steps::drawOnMap)
                 .withKey("alt D")
                 .withIcon("map")
-                .unless(panel::whyNotDraw));
-        later = registry.add(new Command("decision-later", "Next decision", () -> panel.browse(1))
+                .unless(steps::whyNotDraw));
+        later = registry.add(new Command("decision-later", "Next decision", () -> steps.browse(1))
                 .withKey("alt DOWN")
                 .withIcon("down")
-                .unless(panel::whyNotBrowse));
-        earlier = registry.add(new Command("decision-earlier", "Decision before", () -> panel.browse(-1))
+                .unless(steps::whyNotBrowse));
+        earlier = registry.add(new Command("decision-earlier", "Decision before", () -> steps.browse(-1))
                 .withKey("alt UP")
                 .withIcon("up")
-                .unless(panel::whyNotBrowse));
-        stopTimer = registry.add(new Command("decision-stop-timer", "Stop the timer", panel::stopTimer)
+                .unless(steps::whyNotBrowse));
+        stopTimer = registry.add(new Command("decision-stop-timer", "Stop the timer", steps::stopTimer)
                 .withKey("ctrl shift T")
                 .withIcon("pause")
-                .unless(panel::whyNotStopTimer));
+                .unless(steps::whyNotStopTimer));
         focus = registry.add(
-                new Command("decision-focus", "Go to the decision", panel::focusDecision).withKey("ctrl D"));
+                new Command("decision-focus", "Go to the decision", steps::focusDecision).withKey("ctrl D"));
     }
 
     Command answer() {

@@ -16,19 +16,19 @@ final class DecisionKeys {
 
     private DecisionKeys() {}
 
-    static void bind(DecisionsPanel panel) {
+    static void bind(JComponent panel, DecisionSteps steps) {
         for (int i = 0; i < DIGITS; i++) {
             int option = i;
             Runnable choose = () -> {
                 if (!(focusOwner() instanceof JTextComponent)) {
-                    panel.choose(option);
+                    steps.choose(option);
                 }
             };
             bind(panel, KeyEvent.VK_1 + i, "choose-" + (i + 1), choose);
             bind(panel, KeyEvent.VK_NUMPAD1 + i, "choose-" + (i + 1), choose);
         }
-        bind(panel, KeyEvent.VK_ENTER, "answer", panel::answer);
-        bind(panel, KeyEvent.VK_ESCAPE, "leave", panel::escape);
+        bind(panel, KeyEvent.VK_ENTER, "answer", steps::answer);
+        bind(panel, KeyEvent.VK_ESCAPE, "leave", steps::escape);
     }
 
     private static void bind(JComponent panel, int key, String name, Runnable action) {

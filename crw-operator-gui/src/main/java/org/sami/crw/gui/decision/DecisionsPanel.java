@@ -35,7 +35,7 @@ import org.sami.ui.value.WrappedText;
  * choose options, Enter gives the answer that is filled in, Escape leaves. The reason why an answer would be refused is next to the button
  * before it is given. On the event thread.
  */
-public final class DecisionsPanel extends JPanel {
+public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private static final String NONE = "none";
     private static final String ONE = "one";
     private static final int LOW = 230;
@@ -90,7 +90,7 @@ public final class DecisionsPanel extends JPanel {
         deck.add(empty(), NONE);
         deck.add(one(), ONE);
         add(deck);
-        DecisionKeys.bind(this);
+        DecisionKeys.bind(this, this);
         PointerWatch.on(this, shown::pointerDown, () -> {
             shown.pointerUp();
             settle.restart();
@@ -179,7 +179,7 @@ public final class DecisionsPanel extends JPanel {
             header.show(one, actions.nowMillis());
             frame.show(one.attention());
         });
-        current.ifPresent(view -> editors.showNow(view.editor()));
+        current.ifPresent(view -> view.editor().showNow(editors.robots()));
         showQueue(other);
         current.ifPresent(view -> view.judged().look());
         settleAnswer();
@@ -300,8 +300,8 @@ public final class DecisionsPanel extends JPanel {
 
     // ---- what keys and buttons do
 
-    /** Why the answer that is filled in cannot be given now; empty where it can. */
-    Optional<String> whyNot() {
+    @Override
+    public Optional<String> whyNot() {
         if (current.isEmpty()) {
             return Optional.of("no decision waits");
         }
@@ -311,13 +311,13 @@ public final class DecisionsPanel extends JPanel {
         return giving.whyNot().or(() -> current.get().whyNot(actions));
     }
 
-    /** Why no decision can be looked at besides the shown one; empty where one can. */
-    Optional<String> whyNotBrowse() {
+    @Override
+    public Optional<String> whyNotBrowse() {
         return shown.waiting() > 1 ? Optional.empty() : Optional.of("no other decision waits");
     }
 
-    /** Why "none of these" is no answer now; empty where it is. */
-    Optional<String> whyNotRefuse() {
+    @Override
+    public Optional<String> whyNotRefuse() {
         return current.filter(DecisionView::refusable).isPresent()
                         && !shown.isOver()
                         && giving.whyNot().isEmpty()
@@ -325,13 +325,13 @@ public final class DecisionsPanel extends JPanel {
                 : Optional.of("this decision asks for a choice");
     }
 
-    /** Why the shown decision cannot be answered on the large map; empty where it can. */
-    Optional<String> whyNotDraw() {
+    @Override
+    public Optional<String> whyNotDraw() {
         return current.filter(view -> !shown.isOver()).map(pen::whyNot).orElse(Optional.of("no decision waits"));
     }
 
-    /** Takes up the pen for the large map; a double click or Enter there leads back to the answer, which is not given by it. */
-    void drawOnMap() {
+    @Override
+    public void drawOnMap() {
         current.ifPresent(view -> {
             shown.keep();
             attend();
@@ -349,8 +349,8 @@ public final class DecisionsPanel extends JPanel {
         }
     }
 
-    /** Puts the pen down that is out for the shown decision, or else leaves the decision. */
-    void escape() {
+    @Override
+    public void escape() {
         if (pen.putDown()) {
             current.ifPresent(this::edited);
             refresh();
@@ -359,8 +359,8 @@ public final class DecisionsPanel extends JPanel {
         }
     }
 
-    /** Why there is no timer to stop; empty where there is one. */
-    Optional<String> whyNotStopTimer() {
+    @Override
+    public Optional<String> whyNotStopTimer() {
         return shown.shown()
                         .filter(one -> one.presentation().autonomy().counts())
                         .isPresent()
@@ -368,8 +368,8 @@ public final class DecisionsPanel extends JPanel {
                 : Optional.of("no timer runs");
     }
 
-    /** Gives the answer that is filled in. */
-    void answer() {
+    @Override
+    public void answer() {
         if (whyNot().isEmpty()) {
             attend();
             giving.press(current.orElseThrow());
@@ -378,20 +378,20 @@ public final class DecisionsPanel extends JPanel {
         tellProblem();
     }
 
-    /** Answers with none of what is offered. */
-    void refuse() {
+    @Override
+    public void refuse() {
         attend();
         giving.give(current.orElseThrow(), new Answer.Rejected());
         commands.refresh();
     }
 
-    /** Stops the timer after which autonomy would answer. */
-    void stopTimer() {
+    @Override
+    public void stopTimer() {
         current.ifPresent(giving::stopTimer);
     }
 
-    /** Shows another decision, and answers nothing. */
-    void browse(int step) {
+    @Override
+    public void browse(int step) {
         shown.browse(step);
         refresh();
     }
@@ -401,8 +401,8 @@ public final class DecisionsPanel extends JPanel {
         refresh();
     }
 
-    /** Chooses an option of the shown decision, from 0; gives no answer. */
-    void choose(int option) {
+    @Override
+    public void choose(int option) {
         current.filter(view -> !shown.isOver()).ifPresent(view -> view.editor().choose(option));
     }
 
@@ -419,7 +419,7 @@ public final class DecisionsPanel extends JPanel {
                 : shown.mostUrgent().map(one -> DecisionWords.heading(one.presentation()));
     }
 
-    /** Brings the keyboard's focus to what is to be filled in. */
+    @Override
     public void focusDecision() {
         current.ifPresentOrElse(view -> view.editor().focusTarget().requestFocusInWindow(), this::requestFocusInWindow);
     }
