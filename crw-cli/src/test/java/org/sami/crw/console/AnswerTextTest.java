@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
@@ -46,7 +47,7 @@ class AnswerTextTest {
     }
 
     private static DecisionPresentation shown(Question question, MarkupSpec... markups) {
-        return DecisionPresentation.plain(new Decision(
+        return DecisionPresenter.plain(new Decision(
                 1,
                 1,
                 1,

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
@@ -94,7 +95,7 @@ final class AnswerForm {
             default -> value.isObject() ? "" : "an object with a value per field";
         };
         if (!wanted.isEmpty()) {
-            String message = "\"" + member + "\" is " + wanted + ", not " + AnswersFileReader.shown(value);
+            String message = "\"" + member + "\" is " + wanted + ", not " + shown(value);
             findings.add(Finding.error("E-BAD-VALUE", pointer, message));
         }
     }
@@ -134,5 +135,10 @@ final class AnswerForm {
                 findings.add(f.within(at));
             }
         }
+    }
+
+    /** What stands there, as messages say it. */
+    static String shown(JsonNode node) {
+        return node.isMissingNode() ? "missing" : Objects.toString(node);
     }
 }

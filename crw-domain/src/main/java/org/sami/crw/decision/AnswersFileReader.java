@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
@@ -67,17 +66,20 @@ public final class AnswersFileReader {
     private List<AnswerRule> rules(JsonNode top) {
         refuseUnknown(top, "", TOP);
         if (!FORMAT.equals(top.path("format").asText())) {
-            add("E-VERSION", "/format", "The format is \"" + FORMAT + "\", not " + shown(top.path("format")));
+            add(
+                    "E-VERSION",
+                    "/format",
+                    "The format is \"" + FORMAT + "\", not " + AnswerForm.shown(top.path("format")));
         }
         if (!top.path("version").isInt() || top.path("version").intValue() != VERSION) {
             add(
                     "E-VERSION",
                     "/version",
-                    "This program reads version " + VERSION + ", not " + shown(top.path("version")));
+                    "This program reads version " + VERSION + ", not " + AnswerForm.shown(top.path("version")));
         }
         JsonNode list = top.path("rules");
         if (!list.isArray()) {
-            add("E-WRONG-TYPE", "/rules", "The rules are a list, not " + shown(list));
+            add("E-WRONG-TYPE", "/rules", "The rules are a list, not " + AnswerForm.shown(list));
             return List.of();
         }
         List<AnswerRule> rules = new ArrayList<>();
@@ -100,7 +102,7 @@ public final class AnswersFileReader {
         OptionalInt nth = nth(node, pointer);
         JsonNode answer = node.path("answer");
         if (!answer.isObject()) {
-            add("E-WRONG-TYPE", pointer + "/answer", "The answer is an object, not " + shown(answer));
+            add("E-WRONG-TYPE", pointer + "/answer", "The answer is an object, not " + AnswerForm.shown(answer));
         } else if (start) {
             AnswerForm.checkStart(answer, pointer + "/answer", findings);
         } else if (!event.isEmpty()) {
@@ -155,7 +157,10 @@ public final class AnswersFileReader {
             return OptionalInt.empty();
         }
         if (!node.get("nth").isInt() || node.get("nth").intValue() < 1) {
-            add("E-BAD-VALUE", pointer + "/nth", "\"nth\" counts from 1 and is not " + shown(node.get("nth")));
+            add(
+                    "E-BAD-VALUE",
+                    pointer + "/nth",
+                    "\"nth\" counts from 1 and is not " + AnswerForm.shown(node.get("nth")));
             return OptionalInt.empty();
         }
         return OptionalInt.of(node.get("nth").intValue());
@@ -164,7 +169,7 @@ public final class AnswersFileReader {
     private String text(JsonNode node, String member, String pointer) {
         JsonNode value = node.path(member);
         if (!value.isTextual() || value.textValue().isBlank()) {
-            add("E-WRONG-TYPE", pointer + "/" + member, "\"" + member + "\" is a text, not " + shown(value));
+            add("E-WRONG-TYPE", pointer + "/" + member, "\"" + member + "\" is a text, not " + AnswerForm.shown(value));
             return "";
         }
         return value.textValue();
@@ -188,9 +193,5 @@ public final class AnswersFileReader {
 
     private void add(String code, String pointer, String message) {
         findings.add(Finding.error(code, pointer, message));
-    }
-
-    static String shown(JsonNode node) {
-        return node.isMissingNode() ? "missing" : Objects.toString(node);
     }
 }

@@ -6,7 +6,6 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.markup.Attention;
 import org.sami.crw.markup.MapRelevance;
-import org.sami.crw.markup.MarkupReader;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Priority;
@@ -132,12 +131,5 @@ public record DecisionPresentation(
                 attention,
                 proposedLocation,
                 map);
-    }
-
-    /** A decision of which nothing is known but what it says itself. */
-    public static DecisionPresentation plain(Decision decision) {
-        MarkupReader markups = new MarkupReader(decision.markups());
-        List<OfferedOption> options = OfferedOptions.of(decision, markups, List.of(), boat -> "");
-        return DecisionPresenter.of(decision, Asker.UNKNOWN, markups, options, List.of(), List.of());
     }
 }

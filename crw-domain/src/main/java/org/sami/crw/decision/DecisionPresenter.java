@@ -55,7 +55,14 @@ public final class DecisionPresenter {
                 : List.of();
     }
 
-    static DecisionPresentation of(
+    /** A decision of which nothing is known but what it says itself. */
+    public static DecisionPresentation plain(Decision decision) {
+        MarkupReader markups = new MarkupReader(decision.markups());
+        List<OfferedOption> options = OfferedOptions.of(decision, markups, List.of(), boat -> "");
+        return of(decision, Asker.UNKNOWN, markups, options, List.of(), List.of());
+    }
+
+    private static DecisionPresentation of(
             Decision decision,
             Asker asker,
             MarkupReader markups,

@@ -6,6 +6,7 @@ import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.explanation.Obstacle;
 import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
@@ -75,6 +76,15 @@ final class BoatCondition {
     /** Takes the time of a call; an earlier one than before changes nothing. */
     void reached(long atMs) {
         nowMs = Math.max(nowMs, atMs);
+    }
+
+    /** How the boat is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard. */
+    Optional<Drift> drift() {
+        return status.link() == LinkState.LINKED
+                ? drift.drift(error.map(CrossTrackError::positionM).stream()
+                        .mapToDouble(Double::doubleValue)
+                        .findFirst())
+                : Optional.empty();
     }
 
     /** What keeps every command from the boat; empty if nothing does. */

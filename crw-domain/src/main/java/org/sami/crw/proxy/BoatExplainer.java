@@ -23,7 +23,7 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.spn.protocol.Ids;
 
-/** Answers "why is this boat not moving?" from its proxy's link and queue. */
+/** Answers "why is this boat not moving?" from its condition and the queue of its commands. */
 final class BoatExplainer {
     private static final int MOST_NAMED = 3;
 
@@ -33,22 +33,31 @@ final class BoatExplainer {
     /** Slower than this it may as well drift, in m/s: more than a current and a breeze in the field. */
     private static final double DRIVES_MPS = 0.4;
 
-    private final BoatProxy proxy;
+    private final String boatId;
     private final CommandDriver driver;
+    private final BoatCondition condition;
+    private final ProxySettings settings;
     private final MissionTitles titles;
 
-    BoatExplainer(BoatProxy proxy, MissionTitles titles) {
-        this.proxy = proxy;
+    BoatExplainer(
+            String boatId,
+            CommandDriver driver,
+            BoatCondition condition,
+            ProxySettings settings,
+            MissionTitles titles) {
+        this.boatId = boatId;
+        this.driver = driver;
+        this.condition = condition;
+        this.settings = settings;
         this.titles = titles;
-        driver = proxy.driver();
     }
 
     BoatExplanation explain() {
-        Optional<Obstacle> obstacle = proxy.obstacle();
+        Optional<Obstacle> obstacle = condition.obstacle();
         if (obstacle.filter(one -> one.cause() == Cause.LINK_LOST).isPresent()) {
             return outOfReach(obstacle.get());
         } else if (obstacle.filter(one -> one.cause() == Cause.TAKEN_OVER).isPresent()) {
-            return new BoatExplanation(false, Cause.TAKEN_OVER, proxy.boatId() + " is driven by hand" + counted());
+            return new BoatExplanation(false, Cause.TAKEN_OVER, boatId + " is driven by hand" + counted());
         } else if (obstacle.isPresent()) {
             return still(obstacle.get().cause(), obstacle.get().text() + counted());
         } else if (isBatteryEmpty()) {
@@ -68,43 +77,42 @@ final class BoatExplainer {
         String nobody = "no mission wants anything of it" + became;
         return isReturning()
                 ? new BoatExplanation(
-                        false, last.cause(), proxy.boatId() + " returns to its home, as its link was lost: " + nobody)
+                        false, last.cause(), boatId + " returns to its home, as its link was lost: " + nobody)
                 : inItsPlace(last.cause(), nobody);
     }
 
     /** A boat that keeps its place drives aside for another one, and back, by itself (docs/services.md): then it is not said to stand. */
     private BoatExplanation inItsPlace(Cause cause, String why) {
         return drivesInItsPlace()
-                ? new BoatExplanation(false, cause, proxy.boatId() + " keeps its place, and " + MAKES_ROOM + ": " + why)
+                ? new BoatExplanation(false, cause, boatId + " keeps its place, and " + MAKES_ROOM + ": " + why)
                 : still(cause, why);
     }
 
     private boolean drivesInItsPlace() {
-        BoatStatus status = proxy.status();
+        BoatStatus status = condition.status;
         return status.mode().filter(BoatMode.HOLD::equals).isPresent()
                 && status.pose().filter(pose -> pose.speedMps() >= DRIVES_MPS).isPresent();
     }
 
     /** Whether the boat says that it is on its way home by itself. */
     private boolean isReturning() {
-        return proxy.status().mode().filter(BoatMode.RETURN::equals).isPresent();
+        return condition.status.mode().filter(BoatMode.RETURN::equals).isPresent();
     }
 
     /** The boat cannot be seen; it does what it is configured to do by itself. */
     private BoatExplanation outOfReach(Obstacle lost) {
-        String byItself = proxy.settings()
-                .inForce()
+        String byItself = settings.inForce()
                 .map(BoatTuning::lostLinkAction)
                 .map(action -> "; by itself it " + LostLinkWords.of(action))
                 .orElse("");
         return new BoatExplanation(
-                false, lost.cause(), proxy.boatId() + " is out of reach: " + lost.text() + byItself + counted());
+                false, lost.cause(), boatId + " is out of reach: " + lost.text() + byItself + counted());
     }
 
     /** Whether the boat is under way as it should be, so that there is nothing to explain. */
     boolean isUnderWay() {
         return driver.isDriving()
-                && proxy.obstacle().isEmpty()
+                && condition.obstacle().isEmpty()
                 && !isBatteryEmpty()
                 && driver.run()
                         .flatMap(CommandRun::headway)
@@ -113,7 +121,8 @@ final class BoatExplainer {
     }
 
     private boolean isBatteryEmpty() {
-        return proxy.status()
+        return condition
+                .status
                 .battery()
                 .filter(battery -> battery.percent() <= 0)
                 .isPresent();
@@ -133,8 +142,8 @@ final class BoatExplainer {
             return new BoatExplanation(
                     false,
                     Cause.NO_PROGRESS,
-                    proxy.boatId() + " does not get on: " + stuck.get().words() + "; it is to " + command.infinitive()
-                            + visited + waiting());
+                    boatId + " does not get on: " + stuck.get().words() + "; it is to " + command.infinitive() + visited
+                            + waiting());
         }
         Cause cause = run.isDriving() ? Cause.UNDER_WAY : causeOf(run);
         String state = ": " + run.state() + visited;
@@ -146,7 +155,7 @@ final class BoatExplainer {
             case UNDER_WAY -> run instanceof StationRun ? "is to " + command.infinitive() : command.does();
             default -> "waits to " + command.infinitive();
         };
-        return new BoatExplanation(run.isDriving(), cause, proxy.boatId() + " " + does + state + sends() + waiting());
+        return new BoatExplanation(run.isDriving(), cause, boatId + " " + does + state + sends() + waiting());
     }
 
     /** Nobody wants anything of it; what it last did says why it holds its place. */
@@ -155,7 +164,7 @@ final class BoatExplainer {
         return new BoatExplanation(
                 run.isDriving(),
                 run.isDriving() ? Cause.UNDER_WAY : causeOf(run),
-                proxy.boatId() + " holds its place until it gets a command or is stopped" + became);
+                boatId + " holds its place until it gets a command or is stopped" + became);
     }
 
     private static Cause causeOf(CommandRun run) {
@@ -208,7 +217,8 @@ final class BoatExplainer {
     }
 
     private BoatExplanation still(Cause cause, String why) {
-        String does = proxy.drift().filter(Drift::isMoving).map(Drift::words).orElse("does not move");
-        return new BoatExplanation(false, cause, proxy.boatId() + " " + does + ": " + why);
+        String does =
+                condition.drift().filter(Drift::isMoving).map(Drift::words).orElse("does not move");
+        return new BoatExplanation(false, cause, boatId + " " + does + ": " + why);
     }
 }

@@ -95,11 +95,7 @@ public final class BoatProxy {
 
     /** How it is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard. */
     public Optional<Drift> drift() {
-        return condition.status.link() == LinkState.LINKED
-                ? condition.drift.drift(condition.error.map(CrossTrackError::positionM).stream()
-                        .mapToDouble(Double::doubleValue)
-                        .findFirst())
-                : Optional.empty();
+        return condition.drift();
     }
 
     /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */
@@ -379,12 +375,12 @@ public final class BoatProxy {
 
     /** Why the boat moves or does not; missions are told by their numbers and plans. */
     public BoatExplanation explain(MissionTitles titles) {
-        return new BoatExplainer(this, titles).explain();
+        return explainer(titles).explain();
     }
 
     /** Whether it moves as it should; the same as {@link #explain()} says, without the words. */
     public boolean isUnderWay() {
-        return new BoatExplainer(this, MissionTitles.NONE).isUnderWay();
+        return explainer(MissionTitles.NONE).isUnderWay();
     }
 
     /** Position and destination of the boat, for the relay of traffic, and what it has received about other boats. */
@@ -392,20 +388,13 @@ public final class BoatProxy {
         return traffic;
     }
 
-    // ---- what the explainer asks
-
-    CommandDriver driver() {
-        return driver;
-    }
-
-    /** What keeps every command from the boat; empty if nothing does. */
-    Optional<Obstacle> obstacle() {
-        return condition.obstacle();
+    private BoatExplainer explainer(MissionTitles titles) {
+        return new BoatExplainer(boatId, driver, condition, settings, titles);
     }
 
     /** Makes the boat execute the command whose turn it is, then notifies the listener. */
     private void settle() {
-        Optional<Obstacle> obstacle = obstacle();
+        Optional<Obstacle> obstacle = condition.obstacle();
         if (obstacle.isPresent() && obstacle.get().cause() != BoatExplanation.Cause.COMPARING) {
             driver.endHold();
         }

@@ -111,23 +111,12 @@ public record ImportReport(String source, String target, LegacyImport.Result res
         ObjectNode explained = counts.putObject("explained");
         result.explained().byLabel().forEach(explained::put);
         ArrayNode findings = json.putArray("findings");
-        result.findings().forEach(f -> findings.add(finding(f)));
+        result.findings().forEach(f -> findings.add(FindingJson.of(f)));
         trials.ifPresent(tried -> {
             json.set("servers", tried.serversJson());
             json.put("sound", tried.isSound());
             json.set("plans", tried.plansJson());
         });
         return json;
-    }
-
-    static ObjectNode finding(Finding finding) {
-        ObjectNode node = JsonNodeFactory.instance.objectNode();
-        node.put("severity", finding.severity().name().toLowerCase(Locale.ROOT));
-        node.put("code", finding.code());
-        node.put("pointer", finding.pointer());
-        node.put("message", finding.message());
-        ArrayNode elements = node.putArray("elements");
-        finding.elements().forEach(elements::add);
-        return node;
     }
 }

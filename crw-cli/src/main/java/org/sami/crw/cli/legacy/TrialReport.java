@@ -133,7 +133,7 @@ public record TrialReport(Map<String, String> servers, List<PlanTrial> trials, i
             ArrayNode waits = plan.putArray("waitsFor");
             trial.waitsFor().forEach(wait -> waits.add(json(wait)));
             ArrayNode findings = plan.putArray("findings");
-            trial.findings().forEach(f -> findings.add(ImportReport.finding(f)));
+            trial.findings().forEach(f -> findings.add(FindingJson.of(f)));
         }
         return plans;
     }

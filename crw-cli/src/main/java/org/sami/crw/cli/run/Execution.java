@@ -37,9 +37,9 @@ import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.InProcessRun;
-import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.WallPacer;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlanLocations;
@@ -187,7 +187,7 @@ final class Execution {
     private static Mission inProcess(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
         InProcessRun run = new InProcessRun(plan, settings, answers, journal);
         run.useAllCores();
-        return (observer, lines) -> run.run(Pacer.of(settings.speed()), observer);
+        return (observer, lines) -> run.run(WallPacer.of(settings.speed()), observer);
     }
 
     private Mission connected(RunPlan plan, RunSettings settings, AnswersFile answers, ConnectedJournal journal) {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.decision.Asker;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Answer;
@@ -107,7 +108,7 @@ class DecisionWordsTest {
                 OptionalLong.empty(),
                 Priority.HIGH,
                 List.of());
-        DecisionPresentation plain = DecisionPresentation.plain(decision);
+        DecisionPresentation plain = DecisionPresenter.plain(decision);
         return new DecisionPresentation(
                 decision,
                 asker,

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Priority;
@@ -19,7 +20,7 @@ class BoatsOfDecisionTest {
     private static final List<String> BOATS = List.of("anna", "bert", "carl");
 
     private static DecisionPresentation asked(String type, String prompt, Question question) {
-        DecisionPresentation plain = DecisionPresentation.plain(new Decision(
+        DecisionPresentation plain = DecisionPresenter.plain(new Decision(
                 1, 1, 1, type, prompt, question, Optional.empty(), OptionalLong.empty(), Priority.MEDIUM, List.of()));
         return new DecisionPresentation(
                 plain.decision(),

@@ -1,5 +1,6 @@
 package org.sami.crw.report.picture;
 
+import java.awt.Font;
 import java.awt.FontMetrics;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,5 +43,10 @@ final class DrawnText {
         List<String> shown = new ArrayList<>(lines.subList(0, most));
         shown.set(most - 1, fitting(lines.get(most - 1) + " " + lines.get(most), metrics, width));
         return shown;
+    }
+
+    /** The type of the pictures. */
+    static Font font(int style, int size) {
+        return new Font(Font.SANS_SERIF, style, size);
     }
 }

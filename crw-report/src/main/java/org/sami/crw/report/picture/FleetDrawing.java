@@ -144,7 +144,7 @@ final class FleetDrawing {
         if (result.track().isEmpty()) {
             return;
         }
-        g.setFont(MapPicture.font(Font.BOLD, 14));
+        g.setFont(DrawnText.font(Font.BOLD, 14));
         FontMetrics metrics = g.getFontMetrics();
         double width = metrics.stringWidth(result.id()) + 8.0;
         boolean atStart = report.boats().size() <= NAMED_AT_START;

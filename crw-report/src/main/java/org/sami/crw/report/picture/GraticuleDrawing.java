@@ -24,7 +24,7 @@ final class GraticuleDrawing {
     }
 
     void draw(Graphics2D g) {
-        g.setFont(MapPicture.font(Font.PLAIN, 13));
+        g.setFont(DrawnText.font(Font.PLAIN, 13));
         g.setStroke(MapColors.dashed(1));
         meridians(g);
         parallels(g);

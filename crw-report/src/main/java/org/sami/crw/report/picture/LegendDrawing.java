@@ -49,7 +49,7 @@ final class LegendDrawing {
 
     private void heading(Graphics2D g, String text) {
         g.setColor(MapColors.INK);
-        g.setFont(MapPicture.font(Font.BOLD, 19));
+        g.setFont(DrawnText.font(Font.BOLD, 19));
         g.drawString(text, frame.x, y);
         g.setColor(MapColors.GRID);
         g.setStroke(MapColors.dashed(1.5f));
@@ -172,7 +172,7 @@ final class LegendDrawing {
     }
 
     private void words(Graphics2D g, int style, String text, int x, int atY, int width) {
-        g.setFont(MapPicture.font(style, 15));
+        g.setFont(DrawnText.font(style, 15));
         g.drawString(DrawnText.fitting(text, g.getFontMetrics(), Math.min(width, frame.width - x)), frame.x + x, atY);
     }
 

@@ -40,7 +40,7 @@ public final class MapPicture {
      */
     public static void prepare() throws IOException {
         PngPicture.of(16, 16, g -> {
-            g.setFont(font(Font.PLAIN, 12));
+            g.setFont(DrawnText.font(Font.PLAIN, 12));
             g.drawString("N", 1, 14);
         });
     }
@@ -79,7 +79,7 @@ public final class MapPicture {
         g.fill(new Rectangle2D.Double(map.x, y - 4, length / 2, 7));
         g.setStroke(MapColors.dashed(1.2f));
         g.draw(new Rectangle2D.Double(map.x, y - 4, length, 7));
-        g.setFont(font(Font.BOLD, 15));
+        g.setFont(DrawnText.font(Font.BOLD, 15));
         String label = metres >= 1 ? String.valueOf(Math.round(metres)) : String.valueOf(metres);
         g.drawString(label + " m", (float) (map.x + length + 12), y + 5);
         MapSymbols.north(g, new Point2D.Double(map.getMaxX() - 16, y));
@@ -103,11 +103,11 @@ public final class MapPicture {
     /** What was run, how it came out, and why it did not end where it did not. Returns where it ends. */
     private int title(Graphics2D g) {
         g.setColor(MapColors.INK);
-        g.setFont(font(Font.BOLD, 26));
+        g.setFont(DrawnText.font(Font.BOLD, 26));
         int width = WIDTH - LEFT - 32;
         g.drawString(DrawnText.fitting(report.header().planName(), g.getFontMetrics(), width), LEFT, 44);
         g.setColor(MapColors.FAINT_INK);
-        g.setFont(font(Font.PLAIN, 16));
+        g.setFont(DrawnText.font(Font.PLAIN, 16));
         g.drawString(DrawnText.fitting(summary(), g.getFontMetrics(), width), LEFT, 74);
         g.setColor(MapColors.FAULT);
         int y = 74;
@@ -161,9 +161,5 @@ public final class MapPicture {
                                         .replaceAll("\\s+", " "))
                         .collect(Collectors.joining());
         return (reason + waits).strip();
-    }
-
-    static Font font(int style, int size) {
-        return new Font(Font.SANS_SERIF, style, size);
     }
 }

@@ -31,7 +31,7 @@ final class MapSymbols {
     }
 
     private static void centred(Graphics2D g, Point2D at, String text, int size) {
-        g.setFont(MapPicture.font(Font.BOLD, size));
+        g.setFont(DrawnText.font(Font.BOLD, size));
         FontMetrics metrics = g.getFontMetrics();
         g.drawString(text, (float) (at.getX() - metrics.stringWidth(text) / 2.0), (float)
                 (at.getY() + (metrics.getAscent() - metrics.getDescent()) / 2.0));

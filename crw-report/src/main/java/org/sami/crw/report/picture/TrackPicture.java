@@ -85,10 +85,10 @@ public final class TrackPicture {
         g.setColor(MapColors.PAPER);
         g.fillRect(0, 0, WIDTH, HEIGHT);
         g.setColor(MapColors.INK);
-        g.setFont(MapPicture.font(Font.BOLD, 26));
+        g.setFont(DrawnText.font(Font.BOLD, 26));
         g.drawString(text.title(), MAP.x, 44);
         g.setColor(MapColors.FAINT_INK);
-        g.setFont(MapPicture.font(Font.PLAIN, 16));
+        g.setFont(DrawnText.font(Font.PLAIN, 16));
         g.drawString(text.subtitle(), MAP.x, 74);
         Stream<Point2D> all = tracks.stream().flatMap(track -> track.points().stream());
         MapScale scale = MapScale.fitting(Stream.concat(all, dots.stream()), MAP);
@@ -175,7 +175,7 @@ public final class TrackPicture {
         y = heading(g, "Log", y + 22);
         for (Map.Entry<String, String> fact : text.facts().entrySet()) {
             g.setColor(MapColors.FAINT_INK);
-            g.setFont(MapPicture.font(Font.PLAIN, 15));
+            g.setFont(DrawnText.font(Font.PLAIN, 15));
             g.drawString(fact.getKey(), LEGEND.x, y);
             said(g, Font.PLAIN, fact.getValue(), LEGEND.x + 148, y);
             y += 25;
@@ -184,7 +184,7 @@ public final class TrackPicture {
 
     private static int heading(Graphics2D g, String heading, int y) {
         g.setColor(MapColors.INK);
-        g.setFont(MapPicture.font(Font.BOLD, 19));
+        g.setFont(DrawnText.font(Font.BOLD, 19));
         g.drawString(heading, LEGEND.x, y);
         g.setColor(MapColors.GRID);
         g.setStroke(MapColors.dashed(1.5f));
@@ -194,7 +194,7 @@ public final class TrackPicture {
 
     private static void said(Graphics2D g, int style, String words, int x, int y) {
         g.setColor(MapColors.INK);
-        g.setFont(MapPicture.font(style, 15));
+        g.setFont(DrawnText.font(style, 15));
         g.drawString(words, x, y);
     }
 }

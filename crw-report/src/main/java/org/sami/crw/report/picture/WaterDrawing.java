@@ -34,7 +34,7 @@ final class WaterDrawing {
 
     private void grid(Graphics2D g) {
         double step = scale.roundMetres(170);
-        g.setFont(MapPicture.font(Font.PLAIN, 13));
+        g.setFont(DrawnText.font(Font.PLAIN, 13));
         FontMetrics metrics = g.getFontMetrics();
         g.setStroke(MapColors.dashed(1));
         for (double east = Math.ceil(scale.westM() / step) * step; east <= scale.eastM(); east += step) {
@@ -66,7 +66,7 @@ final class WaterDrawing {
         double x = frame.x + 24;
         double y = frame.getMaxY() - 24;
         String label = metres(metres) + " m";
-        g.setFont(MapPicture.font(Font.BOLD, 15));
+        g.setFont(DrawnText.font(Font.BOLD, 15));
         g.setColor(new java.awt.Color(255, 255, 255, 215));
         g.fill(new Rectangle2D.Double(x - 12, y - 36, length + 24, 50));
         g.setColor(MapColors.INK);
@@ -97,7 +97,7 @@ final class WaterDrawing {
         g.fill(left);
         g.draw(left);
         g.draw(right);
-        g.setFont(MapPicture.font(Font.BOLD, 17));
+        g.setFont(DrawnText.font(Font.BOLD, 17));
         g.drawString("N", (float) x - g.getFontMetrics().stringWidth("N") / 2f, (float) y + 50);
     }
 }

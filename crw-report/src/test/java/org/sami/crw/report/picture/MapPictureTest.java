@@ -152,7 +152,7 @@ class MapPictureTest {
 
     private static FontMetrics metrics() {
         Graphics2D g = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB).createGraphics();
-        return g.getFontMetrics(MapPicture.font(Font.PLAIN, 15));
+        return g.getFontMetrics(DrawnText.font(Font.PLAIN, 15));
     }
 
     private static Set<Integer> colors(RunReport report) throws Exception {

@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.markup.Attention;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.spn.protocol.Decision;
@@ -22,7 +23,7 @@ public record PendingDecision(DecisionPresentation presentation, long openedAtMi
 
     /** A decision to which nobody has turned, and of which it is not known what asks it. */
     public PendingDecision(Decision decision, long openedAtMillis) {
-        this(DecisionPresentation.plain(decision), openedAtMillis, false);
+        this(DecisionPresenter.plain(decision), openedAtMillis, false);
     }
 
     /** The decision, with its question as it is asked. */

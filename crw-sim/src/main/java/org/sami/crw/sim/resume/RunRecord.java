@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.SettingsMap;
 import org.sami.spn.journal.JournalHeader;
 
 /**
@@ -77,7 +78,7 @@ public record RunRecord(
 
     /** The header of a run's journal. */
     public JournalHeader toHeader() {
-        Map<String, String> map = new TreeMap<>(settings.toMap());
+        Map<String, String> map = new TreeMap<>(SettingsMap.write(settings));
         map.put(KIND, settings.isConnected() ? TCP : IN_PROCESS);
         map.put(SOURCE, source);
         if (!settings.isConnected()) {
@@ -102,7 +103,7 @@ public record RunRecord(
             throw new IllegalArgumentException("it is not the journal of a run");
         }
         return new RunRecord(
-                RunSettings.fromMap(map),
+                SettingsMap.read(map),
                 map.getOrDefault(SOURCE, ""),
                 header.project(),
                 header.vocabulary(),

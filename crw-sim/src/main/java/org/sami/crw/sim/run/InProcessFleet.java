@@ -162,7 +162,7 @@ final class InProcessFleet implements RunFleet {
     }
 
     @Override
-    public RunOutcome live(RunHarness run, RunObserver observer) {
+    public RunOutcome live(FleetRun run, RunObserver observer) {
         water.fleet().startHelpers(helpers);
         try {
             begin(run, observer);
@@ -172,7 +172,7 @@ final class InProcessFleet implements RunFleet {
         }
     }
 
-    private void begin(RunHarness run, RunObserver observer) {
+    private void begin(FleetRun run, RunObserver observer) {
         session.begin();
         boolean isWatched = observer.isWatched();
         run.followBoats(() -> {
@@ -187,7 +187,7 @@ final class InProcessFleet implements RunFleet {
         water.fleet().start();
     }
 
-    private RunOutcome loop(RunHarness run, RunObserver observer) {
+    private RunOutcome loop(FleetRun run, RunObserver observer) {
         RunLifecycle lifecycle = run.lifecycle();
         while (true) {
             executor.drain();
@@ -233,7 +233,7 @@ final class InProcessFleet implements RunFleet {
         }
     }
 
-    private void startWhenAllAreThere(RunHarness run) {
+    private void startWhenAllAreThere(FleetRun run) {
         RunLifecycle lifecycle = run.lifecycle();
         if (lifecycle.hasStarted()) {
             return;
@@ -254,7 +254,7 @@ final class InProcessFleet implements RunFleet {
                 .allMatch(boat -> boat.status().pose().isPresent());
     }
 
-    private Optional<RunOutcome> outcome(RunHarness run) {
+    private Optional<RunOutcome> outcome(FleetRun run) {
         RunLifecycle lifecycle = run.lifecycle();
         boolean failedBefore = lifecycle.fault().isPresent();
         Optional<RunOutcome> outcome = lifecycle.outcome();

@@ -1,7 +1,5 @@
 package org.sami.crw.sim.run;
 
-import org.sami.crw.sim.run.settings.Speed;
-
 /** Keeps the simulated time from running ahead of the wall clock. The only place of a run that may wait. */
 public interface Pacer {
     /** Never waits. */
@@ -22,9 +20,4 @@ public interface Pacer {
 
     /** Waits until the wall clock has come to a moment of the simulated world; returns early when interrupted. */
     void awaitTurn(long virtualMillis);
-
-    /** The pacer of a speed, on the machine's monotonic clock. */
-    static Pacer of(Speed speed) {
-        return speed.isMax() ? UNPACED : new WallPacer(speed);
-    }
 }

@@ -38,7 +38,7 @@ public interface RunFleet {
     void track(long nowMillis);
 
     /** Has the harness begin, and lets time pass until the run is over, its time is up or somebody wants it to stop. On the caller's thread. */
-    RunOutcome live(RunHarness run, RunObserver observer);
+    RunOutcome live(FleetRun run, RunObserver observer);
 
     /** The news of a run as its observer is to hear them. */
     RunObserver.News heard(RunObserver.News news);

@@ -22,7 +22,7 @@ import org.sami.crw.sim.run.settings.RunPlan;
  * One run on a fleet of either kind: has the simulated operator answer and interrupts pressed, starts the mission, feeds the report, knows when
  * and how the run is over, and reports. The fleet says how time passes. Used once; for the engine's thread, unless stated otherwise.
  */
-public final class RunHarness {
+public final class RunHarness implements FleetRun {
     private static final long POLL_MILLIS = 200;
     private static final long TRACK_MILLIS = 1000;
     private static final long STALL_MILLIS = 1000;
@@ -60,12 +60,12 @@ public final class RunHarness {
         session.addOperator(operator);
     }
 
-    /** What is written down of it. */
+    @Override
     public RunRecords records() {
         return records;
     }
 
-    /** What starts its mission and knows when it is over. */
+    @Override
     public RunLifecycle lifecycle() {
         return lifecycle;
     }
@@ -75,7 +75,7 @@ public final class RunHarness {
         return clock;
     }
 
-    /** From now on everything that happens in the session is part of the run. */
+    @Override
     public void connect() {
         records.listeners().forEach(session::addListener);
         clock.goLive(session.scheduler());
@@ -83,11 +83,7 @@ public final class RunHarness {
         interrupts.connect(session.host());
     }
 
-    /**
-     * Looks at the boats from now on.
-     *
-     * @param afterLook is done after each look
-     */
+    @Override
     public void followBoats(Runnable afterLook) {
         repeat(POLL_MILLIS, () -> {
             fleet.lookForVisits(now());
@@ -96,18 +92,18 @@ public final class RunHarness {
         repeat(TRACK_MILLIS, () -> fleet.track(now()));
     }
 
-    /** Ends the run from now on where nothing can happen in it any longer. */
+    @Override
     public void lookForStalls() {
         repeat(STALL_MILLIS, () -> lifecycle.lookForStall(fleet::boats));
     }
 
-    /** Does something every so often, from now on. */
+    @Override
     public void repeat(long everyMillis, Runnable action) {
         action.run();
         session.scheduler().after(everyMillis, () -> repeat(everyMillis, action));
     }
 
-    /** How far it is. */
+    @Override
     public RunProgress progress(String phase) {
         return records.progress(phase);
     }

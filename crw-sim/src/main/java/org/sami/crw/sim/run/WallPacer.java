@@ -4,7 +4,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.sami.crw.sim.run.settings.Speed;
 
 /** Paces against the machine's monotonic clock. Time that a slow machine lost is caught up, as far as it can. */
-final class WallPacer implements Pacer {
+public final class WallPacer implements Pacer {
     /** Shorter waits are left out: the next one makes up for them. */
     private static final long LEAST_WAIT_NANOS = 1_000_000;
 
@@ -14,9 +14,14 @@ final class WallPacer implements Pacer {
     private long wallStart;
     private long virtualStart;
 
-    WallPacer(Speed speed) {
+    private WallPacer(Speed speed) {
         this.speed = speed;
         this.wallStart = System.nanoTime();
+    }
+
+    /** The pacer of a speed, on the machine's monotonic clock; one that never waits where the speed has no limit. */
+    public static Pacer of(Speed speed) {
+        return speed.isMax() ? UNPACED : new WallPacer(speed);
     }
 
     @Override

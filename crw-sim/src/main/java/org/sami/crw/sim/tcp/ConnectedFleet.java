@@ -14,8 +14,8 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.archive.FleetHistory;
+import org.sami.crw.sim.run.FleetRun;
 import org.sami.crw.sim.run.RunFleet;
-import org.sami.crw.sim.run.RunHarness;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.ReportFolds;
@@ -110,7 +110,7 @@ final class ConnectedFleet implements RunFleet {
     }
 
     @Override
-    public RunOutcome live(RunHarness run, RunObserver observer) {
+    public RunOutcome live(FleetRun run, RunObserver observer) {
         notes.leaveMessagesToNews(true);
         if (!isThere) {
             return RunOutcome.RUNNING;
@@ -128,7 +128,7 @@ final class ConnectedFleet implements RunFleet {
     }
 
     /** From now on everything happens on the engine's thread. */
-    private void begin(RunHarness run) {
+    private void begin(FleetRun run) {
         progress = Optional.of(run.progress(RunProgress.RUNNING));
         run.connect();
         session.addListener(listener(run));
@@ -144,7 +144,7 @@ final class ConnectedFleet implements RunFleet {
         session.begin();
     }
 
-    private SessionListener listener(RunHarness run) {
+    private SessionListener listener(FleetRun run) {
         return new SessionListener() {
             @Override
             public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
@@ -161,7 +161,7 @@ final class ConnectedFleet implements RunFleet {
     }
 
     /** Ends the run where it is over, before anything else happens. */
-    private void check(RunHarness run) {
+    private void check(FleetRun run) {
         if (ended.isEmpty()) {
             run.lifecycle().startWhenAllHaveJoined();
             ended = run.lifecycle().outcome();

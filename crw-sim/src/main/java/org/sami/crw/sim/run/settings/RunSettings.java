@@ -222,20 +222,6 @@ public record RunSettings(
         return limitMillis.orElse(LONGEST_MILLIS);
     }
 
-    /** As text by name, for the header of a journal. */
-    public Map<String, String> toMap() {
-        return SettingsMap.write(this);
-    }
-
-    /**
-     * Reads what {@link #toMap} wrote; names that it does not know are left alone.
-     *
-     * @throws IllegalArgumentException where something is missing or makes no sense
-     */
-    public static RunSettings fromMap(Map<String, String> map) {
-        return SettingsMap.read(map);
-    }
-
     /** Collects what differs from a run as {@link #of} has it; what each is, the components of {@link RunSettings} say. */
     public static final class Builder {
         private final String plan;

@@ -10,7 +10,7 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.RunSettings.Fleet;
 
 /** The settings of a run as text by name, as they stand in the header of its journal. */
-final class SettingsMap {
+public final class SettingsMap {
     private static final String PARAMETER = "set.";
     private static final String BATTERY = "battery";
     private static final String CONNECT = "connect";
@@ -19,7 +19,8 @@ final class SettingsMap {
 
     private SettingsMap() {}
 
-    static Map<String, String> write(RunSettings settings) {
+    /** As text by name. */
+    public static Map<String, String> write(RunSettings settings) {
         Map<String, String> map = new TreeMap<>();
         Fleet fleet = settings.fleet();
         map.put("plan", settings.plan());
@@ -48,7 +49,12 @@ final class SettingsMap {
         return map;
     }
 
-    static RunSettings read(Map<String, String> map) {
+    /**
+     * Reads what {@link #write} wrote; names that it does not know are left alone.
+     *
+     * @throws IllegalArgumentException where something is missing or makes no sense
+     */
+    public static RunSettings read(Map<String, String> map) {
         Map<String, String> parameters = new TreeMap<>();
         map.forEach((name, value) -> {
             if (name.startsWith(PARAMETER)) {

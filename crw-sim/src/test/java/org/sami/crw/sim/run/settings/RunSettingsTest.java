@@ -31,14 +31,14 @@ class RunSettingsTest {
 
     @Test
     void comesBackFromAJournalsHeader() {
-        assertThat(RunSettings.fromMap(FULL.toMap())).isEqualTo(FULL);
+        assertThat(SettingsMap.read(SettingsMap.write(FULL))).isEqualTo(FULL);
     }
 
     @Test
     void comesBackWithoutALimit() {
         RunSettings unlimited = FULL.withLimit(OptionalLong.empty());
 
-        assertThat(RunSettings.fromMap(unlimited.toMap())).isEqualTo(unlimited);
+        assertThat(SettingsMap.read(SettingsMap.write(unlimited))).isEqualTo(unlimited);
         assertThat(unlimited.stopMillis()).isEqualTo(RunSettings.LONGEST_MILLIS);
     }
 
@@ -51,8 +51,9 @@ class RunSettingsTest {
                 .answerAfterMillis(0)
                 .build();
 
-        assertThat(RunSettings.fromMap(rough.toMap())).isEqualTo(rough);
-        assertThat(FULL.toMap()).doesNotContainKeys("current", "wind", "gpsNoiseM", "compassNoiseDeg", "sensors");
+        assertThat(SettingsMap.read(SettingsMap.write(rough))).isEqualTo(rough);
+        assertThat(SettingsMap.write(FULL))
+                .doesNotContainKeys("current", "wind", "gpsNoiseM", "compassNoiseDeg", "sensors");
         assertThatThrownBy(() -> rough.connectedTo(BoatAddress.parseAll("quay:5002")))
                 .hasMessageContaining("their own water");
     }
@@ -64,8 +65,8 @@ class RunSettingsTest {
                 .answerAfterMillis(0)
                 .build();
 
-        assertThat(RunSettings.fromMap(there.toMap())).isEqualTo(there);
-        assertThat(FULL.toMap()).doesNotContainKeys("at", "quay");
+        assertThat(SettingsMap.read(SettingsMap.write(there))).isEqualTo(there);
+        assertThat(SettingsMap.write(FULL)).doesNotContainKeys("at", "quay");
         assertThatThrownBy(() -> there.connectedTo(BoatAddress.parseAll("quay:5002")))
                 .hasMessageContaining("where they were started");
     }
@@ -77,8 +78,8 @@ class RunSettingsTest {
                 .answerAfterMillis(0)
                 .build();
 
-        assertThat(RunSettings.fromMap(low.toMap())).isEqualTo(low);
-        assertThat(FULL.toMap()).doesNotContainKey("battery");
+        assertThat(SettingsMap.read(SettingsMap.write(low))).isEqualTo(low);
+        assertThat(SettingsMap.write(FULL)).doesNotContainKey("battery");
         assertThatThrownBy(() -> low.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
                 .hasMessageContaining("their own batteries");
     }
@@ -95,7 +96,7 @@ class RunSettingsTest {
     void comesBackWithTheAddressesOfItsBoats() {
         RunSettings connected = FULL.connectedTo(BoatAddress.parseAll("[::1]:5001,quay:5002"));
 
-        assertThat(RunSettings.fromMap(connected.toMap())).isEqualTo(connected);
+        assertThat(SettingsMap.read(SettingsMap.write(connected))).isEqualTo(connected);
         assertThat(connected.fleet().boats()).isEqualTo(2);
         assertThat(connected.isConnected()).isTrue();
         assertThat(FULL.isConnected()).isFalse();
@@ -112,10 +113,10 @@ class RunSettingsTest {
     @ParameterizedTest
     @ValueSource(strings = {"plan", "boats", "seed", "speed", "answerAfterMillis", "answers"})
     void namesTheSettingThatIsMissing(String name) {
-        Map<String, String> map = new TreeMap<>(FULL.toMap());
+        Map<String, String> map = new TreeMap<>(SettingsMap.write(FULL));
         map.remove(name);
 
-        assertThatThrownBy(() -> RunSettings.fromMap(map))
+        assertThatThrownBy(() -> SettingsMap.read(map))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("'" + name + "'");
     }
