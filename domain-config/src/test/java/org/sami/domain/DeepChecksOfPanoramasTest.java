@@ -17,7 +17,7 @@ import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TokenKind;
-import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.spn.statespace.DeepFinding;
 import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.statespace.DeepResult;
@@ -31,7 +31,7 @@ class DeepChecksOfPanoramasTest {
     private static DeepResult search(Project project, int robots) {
         DeepRequest request =
                 new DeepRequest(project, TriedPlans.LIBRARY.vocabulary(), "plan", TriedPlans.robots(robots), STATES);
-        return DeepCheck.ALL.get(0).run(request, SearchWatch.NONE);
+        return DeepChecks.ALL.get(0).run(request, SearchWatch.NONE);
     }
 
     private static List<DeepFinding> findings(String name, UnaryOperator<Plan> mistake) {

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
-import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.statespace.DeepResult;
 import org.sami.spn.statespace.SearchWatch;
@@ -28,7 +28,7 @@ class DeepChecksOfShippedPlansTest {
         DeepRequest request = new DeepRequest(
                 of.getKey(), TriedPlans.LIBRARY.vocabulary(), of.getValue().id(), TriedPlans.robots(2), STATES);
 
-        DeepResult result = DeepCheck.ALL.get(0).run(request, SearchWatch.NONE);
+        DeepResult result = DeepChecks.ALL.get(0).run(request, SearchWatch.NONE);
 
         assertThat(result.states()).isBetween(1, STATES);
         assertThat(result.findings())

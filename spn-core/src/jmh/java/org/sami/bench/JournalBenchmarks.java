@@ -23,6 +23,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.host.MonotonicHostClock;
 import org.sami.spn.journal.JournalHeader;
@@ -62,7 +63,7 @@ public class JournalBenchmarks {
             clock = new MonotonicHostClock(0);
             thread = Executors.newSingleThreadExecutor();
             Engine engine = Rings.robots(10);
-            host = EngineHost.builder(engine, engine.newState())
+            host = EngineHostBuilder.of(engine, engine.newState())
                     .journal(journal)
                     .clock(clock)
                     .executor(thread)

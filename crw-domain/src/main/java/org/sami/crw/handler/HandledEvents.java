@@ -5,6 +5,7 @@ import java.util.Set;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostClock;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -30,7 +31,7 @@ public final class HandledEvents {
     public static Set<String> of(Vocabulary vocabulary) {
         Engine engine =
                 new Engine(vocabulary, new Project("none", "", vocabulary.domain(), List.of(), List.of(), List.of()));
-        try (EngineHost host = EngineHost.builder(engine, engine.newState())
+        try (EngineHost host = EngineHostBuilder.of(engine, engine.newState())
                         .executor(Runnable::run)
                         .clock(NO_TIME)
                         .build();

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostClock;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
@@ -160,7 +161,7 @@ class DecisionRaceTest {
             for (int round = 0; round < 200; round++) {
                 SetClock clock = new SetClock();
                 Engine engine = new Engine(TestWorld.VOCABULARY, PROJECT);
-                EngineHost host = EngineHost.builder(engine, engine.newState())
+                EngineHost host = EngineHostBuilder.of(engine, engine.newState())
                         .clock(clock)
                         .executor(own)
                         .build();

@@ -26,6 +26,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
@@ -409,8 +410,8 @@ class RequestTest {
         EventType type = TestWorld.VOCABULARY.event(occurrence.type()).orElseThrow();
         occurrence
                 .values()
-                .forEach((field, value) -> assertThat(
-                                type.field(field).orElseThrow().type().accepts(value, TestWorld.VOCABULARY.types()))
+                .forEach((field, value) -> assertThat(TypeCheck.accepts(
+                                type.field(field).orElseThrow().type(), value, TestWorld.VOCABULARY.types()))
                         .as(field)
                         .isTrue());
         assertThat(occurrence.values()).hasSameSizeAs(type.fields());

@@ -25,6 +25,7 @@ import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.host.EngineFunction;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostClock;
 import org.sami.spn.json.VocabularyReader;
 import org.sami.spn.protocol.Effect;
@@ -62,7 +63,7 @@ final class TestWorld implements HostClock {
 
     /** A world whose services compute beside the fleet's thread, as in a session in real time. */
     TestWorld(EngineFunction engine, CrwServices services, ServiceThreads threads) {
-        host = EngineHost.builder(engine).clock(this).executor(tasks::add).build();
+        host = EngineHostBuilder.of(engine).clock(this).executor(tasks::add).build();
         operator = new OperatorModels(Runnable::run, clock::get);
         domain = CrwDomain.installInRealTime(host, boats, tasks::add, operator, services, threads);
         host.addListener(operator);
@@ -70,7 +71,7 @@ final class TestWorld implements HostClock {
     }
 
     TestWorld(EngineFunction engine, Optional<Executor> enginesOwn) {
-        host = EngineHost.builder(engine)
+        host = EngineHostBuilder.of(engine)
                 .clock(this)
                 .executor(enginesOwn.orElse(tasks::add))
                 .build();

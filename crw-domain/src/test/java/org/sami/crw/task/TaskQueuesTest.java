@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostClock;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.VocabularyReader;
@@ -138,7 +139,7 @@ class TaskQueuesTest {
         if (!fresh) {
             state = state.copy();
         }
-        host = EngineHost.builder(engine, state)
+        host = EngineHostBuilder.of(engine, state)
                 .clock(new Standing())
                 .executor(work::add)
                 .build();

@@ -9,6 +9,7 @@ import org.sami.crw.session.archive.SessionJournal;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostListener;
 
 /** The engine of a session with its host, those who wait for results of their inputs, and the operators. */
@@ -25,7 +26,7 @@ final class SessionEngine implements Closeable {
     SessionEngine(SessionSetup setup, SessionThreads threads) throws IOException {
         journal = setup.journal();
         engine = new Engine(setup.vocabulary(), setup.project());
-        host = EngineHost.builder(engine, journal.restore(engine))
+        host = EngineHostBuilder.of(engine, journal.restore(engine))
                 .journal(journal.inputs())
                 .clock(new ScheduledHostClock(threads.scheduler()))
                 .executor(threads.engine())

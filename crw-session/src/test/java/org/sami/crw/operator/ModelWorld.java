@@ -13,6 +13,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostClock;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.VocabularyReader;
@@ -81,7 +82,7 @@ final class ModelWorld implements HostClock {
 
     private EngineHost host(Executor executor) {
         Engine engine = new Engine(VOCABULARY, project);
-        EngineHost made = EngineHost.builder(engine, engine.newState())
+        EngineHost made = EngineHostBuilder.of(engine, engine.newState())
                 .clock(this)
                 .executor(executor)
                 .build();

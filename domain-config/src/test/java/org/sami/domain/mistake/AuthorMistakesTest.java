@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Project;
-import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.spn.statespace.DeepFinding;
 import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.statespace.SearchWatch;
@@ -61,7 +61,7 @@ class AuthorMistakesTest {
     private static List<Finding> deep(Project project, AuthorMistake mistake) {
         DeepRequest request = new DeepRequest(
                 project, RightPlans.LIBRARY.vocabulary(), RightPlans.id(mistake.plan()), List.of("b1", "b2"), STATES);
-        return DeepCheck.ALL.stream()
+        return DeepChecks.ALL.stream()
                 .flatMap(check -> check.run(request, SearchWatch.NONE).findings().stream())
                 .map(DeepFinding::finding)
                 .toList();

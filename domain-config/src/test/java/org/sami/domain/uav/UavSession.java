@@ -8,6 +8,7 @@ import java.util.Queue;
 import java.util.function.Consumer;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostClock;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.protocol.Answer;
@@ -33,7 +34,7 @@ final class UavSession implements HostClock {
 
     UavSession(Map<String, SimulatedUav> aircraft) {
         Engine engine = new Engine(DOMAIN.vocabulary(), DOMAIN.combined());
-        host = EngineHost.builder(engine, engine.newState())
+        host = EngineHostBuilder.of(engine, engine.newState())
                 .clock(this)
                 .executor(work::add)
                 .build();

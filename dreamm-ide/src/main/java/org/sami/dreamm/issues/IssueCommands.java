@@ -10,6 +10,7 @@ import javax.swing.KeyStroke;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.spn.statespace.DeepRequest;
 import org.sami.ui.command.Command;
 
@@ -56,7 +57,7 @@ public final class IssueCommands {
                 () -> issues.current().flatMap(Issue::witness).ifPresent(player),
                 this::whyNoWitness);
         Iterator<String> keys = DEEP_KEYS.iterator();
-        for (DeepCheck check : DeepCheck.ALL) {
+        for (DeepCheck check : DeepChecks.ALL) {
             deepCommands.add(add(
                     "deep-" + check.id(),
                     check.title(),

@@ -15,6 +15,7 @@ import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -106,7 +107,8 @@ public final class StartMarkingSetup {
         AskedAtStart.of(now, vocabulary).forEach(each -> asked.put(each.key(), each));
         gone |= values.entrySet()
                 .removeIf(given -> !asked.containsKey(given.getKey())
-                        || !asked.get(given.getKey()).field().type().accepts(given.getValue(), vocabulary.types()));
+                        || !TypeCheck.accepts(
+                                asked.get(given.getKey()).field().type(), given.getValue(), vocabulary.types()));
         if (gone) {
             tell();
         }

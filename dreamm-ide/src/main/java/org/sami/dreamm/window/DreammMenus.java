@@ -5,7 +5,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentMenu;
-import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
@@ -121,7 +121,7 @@ final class DreammMenus {
                 "replay-close"));
         JMenu issues =
                 menus.menu("Issues", 'I', "issue-next", "issue-previous", "issue-show", "issue-fix", "issue-play", "");
-        DeepCheck.ALL.forEach(check -> menus.add(issues, "deep-" + check.id()));
+        DeepChecks.ALL.forEach(check -> menus.add(issues, "deep-" + check.id()));
         menus.add(issues, "deep-stop");
         bar.add(issues);
         bar.add(menus.view(panels));

@@ -20,6 +20,7 @@ import org.sami.spn.model.Mode;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Project;
 import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
@@ -184,7 +185,7 @@ class LiveFindingsTest {
         worker.runAll();
         add("trap");
         worker.runAll();
-        DeepCheck reached = DeepCheck.ALL.stream()
+        DeepCheck reached = DeepChecks.ALL.stream()
                 .filter(check -> check.id().equals("never-reached"))
                 .findFirst()
                 .orElseThrow();
@@ -207,7 +208,7 @@ class LiveFindingsTest {
     void searchThatIsStoppedSaysHowFarItCame() {
         worker.runAll();
         deep.start(
-                DeepCheck.ALL.get(0),
+                DeepChecks.ALL.get(0),
                 new DeepRequest(document.project(), TestVocabulary.TEST, "good", List.of("A"), 100));
         deep.cancel();
         worker.runAll();

@@ -22,6 +22,7 @@ import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TextValue;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
@@ -55,7 +56,7 @@ final class LegacyValues {
             return ValueJson.read(renamed.get(), type, vocabulary.types()).result();
         }
         try {
-            return of(value, type, rule.unitMillis(), 0).filter(v -> type.accepts(v, vocabulary.types()));
+            return of(value, type, rule.unitMillis(), 0).filter(v -> TypeCheck.accepts(type, v, vocabulary.types()));
         } catch (IllegalArgumentException outOfRange) {
             return Optional.empty(); // a latitude of 100, an area of two points
         }

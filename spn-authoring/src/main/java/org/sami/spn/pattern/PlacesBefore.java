@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
@@ -32,9 +33,9 @@ final class PlacesBefore {
 
     /** The kind of tokens that a plan waits for in a place: tasks where any can come, else robots; empty where neither comes. */
     Optional<TokenKind> kind(String here) {
-        return coming.comes(ComingTokens.Kind.TASK, here)
+        return coming.comes(TokenType.TASK, here)
                 ? Optional.of(TokenKind.ANY_TASK)
-                : coming.comes(ComingTokens.Kind.PROXY, here) ? Optional.of(TokenKind.ANY_PROXY) : Optional.empty();
+                : coming.comes(TokenType.PROXY, here) ? Optional.of(TokenKind.ANY_PROXY) : Optional.empty();
     }
 
     /** The places from which tokens of a kind can still come to one of some places. */
@@ -76,7 +77,7 @@ final class PlacesBefore {
     }
 
     private boolean comes(Place place, TokenKind kind) {
-        return coming.comes(kind == TokenKind.ANY_TASK ? ComingTokens.Kind.TASK : ComingTokens.Kind.PROXY, place.id());
+        return coming.comes(kind == TokenKind.ANY_TASK ? TokenType.TASK : TokenType.PROXY, place.id());
     }
 
     private boolean leavesSome(Place place, TokenKind kind) {

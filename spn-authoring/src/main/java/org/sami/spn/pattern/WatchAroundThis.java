@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FreshIds;
-import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -54,7 +54,7 @@ final class WatchAroundThis implements Pattern {
         if (place.end()) {
             return Optional.of("The mission ends in " + spot.name(place));
         }
-        if (!spot.coming().comes(ComingTokens.Kind.PROXY, place.id())) {
+        if (!spot.coming().comes(TokenType.PROXY, place.id())) {
             return Optional.of("No robots come to " + spot.name(place));
         }
         return place.outputs().stream().anyMatch(o -> o.type().equals(sequence.event()))
@@ -105,8 +105,7 @@ final class WatchAroundThis implements Pattern {
      */
     private static List<InRequirement> away(Plan plan, InEdge edge) {
         List<InRequirement> absent = edge.requirements().stream()
-                .filter(r -> ComingTokens.isAbsence(r)
-                        && (r.kind() == TokenKind.ANY_PROXY || r.kind() == TokenKind.ANY_TOKEN))
+                .filter(r -> r.asksForNone() && (r.kind() == TokenKind.ANY_PROXY || r.kind() == TokenKind.ANY_TOKEN))
                 .toList();
         if (!absent.isEmpty()) {
             return absent;

@@ -1,12 +1,7 @@
 package org.sami.spn.statespace;
 
-import java.util.List;
-
 /** A check that takes a while: it runs the plan, as far as its request says. Without state: one object may run for several plans at once. */
 public interface DeepCheck {
-    /** The deep checks that there are, in the order in which they are offered; the first asks what all others ask. */
-    List<DeepCheck> ALL = EveryQuestion.withItsParts();
-
     /** A stable id in kebab-case. */
     String id();
 

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Plan;
@@ -75,7 +76,7 @@ public final class ReachingData {
 
     /** Whether a task can come to a place, and a class of tasks that can has the field with its type (thesis 9.3.4). */
     public boolean taskFits(String place, FieldType field) {
-        return coming.comes(ComingTokens.Kind.TASK, place)
+        return coming.comes(TokenType.TASK, place)
                 && classes()
                         .anyMatch(c -> c.fields().stream()
                                 .anyMatch(f -> f.name().equals(field.name())

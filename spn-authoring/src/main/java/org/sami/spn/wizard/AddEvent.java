@@ -9,6 +9,7 @@ import org.sami.spn.edit.EditContext;
 import org.sami.spn.edit.EditRefusedException;
 import org.sami.spn.edit.PlanEdit;
 import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -121,7 +122,7 @@ public record AddEvent(
         for (Transition t : answering(before, after)) {
             Set<String> from = new LinkedHashSet<>();
             after.inEdgesOf(t.id()).forEach(e -> from.add(e.place()));
-            boolean tasks = from.stream().anyMatch(p -> coming.comes(ComingTokens.Kind.TASK, p));
+            boolean tasks = from.stream().anyMatch(p -> coming.comes(TokenType.TASK, p));
             met = new InhibitedTransition(
                             after.outEdgesOf(t.id()).get(0).place(),
                             from,

@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.Set;
 import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.flow.NamedTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -62,7 +63,7 @@ public final class SoundRequirements {
         if (names) {
             sound.add(InRequirement.allRelevant());
         }
-        for (ComingTokens.Kind kind : EnumSet.of(ComingTokens.Kind.PROXY, ComingTokens.Kind.TASK)) {
+        for (TokenType kind : EnumSet.of(TokenType.PROXY, TokenType.TASK)) {
             if (coming.comes(kind, edge.place())) {
                 sound.add(InRequirement.of(kind(kind), Match.AT_LEAST, 1));
             }
@@ -92,7 +93,7 @@ public final class SoundRequirements {
         if (namesTokens(edge.transition())) {
             sound.add(take(TokenKind.RELEVANT));
         }
-        for (ComingTokens.Kind kind : EnumSet.of(ComingTokens.Kind.PROXY, ComingTokens.Kind.TASK)) {
+        for (TokenType kind : EnumSet.of(TokenType.PROXY, TokenType.TASK)) {
             if (plan.inEdgesOf(edge.transition()).stream().anyMatch(e -> coming.comes(kind, e.place()))) {
                 sound.add(take(kind(kind)));
             }
@@ -108,7 +109,7 @@ public final class SoundRequirements {
         return OutRequirement.of(Action.TAKE, OutRequirement.ALL, kind);
     }
 
-    private static TokenKind kind(ComingTokens.Kind kind) {
-        return kind == ComingTokens.Kind.PROXY ? TokenKind.ANY_PROXY : TokenKind.ANY_TASK;
+    private static TokenKind kind(TokenType kind) {
+        return kind == TokenType.PROXY ? TokenKind.ANY_PROXY : TokenKind.ANY_TASK;
     }
 }

@@ -170,7 +170,7 @@ class DeepCheckTest {
 
     @Test
     void tokensThatPileUpWithoutBoundAreFoundWithARunThatShowsThem() {
-        DeepResult result = DeepCheck.ALL.get(0).run(request(piling().build(), 1_000_000), SearchWatch.NONE);
+        DeepResult result = DeepChecks.ALL.get(0).run(request(piling().build(), 1_000_000), SearchWatch.NONE);
 
         assertThat(result.states()).isLessThan(100);
         assertThat(result.complete()).isFalse();
@@ -190,7 +190,7 @@ class DeepCheckTest {
                 .out("away", "end", "take all any")
                 .build();
 
-        assertThat(DeepCheck.ALL
+        assertThat(DeepChecks.ALL
                         .get(0)
                         .run(request(plan, 1_000), SearchWatch.NONE)
                         .findings())
@@ -371,7 +371,7 @@ class DeepCheckTest {
                 .out("all", "end", "take all any")
                 .build();
 
-        DeepResult result = DeepCheck.ALL.get(0).run(request(plan, 100), SearchWatch.NONE);
+        DeepResult result = DeepChecks.ALL.get(0).run(request(plan, 100), SearchWatch.NONE);
 
         assertThat(result.findings()).isEmpty();
         assertThat(result.summary()).contains("a robot dropped at each of them leads to");
@@ -379,8 +379,8 @@ class DeepCheckTest {
 
     @Test
     void everyDeepCheckHasAnIdOfItsOwnAndSaysWhatItFinds() {
-        assertThat(DeepCheck.ALL).extracting(DeepCheck::id).doesNotHaveDuplicates();
-        assertThat(DeepCheck.ALL).allSatisfy(check -> {
+        assertThat(DeepChecks.ALL).extracting(DeepCheck::id).doesNotHaveDuplicates();
+        assertThat(DeepChecks.ALL).allSatisfy(check -> {
             assertThat(check.id()).matches("[a-z]+(-[a-z]+)*");
             assertThat(check.help()).endsWith(".");
         });

@@ -7,7 +7,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * An engine together with the state that it changes, as a host sees it; {@code EngineHost.builder(engine, state)} makes one.
+ * An engine together with the state that it changes, as a host sees it; {@code EngineHostBuilder.of(engine, state)} makes one.
  * Used by one thread at a time.
  */
 public interface EngineFunction {

@@ -11,8 +11,6 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
-import org.sami.spn.engine.Engine;
-import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
@@ -59,33 +57,19 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
     private boolean again;
     private boolean toBeResumed; // for who holds the lock
 
-    EngineHost(EngineHostBuilder parts) {
-        this.engine = new JournaledEngine(parts.engine, parts.journal, parts.clock);
+    EngineHost(EngineFunction function, InputJournal journal, HostClock clock, Executor executor, HostLimits limits) {
+        this.engine = new JournaledEngine(function, journal, clock);
         this.view = engine.view();
-        this.clock = parts.clock;
-        this.executor = parts.executor;
-        this.batchLimit = parts.batchLimit;
-        this.retries = new JournalRetryPolicy(parts.journalRetryMillis);
-        this.listeners = new ListenerList<>("the engine", parts.slowListenerMillis);
+        this.clock = clock;
+        this.executor = executor;
+        this.batchLimit = limits.batchLimit();
+        this.retries = new JournalRetryPolicy(limits.journalRetryMillis());
+        this.listeners = new ListenerList<>("the engine", limits.slowListenerMillis());
         this.lifecycle = new HostLifecycle(listeners);
-        this.handlers = new Handlers(parts.engine.vocabulary(), this);
-        this.awaited = new AwaitedTelemetry(parts.engine.vocabulary());
+        this.handlers = new Handlers(function.vocabulary(), this);
+        this.awaited = new AwaitedTelemetry(function.vocabulary());
         this.timer = new NextTimer(clock, () -> post(new Input.TimeReached()));
         awaited.look(view);
-    }
-
-    /** A host of anything that behaves as an engine, to be put together. */
-    public static EngineHostBuilder builder(EngineFunction engine) {
-        return new EngineHostBuilder(engine);
-    }
-
-    /**
-     * A host to be put together.
-     *
-     * @param state the state to go on from; belongs to the host from now on
-     */
-    public static EngineHostBuilder builder(Engine engine, EngineState state) {
-        return new EngineHostBuilder(new EngineWithState(engine, state));
     }
 
     /**

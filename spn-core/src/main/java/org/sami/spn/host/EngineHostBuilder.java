@@ -2,19 +2,35 @@ package org.sami.spn.host;
 
 import java.util.Objects;
 import java.util.concurrent.Executor;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.EngineState;
 
 /** Puts a host together: an engine with its state, an executor and a clock are required. */
 public final class EngineHostBuilder {
-    final EngineFunction engine;
-    InputJournal journal = new MemoryJournal();
-    HostClock clock;
-    Executor executor;
-    int batchLimit = 1024;
-    long slowListenerMillis = 50;
-    long journalRetryMillis = Long.MAX_VALUE;
+    private final EngineFunction engine;
+    private InputJournal journal = new MemoryJournal();
+    private HostClock clock;
+    private Executor executor;
+    private int batchLimit = 1024;
+    private long slowListenerMillis = 50;
+    private long journalRetryMillis = Long.MAX_VALUE;
 
-    EngineHostBuilder(EngineFunction engine) {
+    private EngineHostBuilder(EngineFunction engine) {
         this.engine = Objects.requireNonNull(engine, "engine");
+    }
+
+    /** A host of anything that behaves as an engine, to be put together. */
+    public static EngineHostBuilder of(EngineFunction engine) {
+        return new EngineHostBuilder(engine);
+    }
+
+    /**
+     * A host to be put together.
+     *
+     * @param state the state to go on from; belongs to the host from now on
+     */
+    public static EngineHostBuilder of(Engine engine, EngineState state) {
+        return of(new EngineWithState(engine, state));
     }
 
     /** Where inputs are written; at its end stands the state that is hosted. Without it: memory. */
@@ -65,6 +81,7 @@ public final class EngineHostBuilder {
         if (executor == null || clock == null) {
             throw new IllegalStateException("a host needs an executor and a clock");
         }
-        return new EngineHost(this);
+        return new EngineHost(
+                engine, journal, clock, executor, new HostLimits(batchLimit, slowListenerMillis, journalRetryMillis));
     }
 }

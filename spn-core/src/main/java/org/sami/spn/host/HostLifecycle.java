@@ -4,7 +4,7 @@ import java.lang.System.Logger.Level;
 
 /** Whether a host works: notifies its listeners when that changes. A host that has ended stays so. Safe for use by several threads. */
 final class HostLifecycle {
-    private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
+    private static final System.Logger LOG = System.getLogger(HostLifecycle.class.getName());
 
     private final ListenerList<HostListener> listeners;
     private volatile HostStatus status = HostStatus.running();

@@ -101,7 +101,7 @@ public final class JournalReader implements AutoCloseable {
 
     /** The telemetry, in the order in which it was added, without what is damaged. Read again at each call. */
     public Telemetry telemetry() {
-        return TelemetryTable.read(database);
+        return new TelemetryScan(database).run();
     }
 
     @Override

@@ -50,7 +50,7 @@ final class Rebuild {
         Path file = damaged.file();
         Path copy = file.resolveSibling(file.getFileName() + "-rebuilt");
         deleteWithLog(copy);
-        Telemetry telemetry = TelemetryTable.read(damaged);
+        Telemetry telemetry = new TelemetryScan(damaged).run();
         try (Database rebuilt = Database.create(copy, options)) {
             HeaderTable.write(rebuilt.connection(), valid.header());
             copyEntries(damaged, rebuilt.connection(), valid.lastValid());

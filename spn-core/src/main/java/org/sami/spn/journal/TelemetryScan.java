@@ -34,6 +34,7 @@ final class TelemetryScan {
         this.database = database;
     }
 
+    /** What is true of the file's telemetry. */
     Telemetry run() {
         try {
             boolean sums = database.hasTelemetrySums();

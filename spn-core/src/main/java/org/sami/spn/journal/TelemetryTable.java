@@ -90,9 +90,4 @@ final class TelemetryTable {
         }
         return sum.getValue();
     }
-
-    /** What is true of a file's telemetry. */
-    static Telemetry read(Database database) {
-        return new TelemetryScan(database).run();
-    }
 }

@@ -48,7 +48,7 @@ final class Moment {
     /** Its key, computed when it is first asked for; not while a step is taken. */
     MomentKey key() {
         if (key == null) {
-            key = MomentKey.of(this);
+            key = MomentKey.of(state, tasks);
         }
         return key;
     }

@@ -6,6 +6,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.Set;
 import org.sami.spn.engine.AlikeKey;
+import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.StateKey;
 
 /**
@@ -21,18 +22,18 @@ public final class MomentKey {
         this.bytes = bytes;
     }
 
-    static MomentKey of(Moment moment) {
-        byte[] state = StateKey.of(moment.state).bytes();
+    static MomentKey of(EngineState now, RobotTasks tasks) {
+        byte[] state = StateKey.of(now).bytes();
         MessageDigest sha = sha256();
         sha.update(state);
-        sha.update(moment.tasks.words().getBytes(StandardCharsets.UTF_8));
+        sha.update(tasks.words().getBytes(StandardCharsets.UTF_8));
         return new MomentKey(sha.digest(), state.length);
     }
 
     /** The key of a moment but for which robot and made task is which, points, and how long timers run ({@link AlikeKey}). */
-    static MomentKey alike(Moment moment, Set<String> robots) {
-        AlikeKey key = AlikeKey.of(moment.state, robots);
-        moment.tasks.addTo(key);
+    static MomentKey alike(EngineState now, RobotTasks tasks, Set<String> robots) {
+        AlikeKey key = AlikeKey.of(now, robots);
+        tasks.addTo(key);
         byte[] state = key.bytes();
         return new MomentKey(sha256().digest(state), state.length);
     }

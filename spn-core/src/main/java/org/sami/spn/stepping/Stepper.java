@@ -392,7 +392,7 @@ public final class Stepper {
      * @param robots names of robots that are like one another
      */
     public MomentKey keyAlike(Set<String> robots) {
-        return MomentKey.alike(now, robots);
+        return MomentKey.alike(now.state, now.tasks, robots);
     }
 
     /** The keys of all moments before the present one, from the start on. */

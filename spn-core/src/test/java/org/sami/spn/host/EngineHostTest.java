@@ -30,7 +30,7 @@ class EngineHostTest {
     private final EngineHost host = builder().build();
 
     private EngineHostBuilder builder() {
-        return EngineHost.builder(engine, state).journal(journal).clock(clock).executor(executor);
+        return EngineHostBuilder.of(engine, state).journal(journal).clock(clock).executor(executor);
     }
 
     private List<Input> inputs() {
@@ -453,7 +453,7 @@ class EngineHostTest {
 
     @Test
     void aHostWithoutExecutorOrClockIsRefused() {
-        assertThatThrownBy(() -> EngineHost.builder(engine, state).build()).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(() -> EngineHostBuilder.of(engine, state).build()).isInstanceOf(IllegalStateException.class);
     }
 
     @Test
@@ -464,7 +464,7 @@ class EngineHostTest {
 
         WatchedJournal same = journal;
         ManualClock laterClock = new ManualClock();
-        try (EngineHost resumed = EngineHost.builder(engine, state.copy())
+        try (EngineHost resumed = EngineHostBuilder.of(engine, state.copy())
                 .journal(same)
                 .clock(laterClock)
                 .executor(executor)

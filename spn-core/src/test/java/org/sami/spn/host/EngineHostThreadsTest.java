@@ -35,7 +35,7 @@ class EngineHostThreadsTest {
     private final ExecutorService others = Executors.newCachedThreadPool();
     private final MonotonicHostClock clock = new MonotonicHostClock(0);
     private final Engine engine = HostPlans.engine();
-    private final EngineHost host = EngineHost.builder(engine, engine.newState())
+    private final EngineHost host = EngineHostBuilder.of(engine, engine.newState())
             .journal(journal)
             .clock(clock)
             .executor(engineThread)

@@ -28,7 +28,7 @@ class EngineHostWaitTest {
     private final EngineHost host = builder().build();
 
     private EngineHostBuilder builder() {
-        return EngineHost.builder(engine, state).journal(journal).clock(clock).executor(executor);
+        return EngineHostBuilder.of(engine, state).journal(journal).clock(clock).executor(executor);
     }
 
     private void listen() {

@@ -21,6 +21,7 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.HostStatus.Kind;
 import org.sami.spn.host.JournalEntry;
@@ -138,7 +139,7 @@ class FullDiskTest {
         ManualExecutor executor = new ManualExecutor();
         List<Long> heard = new ArrayList<>();
         try (SqliteJournal journal = SqliteJournal.create(file, Tour.HEADER, JournalOptions.DEFAULT);
-                EngineHost host = EngineHost.builder(engine, state)
+                EngineHost host = EngineHostBuilder.of(engine, state)
                         .journal(journal)
                         .clock(clock)
                         .executor(executor)

@@ -20,6 +20,7 @@ import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.host.JournalEntry;
@@ -47,7 +48,7 @@ class HostedJournalTest {
     }
 
     private EngineHost host(SqliteJournal journal) {
-        return EngineHost.builder(engine, state)
+        return EngineHostBuilder.of(engine, state)
                 .journal(journal)
                 .clock(clock)
                 .executor(engineThread)

@@ -17,6 +17,7 @@ import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.host.ManualClock;
@@ -91,7 +92,7 @@ class ProjectLoadResumeTest {
     /** Hosts the session for so many more inputs. */
     private byte[] run(SqliteJournal journal, EngineState state, List<Input> inputs) {
         ManualExecutor executor = new ManualExecutor();
-        EngineHost host = EngineHost.builder(engine, state)
+        EngineHost host = EngineHostBuilder.of(engine, state)
                 .journal(journal)
                 .clock(new ManualClock())
                 .executor(executor)

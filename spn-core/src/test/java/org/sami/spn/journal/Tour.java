@@ -11,6 +11,7 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.EngineHostBuilder;
 import org.sami.spn.host.HostPlans;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.host.InputJournal;
@@ -59,7 +60,7 @@ final class Tour {
         this.engine = engine;
         this.state = state;
         clock.moveTo(journal.lastMillis());
-        host = EngineHost.builder(engine, state)
+        host = EngineHostBuilder.of(engine, state)
                 .journal(journal)
                 .clock(clock)
                 .executor(executor)

@@ -26,6 +26,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.AnswerNames;
 import org.sami.spn.vocabulary.AutonomyAnswer;
@@ -358,7 +359,7 @@ final class Questions {
             Optional<Value> given = Optional.ofNullable(values.get(item.key()));
             boolean right = given.isEmpty()
                     ? item.defaultValue().isPresent()
-                    : item.type().accepts(given.get(), Map.of())
+                    : TypeCheck.accepts(item.type(), given.get(), Map.of())
                             && (item.editable() || given.equals(item.defaultValue()));
             if (!right) {
                 return false;

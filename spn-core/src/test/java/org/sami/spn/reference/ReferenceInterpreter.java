@@ -23,6 +23,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -418,7 +419,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         if (set.mission() == Ids.NONE) {
             written = world.project.globals().stream()
                             .anyMatch(v -> v.name().equals(set.variable())
-                                    && v.type().accepts(set.value(), world.vocabulary.types()))
+                                    && TypeCheck.accepts(v.type(), set.value(), world.vocabulary.types()))
                     && variables.writeGlobal(world.project, set.variable(), set.value());
         } else {
             Optional<Mission> m = world.mission(set.mission());
@@ -426,7 +427,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             written = m.isPresent()
                     && variables
                             .declaration(m.get(), set.variable())
-                            .map(v -> v.type().accepts(set.value(), world.vocabulary.types()))
+                            .map(v -> TypeCheck.accepts(v.type(), set.value(), world.vocabulary.types()))
                             .orElse(true);
             if (written) {
                 variables.write(m.get(), set.variable(), set.value());

@@ -6,6 +6,7 @@ import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 
 /** Reading and writing variables (R-VAR-1 to R-VAR-3). */
@@ -33,7 +34,7 @@ final class Variables {
     /** Writes a variable (R-VAR-2). */
     void write(Mission m, String variable, Value value) {
         boolean fits = declaration(m, variable)
-                .map(v -> v.type().accepts(value, world.vocabulary.types()))
+                .map(v -> TypeCheck.accepts(v.type(), value, world.vocabulary.types()))
                 .orElse(true);
         if (!fits) { // R-VAR-3
             world.note(NoteKind.REJECTED_INPUT, m.id, variable);

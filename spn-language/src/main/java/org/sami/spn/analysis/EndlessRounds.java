@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.EventFlag;
@@ -16,7 +16,7 @@ import org.sami.spn.vocabulary.EventFlag;
  * leaves is probably a loop that leads too far back. Robots without a task may go round by intention: to keep a station, to patrol.
  */
 final class EndlessRounds implements PlanCheck {
-    private static final Set<Kind> TASKS = EnumSet.of(Kind.TASK);
+    private static final Set<TokenType> TASKS = EnumSet.of(TokenType.TASK);
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
@@ -24,7 +24,7 @@ final class EndlessRounds implements PlanCheck {
         for (PlacedOutput output : plan.outputs()) {
             Place place = output.place();
             if (output.type().flags().contains(EventFlag.COMMAND)
-                    && plan.flow().at(place).contains(Kind.TASK)
+                    && plan.flow().at(place).contains(TokenType.TASK)
                     && plan.parents().isEmpty()
                     && !told.contains(place.id())) {
                 Set<String> well = plan.flow().reached(Set.of(place.id()), TASKS, t -> !isFailure(plan, t));

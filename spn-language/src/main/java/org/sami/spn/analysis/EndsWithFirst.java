@@ -5,8 +5,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -45,7 +44,7 @@ final class EndsWithFirst implements PlanCheck {
     }
 
     private static boolean waitsForAbsence(InEdge edge) {
-        return edge.requirements().stream().anyMatch(ComingTokens::isAbsence);
+        return edge.requirements().stream().anyMatch(InRequirement::asksForNone);
     }
 
     private static void check(PlanContext plan, Transition t, Place end, Consumer<Finding> report) {
@@ -73,10 +72,10 @@ final class EndsWithFirst implements PlanCheck {
     private static void gathered(PlanContext plan, Transition t, Place end, Consumer<Finding> report) {
         for (InEdge edge : plan.inEdges(t)) {
             for (InRequirement r : edge.requirements()) {
-                Set<Kind> kinds = ComingTokens.kinds(r.kind());
-                boolean wants =
-                        r.match() == Match.AT_LEAST && (kinds.contains(Kind.PROXY) || kinds.contains(Kind.TASK));
-                List<Place> before = wants ? comeSinglyFrom(plan, edge.place()) : List.of();
+                Set<TokenType> kinds = TokenType.of(r.kind());
+                boolean wants = r.match() == Match.AT_LEAST
+                        && (kinds.contains(TokenType.PROXY) || kinds.contains(TokenType.TASK));
+                List<Place> before = wants ? SingleAnswers.comeSinglyFrom(plan, edge.place()) : List.of();
                 if (!before.isEmpty()
                         && plan.place(edge.place())
                                 .filter(p -> p.subMissions().isEmpty())
@@ -99,14 +98,5 @@ final class EndsWithFirst implements PlanCheck {
                 }
             }
         }
-    }
-
-    /** The places from which robots or tasks come into a place one after the other. */
-    static List<Place> comeSinglyFrom(PlanContext plan, String place) {
-        return plan.place(place).map(plan::edgesInto).orElse(List.of()).stream()
-                .flatMap(edge -> plan.transition(edge.transition()).stream())
-                .flatMap(t -> SingleAnswers.from(plan, t).stream())
-                .distinct()
-                .toList();
     }
 }

@@ -9,6 +9,7 @@ import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Direction;
@@ -76,7 +77,8 @@ final class FieldValues implements PlanCheck {
                             "Remove the field " + name,
                             new FieldEdit.ClearField(plan.plan().id(), id, name)));
         } else if (value.isPresent()
-                && !field.get().type().accepts(value.get(), plan.vocabulary().types())) {
+                && !TypeCheck.accepts(
+                        field.get().type(), value.get(), plan.vocabulary().types())) {
             Finding finding = Finding.error(
                     "E-FIELD-TYPE",
                     pointer + "/fields/" + name,

@@ -3,7 +3,6 @@ package org.sami.spn.analysis;
 import java.util.function.Consumer;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -54,7 +53,7 @@ final class FixedNumbers implements PlanCheck {
 
     /** Whether a requirement is met by some tokens, and not only where there are none. */
     private static boolean wantsSome(InRequirement r) {
-        return !ComingTokens.isAbsence(r) && r.n() > 0;
+        return !r.asksForNone() && r.n() > 0;
     }
 
     private static void report(PlanContext plan, Place place, InEdge edge, InRequirement r, Consumer<Finding> report) {

@@ -14,8 +14,7 @@ import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -32,12 +31,12 @@ import org.sami.spn.model.Transition;
  * (thesis 7.0.3).
  */
 final class ForgottenPlaces implements PlanCheck {
-    private static final Set<Kind> NAMED = EnumSet.of(Kind.PROXY, Kind.TASK);
+    private static final Set<TokenType> NAMED = EnumSet.of(TokenType.PROXY, TokenType.TASK);
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {
-            Set<Kind> kinds = absent(plan, t);
+            Set<TokenType> kinds = absent(plan, t);
             if (t.inputs().isEmpty() && !kinds.isEmpty()) {
                 Set<Place> forgotten = new LinkedHashSet<>();
                 Set<String> watched =
@@ -53,12 +52,12 @@ final class ForgottenPlaces implements PlanCheck {
         }
     }
     /** The kinds with names of which a transition asks that none is left somewhere. */
-    private static Set<Kind> absent(PlanContext plan, Transition t) {
-        Set<Kind> kinds = EnumSet.noneOf(Kind.class);
+    private static Set<TokenType> absent(PlanContext plan, Transition t) {
+        Set<TokenType> kinds = EnumSet.noneOf(TokenType.class);
         for (InEdge edge : plan.inEdges(t)) {
             edge.requirements().stream()
-                    .filter(r -> ComingTokens.isAbsence(r) && r.kind() != TokenKind.RELEVANT)
-                    .forEach(r -> kinds.addAll(ComingTokens.kinds(r.kind())));
+                    .filter(r -> r.asksForNone() && r.kind() != TokenKind.RELEVANT)
+                    .forEach(r -> kinds.addAll(TokenType.of(r.kind())));
         }
         kinds.retainAll(NAMED);
         return kinds;
@@ -66,15 +65,15 @@ final class ForgottenPlaces implements PlanCheck {
 
     /** Places from which some come one after the other into one where the transition waits for them. */
     private static void addGathered(
-            PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
+            PlanContext plan, Transition t, Set<TokenType> kinds, Set<String> watched, Set<Place> forgotten) {
         for (InEdge edge : plan.inEdges(t)) {
             boolean gathers = edge.requirements().stream()
-                    .anyMatch(r -> r.match() == Match.AT_LEAST && meets(ComingTokens.kinds(r.kind()), kinds));
+                    .anyMatch(r -> r.match() == Match.AT_LEAST && meets(TokenType.of(r.kind()), kinds));
             boolean plain = plan.place(edge.place())
                     .filter(p -> p.subMissions().isEmpty())
                     .isPresent();
             if (gathers && plain) {
-                EndsWithFirst.comeSinglyFrom(plan, edge.place()).stream()
+                SingleAnswers.comeSinglyFrom(plan, edge.place()).stream()
                         .filter(place -> !watched.contains(place.id()))
                         .forEach(forgotten::add);
             }
@@ -83,7 +82,7 @@ final class ForgottenPlaces implements PlanCheck {
 
     /** Places to which a way leads from those that the transition looks at, and from which one leads back to them. */
     private static void addBehind(
-            PlanContext plan, Transition t, Set<Kind> kinds, Set<String> watched, Set<Place> forgotten) {
+            PlanContext plan, Transition t, Set<TokenType> kinds, Set<String> watched, Set<Place> forgotten) {
         Set<String> after = plan.flow().reached(watched, kinds, any -> true);
         Set<String> before = leadingTo(plan, watched, kinds);
         for (Place place : plan.plan().places()) {
@@ -99,14 +98,14 @@ final class ForgottenPlaces implements PlanCheck {
     }
 
     /** The places from which tokens of some kinds may come to others. */
-    private static Set<String> leadingTo(PlanContext plan, Set<String> places, Set<Kind> kinds) {
+    private static Set<String> leadingTo(PlanContext plan, Set<String> places, Set<TokenType> kinds) {
         Set<String> before = new HashSet<>();
         Deque<String> open = new ArrayDeque<>(places);
         while (!open.isEmpty()) {
             for (OutEdge edge : plan.place(open.pop()).map(plan::edgesInto).orElse(List.of())) {
                 if (meets(plan.flow().along(edge), kinds)) {
                     plan.transition(edge.transition()).map(plan::inEdges).orElse(List.of()).stream()
-                            .filter(e -> e.requirements().stream().noneMatch(ComingTokens::isAbsence))
+                            .filter(e -> e.requirements().stream().noneMatch(InRequirement::asksForNone))
                             .map(InEdge::place)
                             .filter(before::add)
                             .forEach(open::push);
@@ -117,13 +116,13 @@ final class ForgottenPlaces implements PlanCheck {
     }
 
     /** Whether tokens that enter a place count in another one that the transition requires to be empty. */
-    private static boolean isCounted(PlanContext plan, Transition t, Place place, Set<Kind> kinds) {
+    private static boolean isCounted(PlanContext plan, Transition t, Place place, Set<TokenType> kinds) {
         List<Transition> entering = plan.edgesInto(place).stream()
                 .filter(e -> meets(plan.flow().along(e), kinds))
                 .flatMap(e -> plan.transition(e.transition()).stream())
                 .toList();
         return plan.inEdges(t).stream()
-                .filter(e -> e.requirements().stream().anyMatch(ComingTokens::isAbsence))
+                .filter(e -> e.requirements().stream().anyMatch(InRequirement::asksForNone))
                 .map(InEdge::place)
                 .anyMatch(counter -> entering.stream().allMatch(u -> leadsTo(plan, u, counter))
                         || isCountedOnTheWay(plan, t, place, counter, kinds));
@@ -146,7 +145,7 @@ final class ForgottenPlaces implements PlanCheck {
 
     /** Whether a copy of whoever comes to a place was put into another one on the way, and has not been taken out of it again. */
     private static boolean isCountedOnTheWay(
-            PlanContext plan, Transition t, Place place, String counter, Set<Kind> kinds) {
+            PlanContext plan, Transition t, Place place, String counter, Set<TokenType> kinds) {
         if (!holdsCopies(plan, counter)) {
             return false;
         }
@@ -164,12 +163,12 @@ final class ForgottenPlaces implements PlanCheck {
                         .contains(place.id());
     }
 
-    private static boolean meets(Set<Kind> some, Set<Kind> others) {
+    private static boolean meets(Set<TokenType> some, Set<TokenType> others) {
         return some.stream().anyMatch(others::contains);
     }
 
     private static void report(
-            PlanContext plan, Transition t, List<Place> forgotten, Set<Kind> kinds, Consumer<Finding> report) {
+            PlanContext plan, Transition t, List<Place> forgotten, Set<TokenType> kinds, Consumer<Finding> report) {
         String names = forgotten.stream().map(plan::name).collect(Collectors.joining(" and the "));
         List<String> elements = new ArrayList<>(List.of(t.id()));
         forgotten.forEach(place -> elements.add(place.id()));
@@ -188,10 +187,11 @@ final class ForgottenPlaces implements PlanCheck {
     }
 
     /** Offers to ask that nobody is left in some places. */
-    static Finding askingForNone(PlanContext plan, Transition t, List<Place> places, Set<Kind> kinds, Finding finding) {
-        TokenKind kind = !kinds.contains(Kind.TASK)
+    static Finding askingForNone(
+            PlanContext plan, Transition t, List<Place> places, Set<TokenType> kinds, Finding finding) {
+        TokenKind kind = !kinds.contains(TokenType.TASK)
                 ? TokenKind.ANY_PROXY
-                : kinds.contains(Kind.PROXY) ? TokenKind.ANY_TOKEN : TokenKind.ANY_TASK;
+                : kinds.contains(TokenType.PROXY) ? TokenKind.ANY_TOKEN : TokenKind.ANY_TASK;
         List<Edit> edits = new ArrayList<>();
         for (Place place : places) {
             if (plan.inEdges(t).stream().noneMatch(e -> e.place().equals(place.id()))) {

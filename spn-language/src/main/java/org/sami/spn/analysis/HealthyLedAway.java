@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
@@ -63,7 +63,6 @@ final class HealthyLedAway implements PlanCheck {
 
     private static boolean takesRobots(OutRequirement r) {
         return r.action() != Action.ADD
-                && (r.kind() == TokenKind.RELEVANT
-                        || ComingTokens.kinds(r.kind()).contains(ComingTokens.Kind.PROXY));
+                && (r.kind() == TokenKind.RELEVANT || TokenType.of(r.kind()).contains(TokenType.PROXY));
     }
 }

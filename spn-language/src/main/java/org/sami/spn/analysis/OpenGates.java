@@ -4,8 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -48,15 +47,15 @@ final class OpenGates implements PlanCheck {
                         .filter(other -> other.inputs().isEmpty())
                         .isPresent())
                 .allMatch(e ->
-                        !e.requirements().isEmpty() && e.requirements().stream().allMatch(ComingTokens::isAbsence));
+                        !e.requirements().isEmpty() && e.requirements().stream().allMatch(InRequirement::asksForNone));
     }
 
     private static void check(PlanContext plan, Transition t, InEdge edge, Place place, Consumer<Finding> report) {
-        List<Place> before = EndsWithFirst.comeSinglyFrom(plan, place.id());
+        List<Place> before = SingleAnswers.comeSinglyFrom(plan, place.id());
         boolean firstGoesOn =
                 edge.requirements().size() == 1 && edge.requirements().stream().allMatch(OpenGates::asksForOne);
         if (firstGoesOn && !before.isEmpty()) {
-            Set<Kind> kinds = ComingTokens.kinds(edge.requirements().get(0).kind());
+            Set<TokenType> kinds = TokenType.of(edge.requirements().get(0).kind());
             report.accept(ForgottenPlaces.askingForNone(
                     plan,
                     t,
@@ -75,7 +74,9 @@ final class OpenGates implements PlanCheck {
     }
 
     private static boolean asksForOne(InRequirement r) {
-        Set<Kind> kinds = ComingTokens.kinds(r.kind());
-        return r.match() == Match.AT_LEAST && r.n() <= 1 && (kinds.contains(Kind.PROXY) || kinds.contains(Kind.TASK));
+        Set<TokenType> kinds = TokenType.of(r.kind());
+        return r.match() == Match.AT_LEAST
+                && r.n() <= 1
+                && (kinds.contains(TokenType.PROXY) || kinds.contains(TokenType.TASK));
     }
 }

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -35,8 +35,8 @@ record PlanInterface(
         Optional<String> endsSharedInstance,
         List<Optional<FieldSource>> returned,
         Set<String> tasks,
-        Map<String, Set<Kind>> broughtTokens,
-        Set<Kind> madeTokens) {
+        Map<String, Set<TokenType>> broughtTokens,
+        Set<TokenType> madeTokens) {
 
     /**
      * Whether tokens go in and out of it as in another version: what one sub-mission brings back can come to a place at which the same parent

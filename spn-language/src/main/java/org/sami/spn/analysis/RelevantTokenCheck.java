@@ -6,8 +6,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.flow.NamedTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -83,12 +83,12 @@ final class RelevantTokenCheck implements PlanCheck {
     }
 
     /** The kinds of tokens with names that there may be: proxies where none is known of. */
-    private static List<TokenKind> kinds(Set<Kind> kinds) {
+    private static List<TokenKind> kinds(Set<TokenType> kinds) {
         List<TokenKind> named = new ArrayList<>();
-        if (kinds.contains(Kind.PROXY) || !kinds.contains(Kind.TASK)) {
+        if (kinds.contains(TokenType.PROXY) || !kinds.contains(TokenType.TASK)) {
             named.add(TokenKind.ANY_PROXY);
         }
-        if (kinds.contains(Kind.TASK)) {
+        if (kinds.contains(TokenType.TASK)) {
             named.add(TokenKind.ANY_TASK);
         }
         return named;

@@ -31,6 +31,15 @@ final class SingleAnswers {
         return places;
     }
 
+    /** The places from which robots or tasks come into a place one after the other. */
+    static List<Place> comeSinglyFrom(PlanContext plan, String place) {
+        return plan.place(place).map(plan::edgesInto).orElse(List.of()).stream()
+                .flatMap(edge -> plan.transition(edge.transition()).stream())
+                .flatMap(t -> from(plan, t).stream())
+                .distinct()
+                .toList();
+    }
+
     /** Whether robots or tasks leave a place one after the other, as each answers or as there is news of it. */
     static boolean leave(PlanContext plan, Place place) {
         return plan.outTransitions(place).stream()

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.vocabulary.EventRole;
@@ -24,7 +24,7 @@ final class TasksMadeAgain implements PlanCheck {
                 Set<String> before = before(plan, output.place());
                 for (OutEdge edge : plan.plan().outEdges()) {
                     if (before.contains(edge.place())
-                            && plan.flow().along(edge).contains(ComingTokens.Kind.TASK)
+                            && plan.flow().along(edge).contains(TokenType.TASK)
                             && !comesFrom(plan, edge, before)) {
                         report(plan, output, edge, report);
                     }

@@ -9,7 +9,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.sami.spn.flow.ComingTokens;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
+import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
@@ -18,7 +19,7 @@ import org.sami.spn.model.Transition;
 final class TokenFlow {
     private final PlanContext plan;
     private final ComingTokens coming;
-    private final Map<String, Set<Kind>> along = new HashMap<>();
+    private final Map<String, Set<TokenType>> along = new HashMap<>();
 
     TokenFlow(PlanContext plan) {
         this.plan = plan;
@@ -26,32 +27,32 @@ final class TokenFlow {
     }
 
     /** The kinds that may stand in a place. */
-    Set<Kind> at(Place place) {
+    Set<TokenType> at(Place place) {
         return coming.in(place.id());
     }
 
     /** The kinds that a firing may bring along an edge into its place. */
-    Set<Kind> along(OutEdge edge) {
+    Set<TokenType> along(OutEdge edge) {
         return along.computeIfAbsent(edge.id(), id -> coming.along(edge));
     }
 
     /** The kinds that may stand in the places before a transition when it fires. */
-    Set<Kind> pool(Transition t) {
+    Set<TokenType> pool(Transition t) {
         return coming.pool(t.id());
     }
 
     /** What sub-missions of the plan start with, by the plan that runs there. */
-    Map<String, Set<Kind>> brought() {
+    Map<String, Set<TokenType>> brought() {
         return coming.brought();
     }
 
     /** What an instance of the plan can bring back though it did not start with it. */
-    Set<Kind> made() {
+    Set<TokenType> made() {
         return coming.made();
     }
 
     /** The places to which tokens of some kinds may come from others by some transitions; those left out unless a way leads back. */
-    Set<String> reached(Set<String> from, Set<Kind> kinds, Predicate<Transition> by) {
+    Set<String> reached(Set<String> from, Set<TokenType> kinds, Predicate<Transition> by) {
         Set<String> reached = new HashSet<>();
         Deque<String> open = new ArrayDeque<>(from);
         while (!open.isEmpty()) {
@@ -61,7 +62,7 @@ final class TokenFlow {
                         && plan.inEdges(t).stream()
                                 .filter(e -> e.place().equals(place))
                                 .flatMap(e -> e.requirements().stream())
-                                .noneMatch(ComingTokens::isAbsence);
+                                .noneMatch(InRequirement::asksForNone);
                 for (OutEdge edge : leaves ? plan.outEdges(t) : List.<OutEdge>of()) {
                     if (along(edge).stream().anyMatch(kinds::contains) && reached.add(edge.place())) {
                         open.push(edge.place());

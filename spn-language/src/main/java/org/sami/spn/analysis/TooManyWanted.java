@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -83,12 +83,12 @@ final class TooManyWanted implements PlanCheck {
         return plan.parents().isEmpty()
                 && plan.plan().transitions().stream().allMatch(t -> {
                     long ways = plan.outEdges(t).stream()
-                            .filter(e -> plan.flow().along(e).contains(ComingTokens.Kind.GENERIC))
+                            .filter(e -> plan.flow().along(e).contains(TokenType.GENERIC))
                             .count();
                     boolean makes = plan.outEdges(t).stream()
                             .flatMap(e -> e.requirements().stream())
                             .anyMatch(o -> o.action() == Action.ADD
-                                    && ComingTokens.kinds(o.kind()).contains(ComingTokens.Kind.GENERIC));
+                                    && TokenType.of(o.kind()).contains(TokenType.GENERIC));
                     return ways <= 1 && !makes;
                 });
     }

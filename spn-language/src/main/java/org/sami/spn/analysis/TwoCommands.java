@@ -7,8 +7,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.flow.ComingTokens;
-import org.sami.spn.flow.ComingTokens.Kind;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -79,7 +78,7 @@ final class TwoCommands implements PlanCheck {
 
     /** Whether two edges bring a copy of one token with a name each. */
     private static boolean meet(PlanContext plan, OutEdge first, OutEdge second) {
-        for (Kind kind : Set.of(Kind.PROXY, Kind.TASK)) {
+        for (TokenType kind : Set.of(TokenType.PROXY, TokenType.TASK)) {
             if (brings(plan, first, kind) && brings(plan, second, kind)) {
                 return true;
             }
@@ -87,11 +86,11 @@ final class TwoCommands implements PlanCheck {
         return false;
     }
 
-    private static boolean brings(PlanContext plan, OutEdge edge, Kind kind) {
+    private static boolean brings(PlanContext plan, OutEdge edge, TokenType kind) {
         return plan.flow().along(edge).contains(kind)
                 && edge.requirements().stream()
                         .anyMatch(r -> r.action() != Action.CONSUME
                                 && r.kind() != TokenKind.TASK
-                                && ComingTokens.kinds(r.kind()).contains(kind));
+                                && TokenType.of(r.kind()).contains(kind));
     }
 }

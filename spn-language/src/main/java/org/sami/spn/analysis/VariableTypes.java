@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.sami.spn.edit.VariableEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 
@@ -31,7 +32,8 @@ final class VariableTypes implements PlanCheck {
         }
         for (VariableSpec v : plan.plan().variables()) {
             if (v.initial().isPresent()
-                    && !v.type().accepts(v.initial().get(), plan.vocabulary().types())) {
+                    && !TypeCheck.accepts(
+                            v.type(), v.initial().get(), plan.vocabulary().types())) {
                 report.accept(Finding.error(
                                 "E-VARIABLE-TYPE",
                                 plan.pointer() + "/variables/"

@@ -8,6 +8,7 @@ import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
@@ -57,14 +58,14 @@ final class EventForm {
                 : source instanceof FieldSource.Asked asked ? asked.defaultValue() : Optional.empty();
         value(field, value, type.fields(), "the event " + id, vocabulary, problem);
         if (source instanceof FieldSource.FromVariable from) {
-            PlanForm.variableName(from.variable()).ifPresent(problem);
+            VariableNameForm.problem(from.variable()).ifPresent(problem);
         }
     }
 
     private void writes(String id, EventType type, Map<String, String> writes) {
         writes.forEach((field, variable) -> {
             value(field, Optional.empty(), type.fields(), "the event " + id, vocabulary, problem);
-            PlanForm.variableName(variable).ifPresent(problem);
+            VariableNameForm.problem(variable).ifPresent(problem);
         });
     }
 
@@ -102,7 +103,7 @@ final class EventForm {
                 declared.stream().filter(f -> f.name().equals(name)).findFirst();
         if (field.isEmpty()) {
             problem.accept(owner + " has no field " + name);
-        } else if (value.isPresent() && !field.get().type().accepts(value.get(), vocabulary.types())) {
+        } else if (value.isPresent() && !TypeCheck.accepts(field.get().type(), value.get(), vocabulary.types())) {
             problem.accept("the value of " + name + " in " + owner + " is not of its type");
         }
     }

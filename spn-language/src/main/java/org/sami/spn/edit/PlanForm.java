@@ -3,7 +3,6 @@ package org.sami.spn.edit;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -20,15 +19,13 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.naming.ElementNames;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.ValueType;
-import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.TaskClass;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** What the reader would refuse of one plan: ids, edges, requirements, names of variables, tasks, sub-missions. */
 final class PlanForm {
-    private static final String VARIABLE = "@[A-Za-z][A-Za-z0-9_.]*";
-
     private final Plan plan;
     private final Set<String> planIds;
     private final Vocabulary vocabulary;
@@ -168,7 +165,7 @@ final class PlanForm {
     }
 
     private void variable(String name) {
-        variableName(name).ifPresent(this::problem);
+        VariableNameForm.problem(name).ifPresent(this::problem);
     }
 
     private void tasks() {
@@ -187,28 +184,18 @@ final class PlanForm {
         }
     }
 
-    /** Why a text is no name of a variable; empty where it is one. */
-    static Optional<String> variableName(String name) {
-        if (name.equals(Reserved.TASK_VARIABLE)) {
-            return Optional.of("@task is reserved: it reads a field from the entering task");
-        }
-        return name.matches(VARIABLE)
-                ? Optional.empty()
-                : Optional.of("\"" + name + "\" is no name of a variable: that is @ and a letter, then letters, digits,"
-                        + " points");
-    }
-
     static void variables(List<VariableSpec> variables, String owner, Vocabulary vocabulary, List<String> problems) {
         Set<String> names = new HashSet<>();
         for (VariableSpec v : variables) {
-            variableName(v.name()).ifPresent(why -> problems.add("In " + owner + " " + why));
+            VariableNameForm.problem(v.name()).ifPresent(why -> problems.add("In " + owner + " " + why));
             if (!names.add(v.name())) {
                 problems.add("In " + owner + " there is a variable " + v.name() + " already");
             }
             if (!known(v.type(), vocabulary)) {
                 problems.add(
                         "In " + owner + " the variable " + v.name() + " is of a type that the domain does not have");
-            } else if (v.initial().isPresent() && !v.type().accepts(v.initial().get(), vocabulary.types())) {
+            } else if (v.initial().isPresent()
+                    && !TypeCheck.accepts(v.type(), v.initial().get(), vocabulary.types())) {
                 problems.add("In " + owner + " the first value of " + v.name() + " is not of its type");
             }
         }

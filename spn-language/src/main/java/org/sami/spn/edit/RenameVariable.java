@@ -52,7 +52,7 @@ public record RenameVariable(Optional<String> plan, String from, String to) impl
     }
 
     private Set<String> reached(Project project, VariableReach reach) throws EditRefusedException {
-        Optional<String> bad = PlanForm.variableName(to);
+        Optional<String> bad = VariableNameForm.problem(to);
         if (bad.isPresent()) {
             throw new EditRefusedException(bad.get());
         }

@@ -10,6 +10,7 @@ import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Direction;
@@ -60,7 +61,7 @@ final class TestStepCheck {
     /** Whether a value answers what an output event asks, or with empty text the mission at its start. */
     boolean isAsked(String event, String key, Value value) {
         return AnswerKeys.type(vocabulary, outputs, variables, event, key)
-                .filter(type -> type.accepts(value, vocabulary.types()))
+                .filter(type -> TypeCheck.accepts(type, value, vocabulary.types()))
                 .isPresent();
     }
 
@@ -81,7 +82,7 @@ final class TestStepCheck {
     private boolean fits(EventType type, String field, Value value) {
         return type.field(field)
                 .map(FieldType::type)
-                .filter(t -> t.accepts(value, vocabulary.types()))
+                .filter(t -> TypeCheck.accepts(t, value, vocabulary.types()))
                 .isPresent();
     }
 }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
@@ -31,32 +30,32 @@ final class MadeTokens {
     }
 
     /** What an instance of a plan can bring back though it did not start with it. The plan's own tasks never return (R-SUB-7). */
-    Set<Kind> by(Plan plan) {
-        Set<Kind> made = EnumSet.noneOf(Kind.class);
+    Set<TokenType> by(Plan plan) {
+        Set<TokenType> made = EnumSet.noneOf(TokenType.class);
         by(plan, made, new HashSet<>());
         return made;
     }
 
     /** The same of all plans that run at once on a place. */
-    Set<Kind> by(List<SubMissionSpec> subMissions) {
-        Set<Kind> made = EnumSet.noneOf(Kind.class);
+    Set<TokenType> by(List<SubMissionSpec> subMissions) {
+        Set<TokenType> made = EnumSet.noneOf(TokenType.class);
         Set<String> seen = new HashSet<>();
         subMissions.forEach(sub -> by(sub, made, seen));
         return made;
     }
 
-    private void by(SubMissionSpec sub, Set<Kind> made, Set<String> seen) {
+    private void by(SubMissionSpec sub, Set<TokenType> made, Set<String> seen) {
         Optional.ofNullable(plans.get(sub.plan())).ifPresent(child -> by(child, made, seen));
     }
 
-    private void by(Plan plan, Set<Kind> made, Set<String> seen) {
+    private void by(Plan plan, Set<TokenType> made, Set<String> seen) {
         if (!seen.add(plan.id())) {
             return;
         }
         for (OutEdge edge : plan.outEdges()) {
             for (OutRequirement r : edge.requirements()) {
                 if (makesGeneric(r)) {
-                    made.add(Kind.GENERIC);
+                    made.add(TokenType.GENERIC);
                 } else if (r.action() == Action.ADD && r.kind() == TokenKind.RELEVANT) {
                     plan.transition(edge.transition()).ifPresent(t -> made.addAll(named(t, false)));
                 }
@@ -71,14 +70,14 @@ final class MadeTokens {
     }
 
     /** Whom the input events of a transition can name. Of an event that the vocabulary does not have, that can be anybody. */
-    Set<Kind> named(Transition t, boolean ownTasks) {
-        Set<Kind> named = EnumSet.noneOf(Kind.class);
+    Set<TokenType> named(Transition t, boolean ownTasks) {
+        Set<TokenType> named = EnumSet.noneOf(TokenType.class);
         t.inputs().forEach(input -> {
             Optional<EventType> type = vocabulary.event(input.type());
             boolean own =
                     type.filter(e -> e.role() == EventRole.TASKS_GENERATED).isPresent();
             if (ownTasks || !own) {
-                named.addAll(type.map(NamedTokens::of).orElse(EnumSet.of(Kind.PROXY, Kind.TASK)));
+                named.addAll(type.map(NamedTokens::of).orElse(EnumSet.of(TokenType.PROXY, TokenType.TASK)));
             }
         });
         return named;

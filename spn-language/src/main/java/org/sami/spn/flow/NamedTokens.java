@@ -3,7 +3,6 @@ package org.sami.spn.flow;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
-import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 
@@ -15,27 +14,27 @@ public final class NamedTokens {
     private NamedTokens() {}
 
     /** The kinds of tokens that occurrences of a type can name; none where they name nobody. */
-    public static Set<Kind> of(EventType type) {
-        Set<Kind> named = byRole(type.role());
+    public static Set<TokenType> of(EventType type) {
+        Set<TokenType> named = byRole(type.role());
         switch (type.tokens()) {
-            case PROXY -> named.add(Kind.PROXY);
-            case TASK -> named.add(Kind.TASK);
+            case PROXY -> named.add(TokenType.PROXY);
+            case TASK -> named.add(TokenType.TASK);
             case PROXY_OR_TASK -> {
-                named.add(Kind.PROXY);
-                named.add(Kind.TASK);
+                named.add(TokenType.PROXY);
+                named.add(TokenType.TASK);
             }
             case NONE -> {}
         }
         return Collections.unmodifiableSet(named);
     }
 
-    private static Set<Kind> byRole(EventRole role) {
+    private static Set<TokenType> byRole(EventRole role) {
         return switch (role) {
             case TOKENS_RETURNED, INTERRUPT, GENERAL_INTERRUPT_RECEIVED, PROXY_INTERRUPT_RECEIVED ->
-                EnumSet.of(Kind.PROXY);
-            case TASKS_GENERATED -> EnumSet.of(Kind.TASK);
-            case PROXY_TIMER_EXPIRED, SUB_MISSION_ABORTED -> EnumSet.of(Kind.PROXY, Kind.TASK);
-            default -> EnumSet.noneOf(Kind.class);
+                EnumSet.of(TokenType.PROXY);
+            case TASKS_GENERATED -> EnumSet.of(TokenType.TASK);
+            case PROXY_TIMER_EXPIRED, SUB_MISSION_ABORTED -> EnumSet.of(TokenType.PROXY, TokenType.TASK);
+            default -> EnumSet.noneOf(TokenType.class);
         };
     }
 }

@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
@@ -29,7 +29,7 @@ final class PlanTokens {
     private final Map<String, List<InEdge>> before;
     private final Map<String, List<OutEdge>> behind;
     private final Map<String, List<InEdge>> outOf;
-    private final Map<String, Set<Kind>> at = new HashMap<>();
+    private final Map<String, Set<TokenType>> at = new HashMap<>();
     private final Deque<String> open = new ArrayDeque<>();
 
     PlanTokens(Plan plan, Vocabulary vocabulary, MadeTokens makers) {
@@ -40,15 +40,15 @@ final class PlanTokens {
         before = plan.inEdges().stream().collect(Collectors.groupingBy(InEdge::transition));
         behind = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::transition));
         outOf = plan.inEdges().stream().collect(Collectors.groupingBy(InEdge::place));
-        start(EnumSet.of(Kind.GENERIC, Kind.PROXY));
+        start(EnumSet.of(TokenType.GENERIC, TokenType.PROXY));
         if (!plan.tasks().isEmpty()) {
-            start(EnumSet.of(Kind.TASK));
+            start(EnumSet.of(TokenType.TASK));
         }
         open.addAll(transitions.keySet());
     }
 
     /** Starts with these kinds as well. Returns whether there is more to follow. */
-    boolean start(Set<Kind> kinds) {
+    boolean start(Set<TokenType> kinds) {
         boolean more = false;
         for (Place place : plan.places()) {
             more |= place.start() && add(place.id(), kinds);
@@ -56,9 +56,9 @@ final class PlanTokens {
         return more;
     }
 
-    private boolean add(String place, Set<Kind> kinds) {
+    private boolean add(String place, Set<TokenType> kinds) {
         boolean more =
-                at.computeIfAbsent(place, p -> EnumSet.noneOf(Kind.class)).addAll(kinds);
+                at.computeIfAbsent(place, p -> EnumSet.noneOf(TokenType.class)).addAll(kinds);
         if (more) {
             outOf.getOrDefault(place, List.of()).forEach(e -> open.add(e.transition()));
         }
@@ -76,43 +76,43 @@ final class PlanTokens {
         }
     }
 
-    Set<Kind> at(String place) {
+    Set<TokenType> at(String place) {
         return at.getOrDefault(place, Set.of());
     }
 
     /** What places with sub-missions give their instances, by the plan that runs there. */
-    Map<String, Set<Kind>> brought() {
-        Map<String, Set<Kind>> brought = new TreeMap<>();
+    Map<String, Set<TokenType>> brought() {
+        Map<String, Set<TokenType>> brought = new TreeMap<>();
         for (Place place : plan.places()) {
             place.subMissions()
-                    .forEach(sub -> brought.computeIfAbsent(sub.plan(), p -> EnumSet.noneOf(Kind.class))
+                    .forEach(sub -> brought.computeIfAbsent(sub.plan(), p -> EnumSet.noneOf(TokenType.class))
                             .addAll(at(place.id())));
         }
         return brought;
     }
 
-    Set<Kind> pool(String transition) {
+    Set<TokenType> pool(String transition) {
         List<InEdge> edges = before.getOrDefault(transition, List.of());
-        Set<Kind> pool = EnumSet.noneOf(Kind.class);
+        Set<TokenType> pool = EnumSet.noneOf(TokenType.class);
         for (InEdge edge : edges) {
-            Set<Kind> here = EnumSet.noneOf(Kind.class);
+            Set<TokenType> here = EnumSet.noneOf(TokenType.class);
             here.addAll(at(edge.place()));
             edges.stream()
                     .filter(e -> e.place().equals(edge.place()))
                     .flatMap(e -> e.requirements().stream())
-                    .filter(ComingTokens::isAbsence)
+                    .filter(InRequirement::asksForNone)
                     .filter(r -> r.kind() != TokenKind.TASK && r.kind() != TokenKind.RELEVANT) // others may be there
-                    .forEach(r -> here.removeAll(ComingTokens.kinds(r.kind())));
+                    .forEach(r -> here.removeAll(TokenType.of(r.kind())));
             pool.addAll(here);
         }
         return pool;
     }
 
-    Set<Kind> along(OutEdge edge) {
-        Set<Kind> moved = EnumSet.noneOf(Kind.class);
+    Set<TokenType> along(OutEdge edge) {
+        Set<TokenType> moved = EnumSet.noneOf(TokenType.class);
         Transition t = transitions.get(edge.transition());
         if (t != null) {
-            Set<Kind> pool = pool(t.id());
+            Set<TokenType> pool = pool(t.id());
             edge.requirements().stream()
                     .filter(r -> r.action() != Action.CONSUME)
                     .forEach(r -> moved.addAll(moved(r, pool, t)));
@@ -120,10 +120,10 @@ final class PlanTokens {
         return moved;
     }
 
-    private Set<Kind> moved(OutRequirement r, Set<Kind> pool, Transition t) {
-        Set<Kind> moved = EnumSet.noneOf(Kind.class);
+    private Set<TokenType> moved(OutRequirement r, Set<TokenType> pool, Transition t) {
+        Set<TokenType> moved = EnumSet.noneOf(TokenType.class);
         if (MadeTokens.makesGeneric(r)) {
-            moved.add(Kind.GENERIC);
+            moved.add(TokenType.GENERIC);
         } else if (r.kind() == TokenKind.RELEVANT) {
             moved.addAll(r.action() == Action.ADD ? makers.named(t, true) : relevant(t));
             if (r.action() != Action.ADD) {
@@ -138,18 +138,18 @@ final class PlanTokens {
                 }
             }
         } else {
-            moved.addAll(ComingTokens.kinds(r.kind()));
+            moved.addAll(TokenType.of(r.kind()));
             moved.retainAll(pool);
         }
         return moved;
     }
 
     /** The relevant tokens: those that an event can name; a robot's name also speaks of its tasks (R-REL-3). */
-    private Set<Kind> relevant(Transition t) {
-        Set<Kind> relevant = EnumSet.noneOf(Kind.class);
+    private Set<TokenType> relevant(Transition t) {
+        Set<TokenType> relevant = EnumSet.noneOf(TokenType.class);
         relevant.addAll(makers.named(t, true));
-        if (relevant.contains(Kind.PROXY)) {
-            relevant.add(Kind.TASK);
+        if (relevant.contains(TokenType.PROXY)) {
+            relevant.add(TokenType.TASK);
         }
         return relevant;
     }

@@ -47,7 +47,7 @@ public final class BoundedFile {
     public static String text(Path file, long limit) throws IOException {
         byte[] bytes = bytes(file, limit);
         try {
-            return VocabularyFiles.Texts.decode(bytes);
+            return JsonText.decode(bytes);
         } catch (OutOfMemoryError none) {
             throw beyondMemory(file);
         }

@@ -24,7 +24,7 @@ final class DecisionWriter {
         d.automatic().ifPresent(a -> node.set("automatic", InputWriter.answer(a)));
         d.deadlineMillis().ifPresent(at -> node.put("deadlineMillis", at));
         node.put("priority", Words.of(d.priority()));
-        node.set("markups", EffectWriter.markups(d.markups()));
+        node.set("markups", MarkupWriter.write(d.markups()));
         return node;
     }
 

@@ -63,10 +63,7 @@ public record DomainLibrary(
 
     /** Loads a domain from a folder. */
     public static Reading<DomainLibrary> fromFolder(Path folder) {
-        return load(
-                VocabularyFiles.fromFolder(folder),
-                folder.toString(),
-                name -> VocabularyFiles.Texts.read(folder, name));
+        return load(VocabularyFiles.fromFolder(folder), folder.toString(), name -> TextFiles.read(folder, name));
     }
 
     private static Reading<DomainLibrary> load(

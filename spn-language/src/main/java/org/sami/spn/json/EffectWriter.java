@@ -7,7 +7,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.List;
 import java.util.Optional;
-import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Token;
@@ -161,13 +160,7 @@ final class EffectWriter {
             entry.set("task", InputWriter.task(task));
             entry.put("proxy", proxy);
         });
-        node.set("markups", markups(a.markups()));
+        node.set("markups", MarkupWriter.write(a.markups()));
         return node.put("priority", Words.of(a.priority()));
-    }
-
-    static ArrayNode markups(List<MarkupSpec> markups) {
-        ArrayNode array = NODES.arrayNode();
-        markups.forEach(m -> array.addObject().put("type", m.type()).set("options", InputWriter.values(m.options())));
-        return array;
     }
 }

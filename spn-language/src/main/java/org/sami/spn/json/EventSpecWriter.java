@@ -38,8 +38,8 @@ final class EventSpecWriter {
             ObjectNode fields = node.putObject("fields");
             spec.fields().forEach((name, source) -> fields.set(name, source(source, fieldType(type, name))));
         }
-        PlanWriter.putTextMap(node, "writes", spec.writes());
-        PlanWriter.put(node, "markups", spec.markups(), this::markup);
+        OptionalMembers.putTextMap(node, "writes", spec.writes());
+        OptionalMembers.put(node, "markups", spec.markups(), this::markup);
         return node;
     }
 
@@ -49,8 +49,8 @@ final class EventSpecWriter {
         if (!spec.fields().isEmpty()) {
             node.set("fields", fields(spec.fields(), type.fields(), type.name()));
         }
-        PlanWriter.putTextMap(node, "writes", spec.writes());
-        PlanWriter.put(node, "markups", spec.markups(), this::markup);
+        OptionalMembers.putTextMap(node, "writes", spec.writes());
+        OptionalMembers.put(node, "markups", spec.markups(), this::markup);
         return node;
     }
 

@@ -13,6 +13,7 @@ import java.util.Optional;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
@@ -82,7 +83,7 @@ public final class GlobalsFile {
 
     /** The value in the file's form, if a reader of the file would find it there again. */
     private Optional<JsonNode> write(Value value, VariableSpec spec, String pointer, Problems problems) {
-        if (spec.type().accepts(value, vocabulary.types())) {
+        if (TypeCheck.accepts(spec.type(), value, vocabulary.types())) {
             JsonNode node = new ValueWriter(vocabulary.types()).write(value, spec.type());
             Problems unreadable = new Problems();
             if (new ValueReader(vocabulary.types(), unreadable)
@@ -112,7 +113,7 @@ public final class GlobalsFile {
     }
 
     private static Optional<ObjectNode> objectIn(Path file) throws IOException {
-        return VocabularyFiles.Texts.read(file)
+        return TextFiles.read(file)
                 .flatMap(text -> JsonText.parse(text, new Problems()))
                 .filter(ObjectNode.class::isInstance)
                 .map(ObjectNode.class::cast);

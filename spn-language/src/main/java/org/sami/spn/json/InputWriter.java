@@ -141,7 +141,7 @@ final class InputWriter {
     }
 
     static JsonNode task(TaskId task) {
-        return ValueWriter.leaf(task);
+        return SimpleValueWriter.write(task);
     }
 
     private static ObjectNode taskSpec(TaskSpec task) {

@@ -6,6 +6,9 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.SourceLocation;
@@ -35,6 +38,19 @@ final class JsonText {
             problems.add(place(e.getLocation()).map(finding::at).orElse(finding));
             return Optional.empty();
         }
+    }
+
+    /**
+     * The text of a file in UTF-8, without a byte order mark.
+     *
+     * @throws java.nio.charset.CharacterCodingException if it is no UTF-8
+     */
+    static String decode(byte[] bytes) throws IOException {
+        String text = StandardCharsets.UTF_8
+                .newDecoder()
+                .decode(ByteBuffer.wrap(bytes))
+                .toString();
+        return withoutMark(text);
     }
 
     static String withoutMark(String text) {

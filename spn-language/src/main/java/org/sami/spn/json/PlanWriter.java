@@ -3,9 +3,6 @@ package org.sami.spn.json;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.List;
-import java.util.Map;
-import java.util.function.Function;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -42,30 +39,31 @@ final class PlanWriter {
 
     ObjectNode write(Plan plan) {
         ObjectNode node = NODES.objectNode().put("id", plan.id());
-        putText(node, "name", plan.name());
-        putText(node, "description", plan.description());
+        OptionalMembers.putText(node, "name", plan.name());
+        OptionalMembers.putText(node, "description", plan.description());
         if (!plan.variables().isEmpty()) {
-            node.set("variables", ProjectWriter.variables(plan.variables(), vocabulary));
+            node.set("variables", VariableWriter.write(plan.variables(), vocabulary));
         }
-        putTexts(node, "reads", plan.reads());
-        put(node, "tasks", plan.tasks(), this::task);
-        put(node, "places", plan.places(), this::place);
-        put(node, "transitions", plan.transitions(), this::transition);
-        put(node, "inEdges", plan.inEdges(), PlanWriter::inEdge);
-        put(node, "outEdges", plan.outEdges(), PlanWriter::outEdge);
+        OptionalMembers.putTexts(node, "reads", plan.reads());
+        OptionalMembers.put(node, "tasks", plan.tasks(), this::task);
+        OptionalMembers.put(node, "places", plan.places(), this::place);
+        OptionalMembers.put(node, "transitions", plan.transitions(), this::transition);
+        OptionalMembers.put(node, "inEdges", plan.inEdges(), PlanWriter::inEdge);
+        OptionalMembers.put(node, "outEdges", plan.outEdges(), PlanWriter::outEdge);
         if (!plan.layout().isEmpty()) {
             ObjectNode layout = node.putObject("layout");
             plan.layout()
-                    .forEach((id, p) ->
-                            layout.putArray(id).add(ValueWriter.number(p.x())).add(ValueWriter.number(p.y())));
+                    .forEach((id, p) -> layout.putArray(id)
+                            .add(SimpleValueWriter.number(p.x()))
+                            .add(SimpleValueWriter.number(p.y())));
         }
         if (!plan.notes().isEmpty()) {
             ArrayNode notes = node.putArray("notes");
             plan.notes().forEach(note -> note(notes, note));
         }
-        put(node, "frames", plan.frames(), PlanWriter::frame);
+        OptionalMembers.put(node, "frames", plan.frames(), PlanWriter::frame);
         TestCaseWriter cases = new TestCaseWriter(vocabulary, plan, project);
-        put(node, "testCases", plan.testCases(), cases::write);
+        OptionalMembers.put(node, "testCases", plan.testCases(), cases::write);
         return node;
     }
 
@@ -78,21 +76,23 @@ final class PlanWriter {
             notes.addObject()
                     .put("text", note.text())
                     .putArray("at")
-                    .add(ValueWriter.number(at.x()))
-                    .add(ValueWriter.number(at.y()));
+                    .add(SimpleValueWriter.number(at.x()))
+                    .add(SimpleValueWriter.number(at.y()));
         }
     }
 
     private static ObjectNode frame(NetFrame frame) {
         ObjectNode node = NODES.objectNode();
-        putText(node, "title", frame.title());
+        OptionalMembers.putText(node, "title", frame.title());
         if (frame.color() != FrameColor.BLUE) {
             node.put("color", Words.of(frame.color()));
         }
         node.putArray("at")
-                .add(ValueWriter.number(frame.at().x()))
-                .add(ValueWriter.number(frame.at().y()));
-        node.putArray("size").add(ValueWriter.number(frame.width())).add(ValueWriter.number(frame.height()));
+                .add(SimpleValueWriter.number(frame.at().x()))
+                .add(SimpleValueWriter.number(frame.at().y()));
+        node.putArray("size")
+                .add(SimpleValueWriter.number(frame.width()))
+                .add(SimpleValueWriter.number(frame.height()));
         return node;
     }
 
@@ -106,35 +106,35 @@ final class PlanWriter {
 
     private ObjectNode place(Place place) {
         ObjectNode node = NODES.objectNode().put("id", place.id());
-        putText(node, "name", place.name());
-        putFlag(node, "start", place.start());
-        putFlag(node, "end", place.end());
-        putFlag(node, "endsSharedInstance", place.endsSharedInstance());
+        OptionalMembers.putText(node, "name", place.name());
+        OptionalMembers.putFlag(node, "start", place.start());
+        OptionalMembers.putFlag(node, "end", place.end());
+        OptionalMembers.putFlag(node, "endsSharedInstance", place.endsSharedInstance());
         putMode(node, place.mode());
-        put(node, "outputs", place.outputs(), events::output);
-        put(node, "subMissions", place.subMissions(), PlanWriter::subMission);
-        putTexts(node, "transitionOrder", place.transitionOrder());
-        putFlag(node, "disabled", place.disabled());
+        OptionalMembers.put(node, "outputs", place.outputs(), events::output);
+        OptionalMembers.put(node, "subMissions", place.subMissions(), PlanWriter::subMission);
+        OptionalMembers.putTexts(node, "transitionOrder", place.transitionOrder());
+        OptionalMembers.putFlag(node, "disabled", place.disabled());
         return node;
     }
 
     private ObjectNode transition(Transition transition) {
         ObjectNode node = NODES.objectNode().put("id", transition.id());
-        putText(node, "name", transition.name());
+        OptionalMembers.putText(node, "name", transition.name());
         putMode(node, transition.mode());
         if (transition.waitFor() != WaitFor.EACH) {
             node.put("waitFor", Words.of(transition.waitFor()));
         }
-        put(node, "inputs", transition.inputs(), events::input);
-        putFlag(node, "disabled", transition.disabled());
+        OptionalMembers.put(node, "inputs", transition.inputs(), events::input);
+        OptionalMembers.putFlag(node, "disabled", transition.disabled());
         return node;
     }
 
     private static ObjectNode subMission(SubMissionSpec s) {
         ObjectNode node = NODES.objectNode().put("id", s.id()).put("plan", s.plan());
-        putFlag(node, "shared", s.shared());
-        putTextMap(node, "tasks", s.tasks());
-        putTextMap(node, "variables", s.variables());
+        OptionalMembers.putFlag(node, "shared", s.shared());
+        OptionalMembers.putTextMap(node, "tasks", s.tasks());
+        OptionalMembers.putTextMap(node, "variables", s.variables());
         return node;
     }
 
@@ -144,8 +144,8 @@ final class PlanWriter {
                 .put("place", edge.place())
                 .put("transition", edge.transition());
         putMode(node, edge.mode());
-        put(node, "requirements", edge.requirements(), PlanWriter::inRequirement);
-        putFlag(node, "locked", edge.locked());
+        OptionalMembers.put(node, "requirements", edge.requirements(), PlanWriter::inRequirement);
+        OptionalMembers.putFlag(node, "locked", edge.locked());
         return node;
     }
 
@@ -155,8 +155,8 @@ final class PlanWriter {
                 .put("transition", edge.transition())
                 .put("place", edge.place());
         putMode(node, edge.mode());
-        put(node, "requirements", edge.requirements(), PlanWriter::outRequirement);
-        putFlag(node, "locked", edge.locked());
+        OptionalMembers.put(node, "requirements", edge.requirements(), PlanWriter::outRequirement);
+        OptionalMembers.putFlag(node, "locked", edge.locked());
         return node;
     }
 
@@ -170,7 +170,7 @@ final class PlanWriter {
             node.put("n", r.n());
         }
         node.put("kind", Words.of(r.kind()));
-        putText(node, "task", r.task());
+        OptionalMembers.putText(node, "task", r.task());
         return node;
     }
 
@@ -186,46 +186,13 @@ final class PlanWriter {
             node.put("n", r.n());
         }
         node.put("kind", Words.of(r.kind()));
-        putText(node, "task", r.task());
+        OptionalMembers.putText(node, "task", r.task());
         return node;
-    }
-
-    static void putText(ObjectNode node, String member, String text) {
-        if (!text.isEmpty()) {
-            node.put(member, text);
-        }
-    }
-
-    private static void putFlag(ObjectNode node, String member, boolean flag) {
-        if (flag) {
-            node.put(member, true);
-        }
     }
 
     private static void putMode(ObjectNode node, Mode mode) {
         if (mode != Mode.NOMINAL) {
             node.put("mode", Words.of(mode));
-        }
-    }
-
-    static void putTexts(ObjectNode node, String member, List<String> texts) {
-        if (!texts.isEmpty()) {
-            ArrayNode array = node.putArray(member);
-            texts.forEach(array::add);
-        }
-    }
-
-    static void putTextMap(ObjectNode node, String member, Map<String, String> texts) {
-        if (!texts.isEmpty()) {
-            ObjectNode map = node.putObject(member);
-            texts.forEach(map::put);
-        }
-    }
-
-    static <T> void put(ObjectNode node, String member, List<T> items, Function<T, ObjectNode> writer) {
-        if (!items.isEmpty()) {
-            ArrayNode array = node.putArray(member);
-            items.forEach(item -> array.add(writer.apply(item)));
         }
     }
 }

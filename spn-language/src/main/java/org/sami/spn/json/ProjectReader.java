@@ -68,7 +68,7 @@ public final class ProjectReader {
     public Reading<Project> readAndCheck(Path path, Function<Project, List<Finding>> checks) {
         Path file = Files.isDirectory(path) ? path.resolve("project.json") : path;
         Problems problems = new Problems();
-        VocabularyFiles.Source beside = name -> VocabularyFiles.Texts.read(file.resolveSibling(name));
+        VocabularyFiles.Source beside = name -> TextFiles.read(file.resolveSibling(name));
         Optional<String> text = fetch(file, problems);
         return text.map(t -> read(file.toString(), t, beside, checks)).orElseGet(() -> Reading.nothing(problems));
     }
@@ -97,7 +97,7 @@ public final class ProjectReader {
 
     private Optional<String> fetch(Path file, Problems problems) {
         try {
-            Optional<String> text = VocabularyFiles.Texts.read(file);
+            Optional<String> text = TextFiles.read(file);
             if (text.isEmpty()) {
                 problems.add(Codes.FILE, "", "There is no file " + file);
             }

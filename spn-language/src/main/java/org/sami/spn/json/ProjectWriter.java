@@ -18,8 +18,6 @@ import org.sami.spn.model.ImportOrigin;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
-import org.sami.spn.model.VariableSpec;
-import org.sami.spn.value.TypeNames;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -75,7 +73,7 @@ public final class ProjectWriter {
     /** A plan does not hold the JSON Schema that its file names for editors: it is taken over from the file that is replaced. */
     private static ObjectNode withSchemaOf(Path file, ObjectNode plan) throws IOException {
         Optional<JsonNode> before = Files.exists(file)
-                ? VocabularyFiles.Texts.read(file).flatMap(text -> JsonText.parse(text, new Problems()))
+                ? TextFiles.read(file).flatMap(text -> JsonText.parse(text, new Problems()))
                 : Optional.empty();
         return before.map(node -> node.get(ProjectReader.SCHEMA))
                 .filter(JsonNode::isTextual)
@@ -104,10 +102,10 @@ public final class ProjectWriter {
         project.schema().ifPresent(schema -> root.put(ProjectReader.SCHEMA, schema));
         root.put("formatVersion", ProjectReader.FORMAT_VERSION);
         root.put("id", project.id());
-        PlanWriter.putText(root, "name", project.name());
+        OptionalMembers.putText(root, "name", project.name());
         root.put("domain", project.domain());
         if (!project.globals().isEmpty()) {
-            root.set("globals", variables(project.globals(), vocabulary));
+            root.set("globals", VariableWriter.write(project.globals(), vocabulary));
         }
         if (!project.missionTree().isEmpty()) {
             root.set("missionTree", tree(project.missionTree()));
@@ -116,24 +114,14 @@ public final class ProjectWriter {
         return root;
     }
 
-    static ArrayNode variables(List<VariableSpec> variables, Vocabulary vocabulary) {
-        ValueWriter values = new ValueWriter(vocabulary.types());
-        ArrayNode array = NODES.arrayNode();
-        for (VariableSpec v : variables) {
-            ObjectNode node = array.addObject().put("name", v.name()).put("type", TypeNames.of(v.type()));
-            v.initial().ifPresent(i -> node.set("initial", values.write(i, v.type())));
-        }
-        return array;
-    }
-
     private static ObjectNode origin(ImportOrigin origin) {
         ObjectNode node = NODES.objectNode().put("file", origin.file());
         ArrayNode remarks = NODES.arrayNode();
         for (ImportOrigin.Remark r : origin.remarks()) {
             ObjectNode remark = remarks.addObject().put("code", r.code());
-            PlanWriter.putText(remark, "plan", r.plan());
-            PlanWriter.putTexts(remark, "elements", r.elements());
-            PlanWriter.putText(remark, "message", r.message());
+            OptionalMembers.putText(remark, "plan", r.plan());
+            OptionalMembers.putTexts(remark, "elements", r.elements());
+            OptionalMembers.putText(remark, "message", r.message());
         }
         if (!remarks.isEmpty()) {
             node.set("remarks", remarks);
@@ -145,7 +133,7 @@ public final class ProjectWriter {
         ArrayNode array = NODES.arrayNode();
         for (MissionTreeNode n : nodes) {
             ObjectNode node = array.addObject();
-            PlanWriter.putText(node, "label", n.label());
+            OptionalMembers.putText(node, "label", n.label());
             n.plan().ifPresent(p -> node.put("plan", p));
             if (!n.children().isEmpty()) {
                 node.set("children", tree(n.children()));

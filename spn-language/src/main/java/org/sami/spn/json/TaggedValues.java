@@ -57,7 +57,7 @@ final class TaggedValues {
             ArrayNode pairs = tagged.putArray("map");
             v.entries().forEach((key, e) -> pairs.addArray().add(write(key)).add(write(e)));
         } else {
-            tagged.set(tag(value), ValueWriter.leaf(value));
+            tagged.set(tag(value), SimpleValueWriter.write(value));
         }
         return tagged;
     }
@@ -162,11 +162,11 @@ final class TaggedValues {
 
     private Optional<Value> readLeaf(String tag, JsonNode node, String pointer) {
         Optional<ValueType> type = TypeNames.parse(tag);
-        if (type.isEmpty() || !(type.get() instanceof ValueType.Simple) || type.get() == ValueType.Simple.ANY) {
+        if (type.isEmpty() || !(type.get() instanceof ValueType.Simple simple) || simple == ValueType.Simple.ANY) {
             problems.add(Codes.UNKNOWN_TYPE, pointer, "\"" + tag + "\" is no type of a value");
             return Optional.empty();
         }
-        return new ValueReader(Map.of(), problems).read(node, type.get(), pointer);
+        return new SimpleValueReader(problems).read(node, simple, pointer);
     }
 
     private Optional<Value> wrong(JsonNode node, String expected, String pointer) {

@@ -40,7 +40,7 @@ final class TestCaseWriter {
 
     ObjectNode write(TestCase test) {
         ObjectNode node = NODES.objectNode().put("name", test.name());
-        PlanWriter.putTexts(node, "proxies", test.proxies());
+        OptionalMembers.putTexts(node, "proxies", test.proxies());
         test.start().ifPresent(start -> node.set("start", start(start)));
         ArrayNode steps = node.putArray("steps");
         test.steps().forEach(s -> steps.add(step(s)));
@@ -63,21 +63,21 @@ final class TestCaseWriter {
         if (generic > 0) {
             node.put("generic", generic);
         }
-        PlanWriter.putTexts(node, "proxies", proxies);
-        PlanWriter.putTexts(node, "tasks", tasks);
+        OptionalMembers.putTexts(node, "proxies", proxies);
+        OptionalMembers.putTexts(node, "tasks", tasks);
     }
 
     private ObjectNode step(TestStep step) {
         ObjectNode node = NODES.objectNode();
         if (step instanceof TestStep.Answer s) {
             node.put("do", "answer");
-            PlanWriter.putText(node, "event", s.event());
+            OptionalMembers.putText(node, "event", s.event());
             putReply(node, s.event(), s.reply());
         } else if (step instanceof TestStep.Occur s) {
             node.put("do", "occur").put("type", s.type());
-            PlanWriter.putText(node, "answers", s.answers());
-            PlanWriter.putTexts(node, "proxies", s.proxies());
-            PlanWriter.putTexts(node, "tasks", s.tasks());
+            OptionalMembers.putText(node, "answers", s.answers());
+            OptionalMembers.putTexts(node, "proxies", s.proxies());
+            OptionalMembers.putTexts(node, "tasks", s.tasks());
             if (!s.values().isEmpty()) {
                 node.set(
                         "values",
@@ -85,13 +85,13 @@ final class TestCaseWriter {
             }
         } else if (step instanceof TestStep.Press s) {
             node.put("do", "press").put("interrupt", s.interrupt());
-            PlanWriter.putTexts(node, "proxies", s.proxies());
+            OptionalMembers.putTexts(node, "proxies", s.proxies());
         } else if (step instanceof TestStep.Join s) {
             node.put("do", "join").put("proxy", s.proxy());
         } else if (step instanceof TestStep.Drop s) {
             node.put("do", "drop").put("proxy", s.proxy());
         } else if (step instanceof TestStep.Advance s) {
-            node.put("do", "advance").set("by", ValueWriter.leaf(new DurationValue(s.millis())));
+            node.put("do", "advance").set("by", SimpleValueWriter.write(new DurationValue(s.millis())));
         } else if (step instanceof TestStep.ExpectTokens s) {
             node.put("expect", "tokens").put("place", s.place());
             putTokens(node, s.generic(), s.proxies(), s.tasks());

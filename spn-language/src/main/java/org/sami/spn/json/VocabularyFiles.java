@@ -2,8 +2,6 @@ package org.sami.spn.json;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
@@ -41,7 +39,7 @@ public record VocabularyFiles(Map<String, String> texts) {
 
     /** Finds the files in a folder. */
     public static Reading<VocabularyFiles> fromFolder(Path folder) {
-        return load(folder.toString(), name -> Texts.read(folder, name));
+        return load(folder.toString(), name -> TextFiles.read(folder, name));
     }
 
     /** A text by name; empty where there is none. */
@@ -51,7 +49,7 @@ public record VocabularyFiles(Map<String, String> texts) {
 
     static Optional<String> resource(String name) throws IOException {
         try (InputStream in = VocabularyFiles.class.getResourceAsStream(name)) {
-            return in == null ? Optional.empty() : Optional.of(Texts.decode(in.readAllBytes()));
+            return in == null ? Optional.empty() : Optional.of(JsonText.decode(in.readAllBytes()));
         }
     }
 
@@ -118,33 +116,5 @@ public record VocabularyFiles(Map<String, String> texts) {
         return parts[0].isEmpty()
                 || name.indexOf(':') >= 0
                 || Arrays.asList(parts).contains("..");
-    }
-
-    /** Files as text. */
-    static final class Texts {
-        private Texts() {}
-
-        static Optional<String> read(Path file) throws IOException {
-            return Files.isRegularFile(file)
-                    ? Optional.of(decode(BoundedFile.bytes(file, BoundedFile.PROJECT_BYTES)))
-                    : Optional.empty();
-        }
-
-        /** A file of a folder; a symbolic link may lead to another file of it, and nowhere else. */
-        static Optional<String> read(Path folder, String name) throws IOException {
-            Path file = folder.resolve(name);
-            if (Files.isRegularFile(file) && !file.toRealPath().startsWith(folder.toRealPath())) {
-                throw new IOException("a symbolic link leads outside the folder");
-            }
-            return read(file);
-        }
-
-        static String decode(byte[] bytes) throws IOException {
-            String text = StandardCharsets.UTF_8
-                    .newDecoder()
-                    .decode(java.nio.ByteBuffer.wrap(bytes))
-                    .toString();
-            return JsonText.withoutMark(text);
-        }
     }
 }

@@ -38,4 +38,9 @@ public record InRequirement(TokenKind kind, Match match, int n, String task) {
     public static InRequirement allRelevant() {
         return new InRequirement(TokenKind.RELEVANT, Match.ALL, 0, "");
     }
+
+    /** Whether nobody of its kind may be there. */
+    public boolean asksForNone() {
+        return match == Match.ZERO || (match == Match.LESS_THAN && n <= 1) || (match == Match.EXACTLY && n == 0);
+    }
 }

@@ -4,10 +4,15 @@ import java.util.Map;
 import java.util.Objects;
 
 /** Decides whether a value is of a type. */
-final class TypeCheck {
+public final class TypeCheck {
     private TypeCheck() {}
 
-    static boolean accepts(ValueType type, Value value, Map<String, NamedType> declarations) {
+    /**
+     * Whether a value is of a type.
+     *
+     * @param declarations the named types of the vocabulary, by name
+     */
+    public static boolean accepts(ValueType type, Value value, Map<String, NamedType> declarations) {
         if (type instanceof ValueType.Simple simple) {
             return acceptsSimple(simple, value);
         }

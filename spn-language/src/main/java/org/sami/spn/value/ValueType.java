@@ -1,6 +1,5 @@
 package org.sami.spn.value;
 
-import java.util.Map;
 import java.util.Objects;
 
 /** The type of a value. Enumerations and records are named; their declarations stand in the vocabulary. */
@@ -45,14 +44,5 @@ public sealed interface ValueType {
             Objects.requireNonNull(key, "key");
             Objects.requireNonNull(value, "value");
         }
-    }
-
-    /**
-     * Whether a value is of this type.
-     *
-     * @param declarations the named types of the vocabulary, by name
-     */
-    default boolean accepts(Value value, Map<String, NamedType> declarations) {
-        return TypeCheck.accepts(this, value, declarations);
     }
 }

@@ -54,5 +54,15 @@ public enum EventRole {
     /** Input: answer to {@link #GENERATE_TASKS}. */
     TASKS_GENERATED,
     /** Output: applies the task allocation (map from task to proxy) in the field {@code tasks}. */
-    APPLY_ALLOCATION
+    APPLY_ALLOCATION;
+
+    /** Input events whose occurrences are never kept: the transition fires now or refuses them. */
+    public boolean isPress() {
+        return this == ABORT_RECEIVED || this == COMPLETE_RECEIVED || isInterrupt();
+    }
+
+    /** Whether an input event is the press of an interrupt's button. */
+    public boolean isInterrupt() {
+        return this == INTERRUPT || this == GENERAL_INTERRUPT_RECEIVED || this == PROXY_INTERRUPT_RECEIVED;
+    }
 }

@@ -1,16 +1,15 @@
 package org.sami.spn.flow;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.sami.spn.flow.ComingTokens.Kind.GENERIC;
-import static org.sami.spn.flow.ComingTokens.Kind.PROXY;
-import static org.sami.spn.flow.ComingTokens.Kind.TASK;
+import static org.sami.spn.flow.TokenType.GENERIC;
+import static org.sami.spn.flow.TokenType.PROXY;
+import static org.sami.spn.flow.TokenType.TASK;
 
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sami.spn.flow.ComingTokens.Kind;
 import org.sami.spn.model.Plan;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
@@ -18,7 +17,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Which kinds of tokens come where, by the sentences of docs/semantics.md: as little as the rules let come, and nothing less. */
 class ComingTokensTest {
-    private static Set<Kind> in(String place, Plan plan, Plan... others) {
+    private static Set<TokenType> in(String place, Plan plan, Plan... others) {
         Plan[] all = new Plan[others.length + 1];
         all[0] = plan;
         System.arraycopy(others, 0, all, 1, others.length);
@@ -181,7 +180,7 @@ class ComingTokensTest {
 
     // ---- Whom events name
 
-    private static Set<Kind> added(String event) {
+    private static Set<TokenType> added(String event) {
         return in(
                 "on",
                 new NetBuilder("p")

@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.spn.value.NamedType;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
@@ -88,7 +89,9 @@ final class AnyEditor extends ValueEditor {
     }
 
     private Optional<ValueType> typeOf(Value value) {
-        return types.stream().filter(type -> type.accepts(value, declarations)).findFirst();
+        return types.stream()
+                .filter(type -> TypeCheck.accepts(type, value, declarations))
+                .findFirst();
     }
 
     @Override

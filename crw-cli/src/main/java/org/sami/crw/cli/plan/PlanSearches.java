@@ -15,6 +15,7 @@ import org.sami.spn.finding.Severity;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.statespace.DeepCheck;
+import org.sami.spn.statespace.DeepChecks;
 import org.sami.spn.statespace.DeepFinding;
 import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.statespace.DeepResult;
@@ -24,7 +25,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** Searches the plans of a project as DREAMM does by <em>Search deeper</em>, and says what was found. */
 final class PlanSearches {
-    private static final DeepCheck EVERYTHING = DeepCheck.ALL.get(0);
+    private static final DeepCheck EVERYTHING = DeepChecks.ALL.get(0);
 
     private final List<Search> done = new ArrayList<>();
 

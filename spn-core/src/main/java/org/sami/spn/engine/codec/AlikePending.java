@@ -1,21 +1,30 @@
 package org.sami.spn.engine.codec;
 
+import java.util.function.ToIntFunction;
 import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 
 /** Says what a transition has received and keeps, in order where it does not wait for all. */
 final class AlikePending {
-    private final AlikeState state;
+    private final AlikeNames names;
     private final LabelledStructure facts;
     private final AlikeValues values;
+    private final ToIntFunction<Visit> visits;
 
-    AlikePending(AlikeState state, LabelledStructure facts, AlikeValues values) {
-        this.state = state;
+    /**
+     * Says it in facts.
+     *
+     * @param visits says a visit and gives its object
+     */
+    AlikePending(AlikeNames names, LabelledStructure facts, AlikeValues values, ToIntFunction<Visit> visits) {
+        this.names = names;
         this.facts = facts;
         this.values = values;
+        this.visits = visits;
     }
 
     void of(int mission, TransitionState t) {
@@ -33,20 +42,20 @@ final class AlikePending {
     private void pending(int pending, PendingOccurrence p) {
         Occurrence o = p.occurrence;
         facts.fact(o.type() + (p.answered != null) + (p.told != null), pending);
-        o.proxies().forEach(robot -> facts.fact("names", pending, state.robot(robot)));
-        o.tasks().forEach(task -> facts.fact("names", pending, state.task(task)));
+        o.proxies().forEach(robot -> facts.fact("names", pending, names.robot(robot)));
+        o.tasks().forEach(task -> facts.fact("names", pending, names.task(task)));
         values.all("tells", o.values(), pending);
         if (p.visit() != null) {
-            facts.fact("of", pending, state.visit(p.visit()));
+            facts.fact("of", pending, visits.applyAsInt(p.visit()));
         }
         if (p.told != null) {
             facts.fact("told " + p.told.value, pending, facts.object(p.told.instance, "told"));
-            p.told.tokens.forEach(token -> facts.fact("told", pending, state.token(token)));
+            p.told.tokens.forEach(token -> facts.fact("told", pending, names.token(token)));
         }
         for (NamedToken n : p.names) {
-            facts.fact("name " + n.struck + n.stood, pending, state.token(n.token));
+            facts.fact("name " + n.struck + n.stood, pending, names.token(n.token));
             for (Token token : n.tokens) {
-                facts.fact("name of", pending, state.token(n.token), state.token(token));
+                facts.fact("name of", pending, names.token(n.token), names.token(token));
             }
         }
     }

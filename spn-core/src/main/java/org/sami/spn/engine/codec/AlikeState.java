@@ -20,7 +20,6 @@ import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.OutRequirement;
-import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
@@ -35,10 +34,9 @@ import org.sami.spn.value.Value;
  */
 public final class AlikeState {
     private final NetState state;
-    private final Set<String> robots;
     private final LabelledStructure facts = new LabelledStructure();
-    private final AlikeValues values = new AlikeValues(this, facts);
-    private final Map<Plan, Set<String>> spoken = new HashMap<>();
+    private final AlikeNames names;
+    private final AlikeValues values;
     private final Set<Object> said = new HashSet<>();
     private final Map<MissionState, Boolean> ordered = new HashMap<>();
 
@@ -49,9 +47,10 @@ public final class AlikeState {
      */
     public AlikeState(NetState state, Set<String> robots) {
         this.state = state;
-        this.robots = robots;
+        this.names = new AlikeNames(state.missions, robots, facts);
+        this.values = new AlikeValues(names, facts);
         state.missions.values().forEach(this::mission);
-        state.proxies.forEach(robot -> facts.fact("known", robot(robot)));
+        state.proxies.forEach(robot -> facts.fact("known", names.robot(robot)));
         values.all("global", state.globals);
         values.all("memory", state.memory);
         timers();
@@ -69,40 +68,13 @@ public final class AlikeState {
 
     /** States that a robot has a task left, as observers of its tasks know. */
     public void left(String robot, int turn, TaskId task, boolean begun) {
-        facts.fact("left " + turn + begun, robot(robot), task(task));
+        facts.fact("left " + turn + begun, names.robot(robot), names.task(task));
     }
 
     // ---- Who
 
-    int robot(String name) {
-        return facts.object("robot " + name, robots.contains(name) ? "robot" : "robot " + name);
-    }
-
-    int task(TaskId id) {
-        MissionState m = state.missions.get(id.mission());
-        boolean made = m != null && !spokenOf(m.plan.plan).contains(id.name());
-        return facts.object(id, made ? "task" : "task " + id.name() + (m == null ? " of another" : ""));
-    }
-
-    private Set<String> spokenOf(Plan plan) {
-        return spoken.computeIfAbsent(plan, p -> {
-            Set<String> names = new HashSet<>();
-            p.tasks().forEach(t -> names.add(t.name()));
-            p.inEdges().forEach(e -> e.requirements().forEach(r -> names.add(r.task())));
-            p.outEdges().forEach(e -> e.requirements().forEach(r -> names.add(r.task())));
-            return names;
-        });
-    }
-
-    int token(Token token) {
-        if (token instanceof Token.Proxy proxy) {
-            return robot(proxy.proxy());
-        }
-        return token instanceof Token.Task task ? task(task.task()) : facts.object(Token.GENERIC, "generic");
-    }
-
     private void tokens(String what, int of, Collection<Token> tokens) {
-        tokens.forEach(token -> facts.fact(what, of, token(token)));
+        tokens.forEach(token -> facts.fact(what, of, names.token(token)));
     }
 
     private int number(MissionState m) {
@@ -146,25 +118,25 @@ public final class AlikeState {
         }
         for (TransitionState t : m.transitions) {
             if (t != null && t.pending > 0) {
-                new AlikePending(this, facts, values).of(mission, t);
+                new AlikePending(names, facts, values, this::visit).of(mission, t);
             }
         }
         m.tasks.values().forEach(t -> task(mission, t));
     }
 
     private void task(int mission, TaskState t) {
-        int task = task(t.id);
+        int task = names.task(t.id);
         facts.fact("task of class " + t.taskClass, mission, task);
         values.all("field", t.fields, task);
         if (t.original != null) {
-            facts.fact("stands for", task, task(t.original.id));
+            facts.fact("stands for", task, names.task(t.original.id));
         } else if (!t.proxy().isEmpty()) {
-            facts.fact("allocated", task, robot(t.proxy()));
+            facts.fact("allocated", task, names.robot(t.proxy()));
         }
     }
 
     /** A visit, which may have ended, with what was asked in it. */
-    int visit(Visit v) {
+    private int visit(Visit v) {
         int visit = number(v);
         if (!said.add(v)) {
             return visit;
@@ -196,9 +168,11 @@ public final class AlikeState {
         int sent = number(s);
         facts.fact("asked" + s.open, visit, sent);
         values.all("value", s.activation.values(), sent);
-        s.activation.taskValues().forEach((task, of) -> values.all("of task", of, sent, task(task)));
+        s.activation.taskValues().forEach((task, of) -> values.all("of task", of, sent, names.task(task)));
         tokens("asked of", sent, s.activation.tokens());
-        s.activation.allocation().forEach((task, robot) -> facts.fact("asked with", sent, task(task), robot(robot)));
+        s.activation
+                .allocation()
+                .forEach((task, robot) -> facts.fact("asked with", sent, names.task(task), names.robot(robot)));
         if (s.decision != null) {
             decision(sent, s.decision.decision);
         }
@@ -211,7 +185,7 @@ public final class AlikeState {
         List<PlacedToken> entries = place.inOrder();
         for (int i = 0; i < entries.size(); i++) {
             PlacedToken e = entries.get(i);
-            facts.fact("stands " + index + (inOrder ? " " + i : ""), mission, token(e.token), number(e.visit));
+            facts.fact("stands " + index + (inOrder ? " " + i : ""), mission, names.token(e.token), number(e.visit));
         }
         for (SharedRun run : place.shared) {
             facts.fact("shared", mission, number(run.instance));
@@ -223,7 +197,7 @@ public final class AlikeState {
             }
         }
         if (place.lastVisits != null) {
-            place.lastVisits.forEach((token, v) -> facts.fact("last " + index, mission, token(token), visit(v)));
+            place.lastVisits.forEach((token, v) -> facts.fact("last " + index, mission, names.token(token), visit(v)));
         }
     }
 
@@ -249,7 +223,7 @@ public final class AlikeState {
             if (t.token() == null) {
                 facts.fact(what, number(sent));
             } else {
-                facts.fact(what, number(sent), token(t.token()));
+                facts.fact(what, number(sent), names.token(t.token()));
             }
         }
     }
@@ -262,7 +236,7 @@ public final class AlikeState {
         if (d.instance != null) {
             facts.fact("about", asked, number(d.instance));
         }
-        facts.fact("about", asked, robot(d.subject));
+        facts.fact("about", asked, names.robot(d.subject));
         decision(asked, d.decision);
     }
 
@@ -271,7 +245,7 @@ public final class AlikeState {
         Question question = d.question();
         if (question instanceof Question.ChooseProxies choose) {
             facts.fact("chooses " + choose.min() + " to " + choose.max(), asked);
-            choose.proxies().forEach(robot -> facts.fact("offers", asked, robot(robot)));
+            choose.proxies().forEach(robot -> facts.fact("offers", asked, names.robot(robot)));
         } else if (question instanceof Question.ChooseOption choose) {
             facts.fact("options " + choose.options().size(), asked);
             for (int i = 0; i < choose.options().size(); i++) {

@@ -13,11 +13,11 @@ import org.sami.spn.value.Value;
 
 /** Says what values mean in facts about the robots and tasks that they name; of points only that they are there. */
 final class AlikeValues {
-    private final AlikeState state;
+    private final AlikeNames names;
     private final LabelledStructure facts;
 
-    AlikeValues(AlikeState state, LabelledStructure facts) {
-        this.state = state;
+    AlikeValues(AlikeNames names, LabelledStructure facts) {
+        this.names = names;
         this.facts = facts;
     }
 
@@ -27,9 +27,9 @@ final class AlikeValues {
 
     void value(String what, Value value, int... of) {
         if (value instanceof ProxyValue robot) {
-            facts.fact(what, and(of, state.robot(robot.proxy())));
+            facts.fact(what, and(of, names.robot(robot.proxy())));
         } else if (value instanceof TaskId task) {
-            facts.fact(what, and(of, state.task(task)));
+            facts.fact(what, and(of, names.task(task)));
         } else if (value instanceof GeoPoint || value instanceof GeoPath) {
             facts.fact(what + " somewhere", of);
         } else if (value instanceof ListValue list) {
@@ -43,9 +43,9 @@ final class AlikeValues {
             facts.fact(what + " " + map.entries().size(), of);
             map.entries().forEach((key, entry) -> {
                 if (key instanceof ProxyValue robot) {
-                    value(what + " to", entry, and(of, state.robot(robot.proxy())));
+                    value(what + " to", entry, and(of, names.robot(robot.proxy())));
                 } else if (key instanceof TaskId task) {
-                    value(what + " to", entry, and(of, state.task(task)));
+                    value(what + " to", entry, and(of, names.task(task)));
                 } else {
                     value(what + " " + key, entry, of);
                 }

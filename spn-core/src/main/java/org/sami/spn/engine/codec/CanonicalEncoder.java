@@ -10,7 +10,6 @@ import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.RunningTimer;
-import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -102,17 +101,7 @@ public final class CanonicalEncoder {
         out.integer(asked.size());
         for (OpenDecision d : asked) {
             out.text(d.subject);
-            write(d.decision, out);
+            out.content(d.decision);
         }
-    }
-
-    /** A decision without its ids; its deadline is a timer. */
-    static void write(Decision d, ProtocolEncoder out) {
-        out.text(d.type());
-        out.text(d.prompt());
-        out.question(d.question());
-        out.flag(d.automatic().isPresent());
-        d.automatic().ifPresent(out::answer);
-        out.text(d.priority().name());
     }
 }

@@ -128,7 +128,7 @@ final class CanonicalMission {
             out.content(s.activation);
             out.flag(s.decision != null);
             if (s.decision != null) {
-                CanonicalEncoder.write(s.decision.decision, out);
+                out.content(s.decision.decision);
             }
         }
     }
@@ -236,7 +236,7 @@ final class CanonicalMission {
             if (d.instance != null) {
                 reference(d.instance);
             }
-            CanonicalEncoder.write(d.decision, out);
+            out.content(d.decision);
         }
     }
 }

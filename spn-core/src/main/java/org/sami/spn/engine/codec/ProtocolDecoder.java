@@ -1,7 +1,5 @@
 package org.sami.spn.engine.codec;
 
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,72 +20,9 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
 /** Reads what {@link ProtocolEncoder} wrote. */
-public final class ProtocolDecoder {
-    private final ByteBuffer in;
-    private final ValueDecoder values = new ValueDecoder(this);
-
+public final class ProtocolDecoder extends ValueDecoder {
     public ProtocolDecoder(byte[] bytes) {
-        this.in = ByteBuffer.wrap(bytes);
-    }
-
-    public int integer() {
-        return in.getInt();
-    }
-
-    public long number() {
-        return in.getLong();
-    }
-
-    public double real() {
-        return Double.longBitsToDouble(in.getLong());
-    }
-
-    public boolean flag() {
-        return in.get() != 0;
-    }
-
-    public int tag() {
-        return in.get();
-    }
-
-    public String text() {
-        byte[] utf = new byte[size()];
-        in.get(utf);
-        return new String(utf, StandardCharsets.UTF_8);
-    }
-
-    /** A size that the rest of the bytes can hold. */
-    public int size() {
-        int n = integer();
-        if (n < 0 || n > in.remaining()) {
-            throw new IllegalArgumentException("The bytes end before what they announce");
-        }
-        return n;
-    }
-
-    public List<String> texts() {
-        List<String> result = new ArrayList<>();
-        for (int i = size(); i > 0; i--) {
-            result.add(text());
-        }
-        return result;
-    }
-
-    public Value value() {
-        return values.read();
-    }
-
-    public Map<String, Value> values() {
-        Map<String, Value> result = new LinkedHashMap<>();
-        for (int i = size(); i > 0; i--) {
-            String key = text();
-            result.put(key, value());
-        }
-        return result;
-    }
-
-    public Optional<Value> optional() {
-        return flag() ? Optional.of(value()) : Optional.empty();
+        super(bytes);
     }
 
     public Token token() {
@@ -111,14 +46,6 @@ public final class ProtocolDecoder {
         List<TaskId> result = new ArrayList<>();
         for (int i = size(); i > 0; i--) {
             result.add((TaskId) value());
-        }
-        return result;
-    }
-
-    public List<Value> valueList() {
-        List<Value> result = new ArrayList<>();
-        for (int i = size(); i > 0; i--) {
-            result.add(value());
         }
         return result;
     }

@@ -1,15 +1,7 @@
 package org.sami.spn.engine.codec;
 
-import java.io.ByteArrayOutputStream;
-import java.io.DataOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.LongUnaryOperator;
 import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.model.MarkupSpec;
@@ -24,97 +16,19 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
 /** Writes messages and what they are made of. */
-public final class ProtocolEncoder {
-    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    private final DataOutputStream out = new DataOutputStream(bytes);
-    private final ValueEncoder values = new ValueEncoder(this);
-
-    private final LongUnaryOperator missionNumbers;
-    private final boolean sorted;
-
+public final class ProtocolEncoder extends ValueEncoder {
     /** Writes missions by their ids, and maps in their order. */
     public ProtocolEncoder() {
         this(mission -> mission, false);
     }
 
     private ProtocolEncoder(LongUnaryOperator missionNumbers, boolean sorted) {
-        this.missionNumbers = missionNumbers;
-        this.sorted = sorted;
+        super(missionNumbers, sorted);
     }
 
     /** Writes the missions of tasks by other numbers, and values in the order of their names: equal ones have equal bytes. */
     static ProtocolEncoder canonical(LongUnaryOperator missionNumbers) {
         return new ProtocolEncoder(missionNumbers, true);
-    }
-
-    public byte[] bytes() {
-        return bytes.toByteArray();
-    }
-
-    public void integer(int n) {
-        try {
-            out.writeInt(n);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    public void number(long n) {
-        try {
-            out.writeLong(n);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    public void real(double d) {
-        number(Double.doubleToRawLongBits(d));
-    }
-
-    public void flag(boolean b) {
-        tag(b ? 1 : 0);
-    }
-
-    public void tag(int tag) {
-        bytes.write(tag);
-    }
-
-    public void text(String s) {
-        byte[] utf = s.getBytes(StandardCharsets.UTF_8);
-        integer(utf.length);
-        bytes.write(utf, 0, utf.length);
-    }
-
-    public void texts(Collection<String> texts) {
-        integer(texts.size());
-        texts.forEach(this::text);
-    }
-
-    public void value(Value v) {
-        values.write(v);
-    }
-
-    void task(TaskId task) {
-        text(task.name());
-        number(missionNumbers.applyAsLong(task.mission()));
-    }
-
-    public void valueList(List<? extends Value> list) {
-        integer(list.size());
-        list.forEach(this::value);
-    }
-
-    public void values(Map<String, Value> map) {
-        integer(map.size());
-        (sorted ? new TreeMap<>(map) : map).forEach((k, v) -> {
-            text(k);
-            value(v);
-        });
-    }
-
-    public void optional(Optional<Value> v) {
-        flag(v.isPresent());
-        v.ifPresent(this::value);
     }
 
     public void token(Token t) {
@@ -170,6 +84,16 @@ public final class ProtocolEncoder {
         });
     }
 
+    /** What a decision asks, without its ids and its deadline, which is a timer. */
+    void content(Decision d) {
+        text(d.type());
+        text(d.prompt());
+        question(d.question());
+        flag(d.automatic().isPresent());
+        d.automatic().ifPresent(this::answer);
+        text(d.priority().name());
+    }
+
     private void markups(List<MarkupSpec> markups) {
         integer(markups.size());
         for (MarkupSpec m : markups) {
@@ -193,7 +117,7 @@ public final class ProtocolEncoder {
         markups(d.markups());
     }
 
-    void question(Question q) {
+    private void question(Question q) {
         if (q instanceof Question.Approve) {
             tag(0);
         } else if (q instanceof Question.ChooseProxies c) {
@@ -235,7 +159,7 @@ public final class ProtocolEncoder {
         }
     }
 
-    void answer(Answer a) {
+    private void answer(Answer a) {
         if (a instanceof Answer.YesNo y) {
             tag(0);
             flag(y.yes());

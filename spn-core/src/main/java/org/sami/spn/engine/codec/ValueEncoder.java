@@ -1,6 +1,16 @@
 package org.sami.spn.engine.codec;
 
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Collection;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.LongUnaryOperator;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.EnumValue;
@@ -19,87 +29,163 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.VariableReference;
 
-/** Writes values: a tag for the kind, then what it holds. The tags are those of {@link ValueDecoder}. */
-public final class ValueEncoder {
-    private final ProtocolEncoder out;
+/** Writes numbers, texts and values: of a value a tag for its kind, then what it holds. The tags are those of {@link ValueDecoder}. */
+public class ValueEncoder {
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    private final DataOutputStream out = new DataOutputStream(bytes);
+    private final LongUnaryOperator missionNumbers;
+    private final boolean sorted;
 
-    public ValueEncoder(ProtocolEncoder out) {
-        this.out = out;
+    /**
+     * Writes to the bytes that {@link #bytes} gives.
+     *
+     * @param missionNumbers what is written for the id of a task's mission
+     * @param sorted whether named values are written in the order of their names
+     */
+    ValueEncoder(LongUnaryOperator missionNumbers, boolean sorted) {
+        this.missionNumbers = missionNumbers;
+        this.sorted = sorted;
     }
 
-    public void write(Value v) {
+    public byte[] bytes() {
+        return bytes.toByteArray();
+    }
+
+    public void integer(int n) {
+        try {
+            out.writeInt(n);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    public void number(long n) {
+        try {
+            out.writeLong(n);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    public void real(double d) {
+        number(Double.doubleToRawLongBits(d));
+    }
+
+    public void flag(boolean b) {
+        tag(b ? 1 : 0);
+    }
+
+    public void tag(int tag) {
+        bytes.write(tag);
+    }
+
+    public void text(String s) {
+        byte[] utf = s.getBytes(StandardCharsets.UTF_8);
+        integer(utf.length);
+        bytes.write(utf, 0, utf.length);
+    }
+
+    public void texts(Collection<String> texts) {
+        integer(texts.size());
+        texts.forEach(this::text);
+    }
+
+    void task(TaskId task) {
+        text(task.name());
+        number(missionNumbers.applyAsLong(task.mission()));
+    }
+
+    public void valueList(List<? extends Value> list) {
+        integer(list.size());
+        list.forEach(this::value);
+    }
+
+    public void values(Map<String, Value> map) {
+        integer(map.size());
+        (sorted ? new TreeMap<>(map) : map).forEach((k, v) -> {
+            text(k);
+            value(v);
+        });
+    }
+
+    public void optional(Optional<Value> v) {
+        flag(v.isPresent());
+        v.ifPresent(this::value);
+    }
+
+    public void value(Value v) {
         if (v instanceof BooleanValue b) {
-            out.tag(0);
-            out.flag(b.value());
+            tag(0);
+            flag(b.value());
         } else if (v instanceof IntegerValue i) {
-            out.tag(1);
-            out.number(i.value());
+            tag(1);
+            number(i.value());
         } else if (v instanceof RealValue r) {
-            out.tag(2);
-            out.real(r.value());
+            tag(2);
+            real(r.value());
         } else if (v instanceof TextValue t) {
-            text(3, t.value());
+            taggedText(3, t.value());
         } else if (v instanceof DurationValue d) {
-            out.tag(4);
-            out.number(d.millis());
+            tag(4);
+            number(d.millis());
         } else if (v instanceof EnumValue e) {
-            text(5, e.type());
-            out.text(e.constant());
+            taggedText(5, e.type());
+            text(e.constant());
         } else if (v instanceof RecordValue r) {
-            text(6, r.type());
-            out.values(r.fields());
+            taggedText(6, r.type());
+            values(r.fields());
         } else if (v instanceof ListValue l) {
-            out.tag(7);
-            out.valueList(l.items());
+            tag(7);
+            valueList(l.items());
         } else if (v instanceof MapValue m) {
-            out.tag(8);
-            out.integer(m.entries().size());
-            m.entries().forEach((key, value) -> {
-                write(key);
-                write(value);
+            tag(8);
+            integer(m.entries().size());
+            m.entries().forEach((key, entry) -> {
+                value(key);
+                value(entry);
             });
         } else {
-            writeNamed(v);
+            named(v);
         }
     }
 
-    private void writeNamed(Value v) {
+    private void named(Value v) {
         if (v instanceof ProxyValue p) {
-            text(9, p.proxy());
+            taggedText(9, p.proxy());
         } else if (v instanceof TaskId t) {
-            out.tag(10);
-            out.task(t);
+            tag(10);
+            task(t);
         } else if (v instanceof GeoPoint p) {
-            out.tag(11);
+            tag(11);
             point(p);
         } else if (v instanceof GeoPath p) {
-            out.tag(12);
+            tag(12);
             points(p.points());
         } else if (v instanceof GeoArea a) {
-            out.tag(13);
+            tag(13);
             points(a.outline());
-            out.integer(a.holes().size());
+            integer(a.holes().size());
             a.holes().forEach(this::points);
         } else if (v instanceof VariableReference r) {
-            text(14, r.variable());
+            taggedText(14, r.variable());
         } else if (v instanceof PlanReference r) {
-            text(15, r.plan());
+            taggedText(15, r.plan());
         }
     }
 
-    private void text(int tag, String text) {
-        out.tag(tag);
-        out.text(text);
+    private void taggedText(int tag, String text) {
+        tag(tag);
+        text(text);
     }
 
     private void points(List<GeoPoint> points) {
-        out.integer(points.size());
+        integer(points.size());
         points.forEach(this::point);
     }
 
     private void point(GeoPoint p) {
-        out.real(p.latDeg());
-        out.real(p.lonDeg());
-        out.real(p.altM());
+        real(p.latDeg());
+        real(p.lonDeg());
+        real(p.altM());
     }
 }

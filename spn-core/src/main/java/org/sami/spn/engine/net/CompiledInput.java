@@ -8,7 +8,6 @@ import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
-import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Reserved;
 
 /** One input event of a transition. */
@@ -23,11 +22,11 @@ public final class CompiledInput {
     /** The plan whose sub-missions' returns are checked; null where those of any are. */
     private final String checkedPlan;
 
-    public CompiledInput(CompiledProject project, int index, InputEventSpec spec) {
+    CompiledInput(int index, InputEventSpec spec, int typeId, EventRole role) {
         this.index = index;
         this.spec = spec;
-        this.typeId = project.typeId(spec.type());
-        this.role = project.vocabulary.event(spec.type()).map(EventType::role).orElse(EventRole.NONE);
+        this.typeId = typeId;
+        this.role = role;
         this.writes = List.copyOf(spec.writes().entrySet());
         String field = role == EventRole.CHECK_RETURN ? Reserved.VALUE : Reserved.INTERRUPT_NAME;
         this.selector = Optional.ofNullable(spec.fields().get(field))
@@ -45,7 +44,7 @@ public final class CompiledInput {
 
     /** Occurrences that are never kept: the transition fires now or refuses them. */
     public boolean isPress() {
-        return isPress(role);
+        return role.isPress();
     }
 
     /** Whether it waits for a return of that value from a sub-mission of that plan. */
@@ -53,20 +52,5 @@ public final class CompiledInput {
         return role == EventRole.CHECK_RETURN
                 && returnValue.equals(selector)
                 && (checkedPlan == null || checkedPlan.equals(plan));
-    }
-
-    public static boolean isPress(EventRole role) {
-        return switch (role) {
-            case ABORT_RECEIVED, COMPLETE_RECEIVED -> true;
-            default -> isInterrupt(role);
-        };
-    }
-
-    /** Whether it is the press of a button. */
-    public static boolean isInterrupt(EventRole role) {
-        return switch (role) {
-            case INTERRUPT, GENERAL_INTERRUPT_RECEIVED, PROXY_INTERRUPT_RECEIVED -> true;
-            default -> false;
-        };
     }
 }

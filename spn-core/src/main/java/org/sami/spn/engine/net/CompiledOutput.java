@@ -18,6 +18,7 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Reserved;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** One output event of a place, with its markups read. */
 public final class CompiledOutput {
@@ -45,24 +46,25 @@ public final class CompiledOutput {
     /** Fields whose value is resolved at entry. */
     public final Map<String, FieldSource> resolved = new LinkedHashMap<>();
 
-    public CompiledOutput(CompiledProject project, OutputEventSpec spec) {
+    public CompiledOutput(Vocabulary vocabulary, OutputEventSpec spec) {
         this.spec = spec;
-        this.type = project.vocabulary.event(spec.type());
+        this.type = vocabulary.event(spec.type());
         this.typeName = type.map(EventType::name).orElse(spec.type());
         this.role = type.map(EventType::role).orElse(EventRole.NONE);
         this.decision = type.flatMap(EventType::decision).orElse(null);
         type.ifPresent(t -> t.fields().forEach(f -> f.defaultValue().ifPresent(v -> fixed.put(f.name(), v))));
         spec.fields().forEach(this::addSource);
         this.priority = readPriority();
-        Optional<MarkupSpec> mixed = markup(project, Reserved.MIXED_INITIATIVE_TRIGGER);
+        Optional<MarkupSpec> mixed = markup(vocabulary, Reserved.MIXED_INITIATIVE_TRIGGER);
         this.trigger = mixed.flatMap(m -> m.option(Reserved.TRIGGER))
                 .map(CompiledOutput::readTrigger)
                 .orElse(Trigger.NEVER);
         this.timeoutMillis = mixed.flatMap(m -> m.option(Reserved.TIMEOUT))
                 .map(v -> v instanceof DurationValue d ? d.millis() : 0L)
                 .orElse(0L);
-        this.filters = markups(project, Reserved.FILTER).map(this::readFilter).toList();
-        this.selectsNobody = markups(project, Reserved.DEFAULT_SELECTION)
+        this.filters =
+                markups(vocabulary, Reserved.FILTER).map(this::readFilter).toList();
+        this.selectsNobody = markups(vocabulary, Reserved.DEFAULT_SELECTION)
                 .reduce((first, second) -> second)
                 .flatMap(m -> m.option(Reserved.SELECTION))
                 .filter(value -> constant(value).equals(Reserved.NONE))
@@ -109,13 +111,13 @@ public final class CompiledOutput {
         return Priority.MEDIUM;
     }
 
-    private Optional<MarkupSpec> markup(CompiledProject project, String name) {
-        return markups(project, name).findFirst();
+    private Optional<MarkupSpec> markup(Vocabulary vocabulary, String name) {
+        return markups(vocabulary, name).findFirst();
     }
 
-    private Stream<MarkupSpec> markups(CompiledProject project, String name) {
+    private Stream<MarkupSpec> markups(Vocabulary vocabulary, String name) {
         return spec.markups().stream()
-                .filter(m -> project.vocabulary
+                .filter(m -> vocabulary
                         .markup(m.type())
                         .map(t -> t.name().equals(name))
                         .orElse(m.type().equals(name)));

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** A place with its out-transitions in the order in which they are looked at. */
 public final class CompiledPlace {
@@ -22,12 +23,12 @@ public final class CompiledPlace {
     /** Whether an answer to an ended visit can still be for a transition: one of them has another in place. */
     public boolean answersOutliveVisits;
 
-    public CompiledPlace(CompiledProject project, int index, Place place) {
+    public CompiledPlace(Vocabulary vocabulary, int index, Place place) {
         this.index = index;
         this.place = place;
         this.inMoves = Optional.of(place.id());
         this.outputs = place.outputs().stream()
-                .map(o -> new CompiledOutput(project, o))
+                .map(o -> new CompiledOutput(vocabulary, o))
                 .toArray(CompiledOutput[]::new);
         place.subMissions().forEach(s -> (s.shared() ? shared : dynamic).add(s));
     }

@@ -10,12 +10,15 @@ import java.util.Set;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
 
 /** One plan in index form. */
 public final class CompiledPlan {
@@ -47,7 +50,7 @@ public final class CompiledPlan {
         for (int i = 0; i < plan.places().size(); i++) {
             byId.put(
                     plan.places().get(i).id(),
-                    new CompiledPlace(project, i, plan.places().get(i)));
+                    new CompiledPlace(project.vocabulary, i, plan.places().get(i)));
         }
         places = byId.values().toArray(CompiledPlace[]::new);
         transitions = new CompiledTransition[plan.transitions().size()];
@@ -79,7 +82,10 @@ public final class CompiledPlan {
             CompiledProject project, int index, Transition transition, Map<String, CompiledPlace> places) {
         CompiledInput[] inputs = new CompiledInput[transition.inputs().size()];
         for (int i = 0; i < inputs.length; i++) {
-            inputs[i] = new CompiledInput(project, i, transition.inputs().get(i));
+            InputEventSpec spec = transition.inputs().get(i);
+            EventRole role =
+                    project.vocabulary.event(spec.type()).map(EventType::role).orElse(EventRole.NONE);
+            inputs[i] = new CompiledInput(i, spec, project.typeId(spec.type()), role);
         }
         List<CompiledTransition.In> ins = new ArrayList<>();
         for (InEdge edge : plan.inEdgesOf(transition.id())) {

@@ -13,7 +13,7 @@ public enum Reach {
 
     /** How far an input event lets a firing reach. */
     public static Reach of(EventRole role) {
-        if (CompiledInput.isPress(role)) {
+        if (role.isPress()) {
             return ALL;
         }
         return role == EventRole.SUB_MISSION_ABORTED ? ABORTED : FREE;

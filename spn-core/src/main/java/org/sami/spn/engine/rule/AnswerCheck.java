@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -85,7 +86,7 @@ public final class AnswerCheck {
             if (item == null) {
                 return Optional.of("'" + e.getKey() + "' was not asked");
             }
-            if (!item.type().accepts(e.getValue(), vocabulary.types())) {
+            if (!TypeCheck.accepts(item.type(), e.getValue(), vocabulary.types())) {
                 return Optional.of("'" + e.getKey() + "' needs a value of type " + TypeNames.of(item.type()) + ", not "
                         + e.getValue());
             }

@@ -60,7 +60,8 @@ public final class MissionStart {
             return wrong;
         }
         if (marking.isPresent()) {
-            wrong = marking.get().wrong(plan.plan, rules.state.proxies).or(parameters::takeDefaults);
+            wrong = StartMarkingCheck.problem(marking.get(), plan.plan, rules.state.proxies)
+                    .or(parameters::takeDefaults);
             if (wrong.isPresent()) {
                 return wrong;
             }

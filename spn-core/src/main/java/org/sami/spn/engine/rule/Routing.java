@@ -230,7 +230,7 @@ public final class Routing {
         if (input.role == EventRole.CHECK_RETURN) {
             return selected(input, o, Reserved.VALUE);
         }
-        return !CompiledInput.isPress(input.role) || selected(input, o, Reserved.INTERRUPT_NAME);
+        return !input.role.isPress() || selected(input, o, Reserved.INTERRUPT_NAME);
     }
 
     private static boolean selected(CompiledInput input, Occurrence o, String field) {
@@ -294,7 +294,7 @@ public final class Routing {
             return;
         }
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();
-        if (type != null && CompiledInput.isInterrupt(type.role())) {
+        if (type != null && type.role().isInterrupt()) {
             rules.interrupts.untaken(o);
         } else if (fate.namesNobody && !fate.onlyGone.isEmpty()) {
             String who = SubMissions.words(List.copyOf(fate.onlyGone));

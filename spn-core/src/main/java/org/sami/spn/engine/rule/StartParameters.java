@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.sami.spn.engine.net.CompiledPlan;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
@@ -78,7 +79,7 @@ final class StartParameters {
         if (!f.source().editable()) {
             return Optional.of("The parameter '" + key + "' is locked");
         }
-        if (!typeOf(f).accepts(value, rules.project().vocabulary.types())) {
+        if (!TypeCheck.accepts(typeOf(f), value, rules.project().vocabulary.types())) {
             return Optional.of("The parameter '" + key + "' cannot be " + value + ": it is of another type");
         }
         given.put(f.key(), value);

@@ -10,6 +10,7 @@ import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.value.TypeCheck;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
@@ -82,7 +83,8 @@ public final class Variables {
         return declaredInScope(mission).keySet().stream()
                 .map(name -> read(mission, name))
                 .filter(value -> value != null
-                        && type.accepts(value, rules.project().vocabulary.types()))
+                        && TypeCheck.accepts(
+                                type, value, rules.project().vocabulary.types()))
                 .distinct()
                 .toList();
     }
@@ -98,7 +100,8 @@ public final class Variables {
 
     public boolean fits(VariableSpec declaration, Value value) {
         return declaration == null
-                || declaration.type().accepts(value, rules.project().vocabulary.types());
+                || TypeCheck.accepts(
+                        declaration.type(), value, rules.project().vocabulary.types());
     }
 
     private Place place(MissionState mission, String variable) {
