@@ -115,7 +115,16 @@ enum SamiModule {
             "crw-sim",
             162,
             List.of("org.sami.crw.sim.."),
-            List.of(CRW_REPORT, CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, BOAT_SERVER, BOAT_LINK, SPN_CORE, SPN_LANGUAGE)),
+            List.of(
+                    CRW_REPORT,
+                    CRW_SESSION,
+                    CRW_DOMAIN,
+                    CRW_SERVICES,
+                    BOAT_HULL,
+                    BOAT_SERVER,
+                    BOAT_LINK,
+                    SPN_CORE,
+                    SPN_LANGUAGE)),
     /** The command crw. */
     CRW_CLI(
             "crw-cli",

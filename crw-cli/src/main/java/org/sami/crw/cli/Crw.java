@@ -1,6 +1,7 @@
 package org.sami.crw.cli;
 
 import java.util.Map;
+import org.sami.crw.cli.board.BoardCommand;
 import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.lesson.GradeCommand;
 import org.sami.crw.cli.lesson.LessonsCommand;
@@ -68,6 +69,7 @@ import picocli.CommandLine.Spec;
             ExportCommand.class,
             DemoCommand.class,
             BoatServerCommand.class,
+            BoardCommand.class,
             StopCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,

@@ -7,12 +7,15 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatDefaults;
-import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.cli.board.HullOptions;
+import org.sami.crw.cli.board.RealBoatRun;
 import org.sami.crw.cli.option.ConditionsOptions;
 import org.sami.crw.cli.option.PositionConverter;
 import org.sami.crw.cli.output.ExitCode;
@@ -24,22 +27,25 @@ import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
-/** {@code crw boat}: one simulated boat that is reached over TCP, until it is stopped. */
+/** {@code crw boat}: one boat, simulated or real, that is reached over TCP, until it is stopped. */
 @Command(
         name = "boat",
         mixinStandardHelpOptions = true,
         description =
-                "Runs one simulated boat: its server listens on a TCP port of this machine, its hull moves in real time. "
+                "Runs one boat: its server listens on a TCP port of this machine. Its hull is simulated and moves in real time, "
+                        + "or, with --board and --gps, a real one. "
                         + "Runs until Ctrl-C or a signal ends it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:its standard input has ended (--while-input)",
             "2:wrong usage",
-            "4:its port or its log is not available",
+            "4:its port, its log, its board or its GPS is not available",
             "130:stopped by Ctrl-C",
             "143:stopped by a signal"
         },
@@ -47,9 +53,21 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw boat --port 5001 --name anna --at 45.4,10.9",
             "  crw boat --port 5001 --name anna --at 45.4,10.9 --log boats   go on with its log after a restart",
-            "  crw boat --port 5001 --name anna --at 45.4,10.9 --gps-noise 1 --current 0.3@90 --sensor temperature"
+            "  crw boat --port 5001 --name anna --at 45.4,10.9 --gps-noise 1 --current 0.3@90 --sensor temperature",
+            "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --gps gpsd --hull anna.json   a real boat"
         })
 public final class BoatServerCommand implements Callable<Integer> {
+    private static final Set<String> OF_REAL_BOATS = Set.of(
+            "--port",
+            "--name",
+            "--lost-link",
+            "--log",
+            "--bind",
+            "--while-input",
+            "--board",
+            "--gps",
+            "--hull",
+            "--declination");
     private static final int MAX_PORT = 65_535;
     private static final double MOST_TOP_SPEED_MPS = 20;
 
@@ -72,11 +90,10 @@ public final class BoatServerCommand implements Callable<Integer> {
 
     @Option(
             names = "--at",
-            required = true,
             paramLabel = "LAT,LON",
             converter = PositionConverter.class,
-            description = "Where it lies at the start, in degrees (WGS 84).")
-    private GeoPoint at;
+            description = "Where a simulated boat lies at the start, in degrees (WGS 84).")
+    private @Nullable GeoPoint at;
 
     @Option(
             names = "--seed",
@@ -101,6 +118,9 @@ public final class BoatServerCommand implements Callable<Integer> {
 
     @Mixin
     private ConditionsOptions conditions;
+
+    @Mixin
+    private HullOptions hullOptions;
 
     @Option(
             names = "--field-seed",
@@ -142,28 +162,56 @@ public final class BoatServerCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        checkPort();
+        if (hullOptions.isReal()) {
+            return drive();
+        }
+        hullOptions.refuseWithoutBoard();
         BoatSettings settings = settings();
         PrintWriter out = spec.commandLine().getOut();
         try (StopOnInterrupt stop = new StopOnInterrupt();
                 BoatOnTcp boat = new BoatOnTcp(settings, SteadyClock.ofThisMachine(), new Console())) {
-            InetSocketAddress address = boat.address();
-            out.printf("%s listens on %s:%d%n", name, address.getAddress().getHostAddress(), address.getPort());
-            if (boat.restored() > 0) {
-                out.printf("%s goes on with its log: %d commands; it does not move%n", name, boat.restored());
-            }
-            out.flush();
-            warnOfDamage(boat.unreadLogLines());
-            warnOfStrangers(address);
-            if (whileInput) {
-                awaitEndOfInput();
-            } else {
-                new CountDownLatch(1).await(); // until somebody stops the process
-            }
+            new Console().listening(boat.address(), boat.restored(), boat.unreadLogLines());
+            awaitEnd();
         } catch (InterruptedException e) {
             out.printf("%s stops%n", name);
             out.flush();
         }
         return ExitCode.OK;
+    }
+
+    /** A real boat: its board and its GPS. */
+    private int drive() throws IOException {
+        ParseResult given = spec.commandLine().getParseResult();
+        for (OptionSpec option : given.matchedOptions()) {
+            if (!OF_REAL_BOATS.contains(option.longestName())) {
+                throw new ParameterException(
+                        spec.commandLine(), option.longestName() + " is for a simulated boat, not for one with --board");
+            }
+        }
+        try {
+            BoatSettings.checkName(name);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            RealBoatRun run =
+                    new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, Optional.ofNullable(log));
+            run.run(hullOptions, spec.commandLine().getOut(), new Console(), this::awaitEnd);
+        } catch (InterruptedException e) {
+            spec.commandLine().getOut().printf("%s stops%n", name);
+            spec.commandLine().getOut().flush();
+        }
+        return ExitCode.OK;
+    }
+
+    /** Until somebody stops the process, or its input ends. */
+    private void awaitEnd() throws InterruptedException {
+        if (whileInput) {
+            awaitEndOfInput();
+        } else {
+            new CountDownLatch(1).await();
+        }
     }
 
     /** The wait for input cannot be interrupted: a thread of its own has it. */
@@ -201,9 +249,16 @@ public final class BoatServerCommand implements Callable<Integer> {
         }
     }
 
-    private BoatSettings settings() {
+    private void checkPort() {
         if (port < 0 || port > MAX_PORT) {
             throw new ParameterException(spec.commandLine(), "--port: " + port + " is not in 0 to " + MAX_PORT);
+        }
+    }
+
+    private BoatSettings settings() {
+        if (at == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "a simulated boat needs --at, a real one --board and --gps");
         }
         try {
             return new BoatSettings(
@@ -231,8 +286,20 @@ public final class BoatServerCommand implements Callable<Integer> {
     }
 
     /** Says on standard error who comes and goes. */
-    private final class Console implements TcpServerListener {
+    private final class Console implements RealBoatRun.Console {
         private final PrintWriter err = spec.commandLine().getErr();
+
+        @Override
+        public void listening(InetSocketAddress address, int restored, int unreadLogLines) {
+            PrintWriter out = spec.commandLine().getOut();
+            out.printf("%s listens on %s:%d%n", name, address.getAddress().getHostAddress(), address.getPort());
+            if (restored > 0) {
+                out.printf("%s goes on with its log: %d commands; it does not move%n", name, restored);
+            }
+            out.flush();
+            warnOfDamage(unreadLogLines);
+            warnOfStrangers(address);
+        }
 
         @Override
         public void connected(String client) {
@@ -249,7 +316,8 @@ public final class BoatServerCommand implements Callable<Integer> {
             say(what + ": " + cause);
         }
 
-        private void say(String text) {
+        @Override
+        public void say(String text) {
             synchronized (err) {
                 err.println(name + ": " + text);
                 err.flush();

@@ -37,10 +37,7 @@ public record BoatSettings(
 
     /** Refuses a name that cannot name a file, and a charge that is none. */
     public BoatSettings {
-        if (!name.matches("[A-Za-z0-9._-]{1,100}") || name.startsWith(".")) {
-            throw new IllegalArgumentException("a boat cannot be named '" + name
-                    + "': letters, digits, dots, hyphens and underscores, at most 100, not beginning with a dot");
-        }
+        checkName(name);
         Objects.requireNonNull(address, "address");
         Objects.requireNonNull(at, "at");
         Objects.requireNonNull(hull, "hull");
@@ -49,6 +46,14 @@ public record BoatSettings(
         Objects.requireNonNull(logFolder, "logFolder");
         if (!(batteryPercent >= 0 && batteryPercent <= 100)) {
             throw new IllegalArgumentException("a charge of " + batteryPercent + " %");
+        }
+    }
+
+    /** Refuses a name that cannot name a file. */
+    public static void checkName(String name) {
+        if (!name.matches("[A-Za-z0-9._-]{1,100}") || name.startsWith(".")) {
+            throw new IllegalArgumentException("a boat cannot be named '" + name
+                    + "': letters, digits, dots, hyphens and underscores, at most 100, not beginning with a dot");
         }
     }
 

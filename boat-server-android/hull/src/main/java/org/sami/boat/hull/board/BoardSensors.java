@@ -44,7 +44,8 @@ final class BoardSensors {
     boolean take(String type, String data) {
         switch (type) {
             case "es2":
-                return put("es2 conductivity", word(data, 0)) & put("es2 temperature", word(data, 1)); // one bad value spares the other
+                boolean alone = data.trim().indexOf(' ') < 0; // without a thermometer
+                return put("es2 conductivity", word(data, 0)) & (alone || put("es2 temperature", word(data, 1)));
             case "atlas_do":
                 return put("atlas_do oxygen", word(data, 0));
             case "atlas_ph":

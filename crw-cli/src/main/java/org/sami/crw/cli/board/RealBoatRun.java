@@ -1,0 +1,90 @@
+package org.sami.crw.cli.board;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.sami.boat.hull.host.HullBoat;
+import org.sami.boat.hull.settings.HullSettings;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+
+/**
+ * Runs a real boat until it is stopped.
+ *
+ * @param name the boat's name
+ * @param address where its server listens
+ * @param lostLink what it does when the link is lost
+ * @param logFolder where its log is
+ */
+public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFolder) {
+
+    /** Waits until the run is to end. */
+    public interface Waiter {
+        /** Waits. */
+        void await() throws InterruptedException;
+    }
+
+    /** What the server of the boat tells, and what else happens to it. */
+    public interface Console extends TcpServerListener {
+        /** Says something about the boat. */
+        void say(String text);
+
+        /** Warns of what a new server stands for. */
+        void listening(InetSocketAddress address, int restored, int unreadLogLines);
+    }
+
+    /**
+     * Opens board and GPS, waits for a position, and serves.
+     *
+     * @throws IOException that says what cannot be had, and what to do
+     */
+    public void run(HullOptions options, PrintWriter out, Console console, Waiter waiter)
+            throws IOException, InterruptedException {
+        DevicePort board = options.board();
+        DevicePort gps = options.gps();
+        HullSettings hull = options.hull();
+        double declinationRad = options.declinationRad();
+        SteadyClock clock = SteadyClock.ofThisMachine();
+        try (HullBoat boat =
+                new HullBoat(name, hull, board.port(), gps.port(), gps.gpsd(), clock, console::say)) {
+            open("--board", board, boat::openBoard);
+            open("--gps", gps, boat::openGps);
+            if (!Double.isNaN(declinationRad)) {
+                boat.gps().setDeclination(declinationRad);
+            }
+            if (!hull.motorsChecked()) {
+                console.say("its motors are not marked as checked in --hull: look that they push the right way");
+            }
+            out.printf("%s waits for a position%n", name);
+            out.flush();
+            boat.awaitPosition();
+            Optional<Path> log = logFolder.map(folder -> folder.resolve(name + ".log"));
+            boat.serve(address, lostLink, log, console);
+            console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
+            waiter.await();
+        }
+    }
+
+    private interface Opening {
+        void open() throws IOException;
+    }
+
+    private static void open(String option, DevicePort device, Opening opening) throws IOException {
+        try {
+            opening.open();
+        } catch (IOException e) {
+            String what = device.port().name() + " (" + option + "): " + e.getMessage();
+            throw new IOException(what + "; " + advice(device), e);
+        }
+    }
+
+    private static String advice(DevicePort device) {
+        if (device.serial()) {
+            return "plug it in and name its port (" + SerialStreamPort.present() + ")";
+        }
+        return device.gpsd() ? "start gpsd, or name where it runs" : "start what listens there, or name another port";
+    }
+}
