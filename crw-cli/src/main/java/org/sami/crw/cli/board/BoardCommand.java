@@ -75,9 +75,7 @@ public final class BoardCommand implements Callable<Integer> {
             description = "The hull: differential (a motor on each side) or rudder (default ${DEFAULT-VALUE}).")
     private HullKind kind;
 
-    @Option(
-            names = "--no-compass",
-            description = "Its receiver sends no headings.")
+    @Option(names = "--no-compass", description = "Its receiver sends no headings.")
     private boolean noCompass;
 
     @Option(

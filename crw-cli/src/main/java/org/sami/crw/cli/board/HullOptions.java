@@ -39,8 +39,9 @@ public final class HullOptions {
     @Option(
             names = "--hull",
             paramLabel = "FILE",
-            description = "The settings of the hull: kind, safe maximum, trim, reversed motors, battery (docs/board.md). "
-                    + "Without it: two motors, 70 %% of full thrust.")
+            description =
+                    "The settings of the hull: kind, safe maximum, trim, reversed motors, battery (docs/board.md). "
+                            + "Without it: two motors, 70 %% of full thrust.")
     private @Nullable Path hull;
 
     @Option(
@@ -70,8 +71,7 @@ public final class HullOptions {
         return port("--gps", gps, text -> DevicePort.gps(text, GPS_BAUD));
     }
 
-    private DevicePort port(
-            String option, @Nullable String text, Function<String, DevicePort> reader) {
+    private DevicePort port(String option, @Nullable String text, Function<String, DevicePort> reader) {
         if (text == null) {
             throw unfit("a real boat needs its GPS: give --gps, a port, HOST:PORT or gpsd");
         }

@@ -48,8 +48,7 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
         HullSettings hull = options.hull();
         double declinationRad = options.declinationRad();
         SteadyClock clock = SteadyClock.ofThisMachine();
-        try (HullBoat boat =
-                new HullBoat(name, hull, board.port(), gps.port(), gps.gpsd(), clock, console::say)) {
+        try (HullBoat boat = new HullBoat(name, hull, board.port(), gps.port(), gps.gpsd(), clock, console::say)) {
             open("--board", board, boat::openBoard);
             open("--gps", gps, boat::openGps);
             if (!Double.isNaN(declinationRad)) {

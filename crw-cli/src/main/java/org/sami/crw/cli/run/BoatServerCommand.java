@@ -186,7 +186,8 @@ public final class BoatServerCommand implements Callable<Integer> {
         for (OptionSpec option : given.matchedOptions()) {
             if (!OF_REAL_BOATS.contains(option.longestName())) {
                 throw new ParameterException(
-                        spec.commandLine(), option.longestName() + " is for a simulated boat, not for one with --board");
+                        spec.commandLine(),
+                        option.longestName() + " is for a simulated boat, not for one with --board");
             }
         }
         try {

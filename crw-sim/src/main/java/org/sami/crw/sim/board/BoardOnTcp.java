@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -34,6 +35,7 @@ public final class BoardOnTcp implements Closeable {
     private final LineServer cable;
     private final LineServer gps;
     private final ScheduledExecutorService thread;
+    private final Future<?> steps;
     private final long startMs;
     private boolean pulled; // these for the board's thread
     private boolean pulledByHand;
@@ -70,7 +72,7 @@ public final class BoardOnTcp implements Closeable {
             cable.close();
             throw e;
         }
-        thread.scheduleAtFixedRate(this::step, 0, STEP_MS, TimeUnit.MILLISECONDS);
+        steps = thread.scheduleAtFixedRate(this::step, 0, STEP_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Where the board listens. */
@@ -124,9 +126,8 @@ public final class BoardOnTcp implements Closeable {
 
     private void pull(long nowMs) {
         double atS = (nowMs - startMs) / 1000.0;
-        boolean byPlan = faults.pullEveryS() > 0
-                && atS >= faults.pullEveryS()
-                && atS % faults.pullEveryS() < faults.pullForS();
+        boolean byPlan =
+                faults.pullEveryS() > 0 && atS >= faults.pullEveryS() && atS % faults.pullEveryS() < faults.pullForS();
         setPulled(byPlan || pulledByHand);
     }
 
@@ -179,6 +180,7 @@ public final class BoardOnTcp implements Closeable {
 
     @Override
     public void close() throws IOException {
+        steps.cancel(true);
         thread.shutdownNow();
         cable.close();
         gps.close();

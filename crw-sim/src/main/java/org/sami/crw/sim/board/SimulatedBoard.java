@@ -59,8 +59,7 @@ public final class SimulatedBoard {
         kind = settings.kind();
         LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
         hull = new SimulatedHull(settings.hull(), settings.conditions(), frame, 0, 0, settings.seed());
-        instruments =
-                new Instruments(hull, settings.conditions(), settings.seed() ^ 0x67707320L, settings.fieldSeed());
+        instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ 0x67707320L, settings.fieldSeed());
         for (Sensor sensor : instruments.sensors()) {
             channels.add(new Channel(sensor));
         }
@@ -222,7 +221,10 @@ public final class SimulatedBoard {
             String both = Double.isNaN(temperature) ? "%.2f" : "%.2f %.2f";
             due.add(sensor("s1", "es2", text(both, conductivity, temperature)));
         } else if (!Double.isNaN(temperature)) { // a sounder's thermometer
-            due.add(sensor("s1", "hds", NmeaSentence.line(text("SDMTW,%.2f,C", temperature)).trim()));
+            due.add(sensor(
+                    "s1",
+                    "hds",
+                    NmeaSentence.line(text("SDMTW,%.2f,C", temperature)).trim()));
         }
     }
 

@@ -61,11 +61,7 @@ final class SimulatedReceiver {
         double course = (Math.toDegrees(StrictMath.atan2(eastMps, northMps)) + 360) % 360;
         String where = angle(lat, 2, "N", "S") + "," + angle(lon, 3, "E", "W");
         String time = String.format(
-                Locale.ROOT,
-                "%02d%02d%05.2f",
-                nowMs / 3_600_000 % 24,
-                nowMs / 60_000 % 60,
-                nowMs % 60_000 / 1000.0);
+                Locale.ROOT, "%02d%02d%05.2f", nowMs / 3_600_000 % 24, nowMs / 60_000 % 60, nowMs % 60_000 / 1000.0);
         due.add(line("GPGGA,%s,%s,1,09,0.9,0.0,M,0.0,M,,", time, where));
         due.add(line("GPRMC,%s,A,%s,%.2f,%.1f,010120,,,A", time, where, knots, course));
     }

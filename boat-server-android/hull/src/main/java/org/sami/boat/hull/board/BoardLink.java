@@ -50,7 +50,7 @@ final class BoardLink {
 
     /** Drives for a test of motors until a time, if the boat server commands nothing else; whether it does. */
     synchronized boolean test(double portEffort, double starboardEffort, long nowMs, long untilMs) {
-        boolean free = port == 0 && starboard == 0 || nowMs - commandedMs > STALE_MS;
+        boolean free = (port == 0 && starboard == 0) || nowMs - commandedMs > STALE_MS;
         if (free) {
             testPort = portEffort;
             testStarboard = starboardEffort;
@@ -82,9 +82,8 @@ final class BoardLink {
 
     /** The state now, if it is another than before. */
     synchronized Optional<BoardState> change(long nowMs) {
-        BoardState now = !open
-                ? BoardState.GONE
-                : nowMs - heardMs > SILENT_MS ? BoardState.SILENT : BoardState.CONNECTED;
+        BoardState now =
+                !open ? BoardState.GONE : nowMs - heardMs > SILENT_MS ? BoardState.SILENT : BoardState.CONNECTED;
         if (now == state) {
             return Optional.empty();
         }
@@ -108,8 +107,7 @@ final class BoardLink {
     synchronized MotorEfforts motors(long nowMs) {
         double[] efforts = efforts(nowMs);
         boolean tested = nowMs < testUntilMs; // a rudder alone, without the thrust and the trim of a boat that steers
-        HullSettings applied =
-                tested ? hull.change().steeringThrust(0).trim(0).build() : hull;
+        HullSettings applied = tested ? hull.change().steeringThrust(0).trim(0).build() : hull;
         return MotorMixer.mix(applied, efforts[0], efforts[1]);
     }
 }

@@ -45,7 +45,8 @@ final class BoardSensors {
         switch (type) {
             case "es2":
                 boolean alone = data.trim().indexOf(' ') < 0; // without a thermometer
-                return put("es2 conductivity", word(data, 0)) & (alone || put("es2 temperature", word(data, 1)));
+                boolean warm = alone || put("es2 temperature", word(data, 1)); // one bad value spares the other
+                return put("es2 conductivity", word(data, 0)) && warm;
             case "atlas_do":
                 return put("atlas_do oxygen", word(data, 0));
             case "atlas_ph":

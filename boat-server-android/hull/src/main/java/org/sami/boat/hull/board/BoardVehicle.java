@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sami.boat.hull.position.Pose;
@@ -44,6 +46,8 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     private volatile String lostWhy = "not opened yet";
     private volatile long sendingSinceMs = Long.MAX_VALUE; // while bytes wait to be taken
     private volatile long openedMs;
+    private volatile Future<?> sending = CompletableFuture.completedFuture(null);
+    private volatile Future<?> watching = CompletableFuture.completedFuture(null);
     private long garbledSaidMs = Long.MIN_VALUE / 2; // these two for the port's thread
     private long garbled;
     private Pose pose = Pose.UNKNOWN; // these two for the server's thread
@@ -51,11 +55,7 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
 
     /** A vehicle whose board is not opened yet. */
     public BoardVehicle(
-            HullSettings hull,
-            PositionFilter position,
-            StreamPort board,
-            SteadyClock clock,
-            BoardListener listener) {
+            HullSettings hull, PositionFilter position, StreamPort board, SteadyClock clock, BoardListener listener) {
         link = new BoardLink(hull);
         this.position = Objects.requireNonNull(position, "position");
         this.clock = Objects.requireNonNull(clock, "clock");
@@ -81,8 +81,8 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     /** Begins to command the board; once only. */
     public void start() {
         port.start();
-        threads.scheduleWithFixedDelay(this::sendMotors, 0, PERIOD_MS, TimeUnit.MILLISECONDS);
-        threads.scheduleWithFixedDelay(this::watch, PERIOD_MS, PERIOD_MS, TimeUnit.MILLISECONDS);
+        sending = threads.scheduleWithFixedDelay(this::sendMotors, 0, PERIOD_MS, TimeUnit.MILLISECONDS);
+        watching = threads.scheduleWithFixedDelay(this::watch, PERIOD_MS, PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 
     private void sendMotors() {
@@ -90,23 +90,30 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
             long nowMs = clock.getAsLong();
             sendingSinceMs = nowMs;
             port.send(BoardCommands.motors(link.hull().kind(), link.motors(nowMs)));
-        } catch (IOException gone) {
-            // the port's thread notices it, and says so
+        } catch (IOException | RuntimeException gone) {
+            // the port's thread notices it, and says so; a library of ports may fail in its own way, and the next
+            // command is due all the same
         } finally {
             sendingSinceMs = Long.MAX_VALUE;
         }
     }
 
     private void watch() {
-        long nowMs = clock.getAsLong();
+        try {
+            look(clock.getAsLong());
+        } catch (RuntimeException e) {
+            listener.boardError("the watch of the board failed", e.toString());
+        }
+    }
+
+    private void look(long nowMs) {
         Optional<BoardState> change = link.change(nowMs);
         if (change.isPresent()) {
             listener.stateChanged(change.get(), why(change.get()));
         }
         if (nowMs - sendingSinceMs > REOPEN_MS) {
             port.reopen("it takes no commands");
-        } else if (link.state() == BoardState.SILENT
-                && Math.min(nowMs - openedMs, link.silentMs(nowMs)) > REOPEN_MS) {
+        } else if (link.state() == BoardState.SILENT && Math.min(nowMs - openedMs, link.silentMs(nowMs)) > REOPEN_MS) {
             openedMs = nowMs;
             port.reopen("it was silent for " + REOPEN_MS / 1000 + " s");
         }
@@ -263,6 +270,8 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     public void close() {
         link.lost(); // nothing but 0 from now on
         link.change(clock.getAsLong());
+        sending.cancel(false);
+        watching.cancel(false);
         sendMotors();
         threads.shutdownNow();
         port.close();

@@ -74,9 +74,7 @@ public final class HullBoat implements Closeable {
         this.clock = clock;
         boardName = board.name();
         vehicle = new BoardVehicle(hull, filter, board, clock, new Board());
-        gps = gpsd
-                ? GpsSource.gpsd(gpsPort, filter, clock, news)
-                : GpsSource.nmea(gpsPort, filter, clock, news);
+        gps = gpsd ? GpsSource.gpsd(gpsPort, filter, clock, news) : GpsSource.nmea(gpsPort, filter, clock, news);
     }
 
     /** The receiver, to set what it cannot know. */
@@ -182,11 +180,7 @@ public final class HullBoat implements Closeable {
     /** Writes what was answered to the file, where there is one. */
     private final class FileLog implements ServerLog {
         @Override
-        public void answered(
-                long nowMs,
-                String clientId,
-                CommandMessage command,
-                LinkMessage answer) {
+        public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
             log.ifPresent(file -> file.answered(nowMs, clientId, command, answer));
         }
 

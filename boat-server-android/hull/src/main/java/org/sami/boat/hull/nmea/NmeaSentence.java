@@ -24,7 +24,7 @@ public final class NmeaSentence {
         int start = line.lastIndexOf('$'); // of a line that was cut, the last beginning counts
         int star = line.indexOf('*', Math.max(0, start));
         boolean summed = star >= 0;
-        if (start < 0 || line.length() - start > MAX_BYTES || !summed && checksumNeeded) {
+        if (start < 0 || line.length() - start > MAX_BYTES || (!summed && checksumNeeded)) {
             return Optional.empty();
         }
         String body = line.substring(start + 1, summed ? star : line.length());

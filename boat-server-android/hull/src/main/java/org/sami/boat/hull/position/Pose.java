@@ -3,8 +3,7 @@ package org.sami.boat.hull.position;
 /** Where a hull is and how it moves, as far as is known; what is not known is NaN. Immutable. */
 public final class Pose {
     /** Nothing is known. */
-    public static final Pose UNKNOWN =
-            new Pose(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+    public static final Pose UNKNOWN = new Pose(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
     private final double latDeg;
     private final double lonDeg;

@@ -25,16 +25,18 @@ public final class PositionFilter {
     private static final long COMPASS_LOST_MS = 3000;
     private static final long GYRO_LOST_MS = 500;
     private static final long MOTORS_LOST_MS = 1000;
-    private static final double USUAL_ACCURACY_M = 3;
+    private static final double USUAL_ACCURACY_M = 2;
     private static final double LEAST_ACCURACY_M = 1;
-    private static final double CORRELATED = 2.5; // fixes share most of their error with the ones before
+    private static final double CORRELATED = 2.5; // fixes 0.2 s apart share most of their error
+    private static final double CORRELATED_S = 0.2;
+    private static final double REPEATED = 3; // the receiver has nothing new
     private static final double MOTION_ERROR_MPS = 0.25;
     private static final double MAX_SPEED_MPS = 20;
     private static final double JUMP_DEVIATIONS = 4;
     private static final double LEAST_JUMP_M = 8;
     private static final long JUMP_STAYS_MS = 3000;
     private static final double FRAME_M = 5000;
-    private static final double LONGEST_STEP_S = 1;
+    private static final double LONGEST_STEP_S = 10;
 
     private final CourseCheck courses = new CourseCheck();
     private HeadingEstimate heading = new HeadingEstimate();
@@ -53,6 +55,8 @@ public final class PositionFilter {
     private long motorMs = Long.MIN_VALUE / 2;
     private Optional<GpsFix> jump = Optional.empty();
     private long refused;
+    private double lastLatDeg = Double.NaN; // of the last fix that counted
+    private double lastLonDeg = Double.NaN;
 
     /** Magnetic declination at the place: true north minus magnetic, in radians, positive to the east. */
     public synchronized void setDeclination(double radians) {
@@ -68,10 +72,9 @@ public final class PositionFilter {
      * @param turnRadPerS turn rate that it should have, to starboard
      */
     public synchronized void motors(double thrustAhead, double turnRadPerS, long nowMs) {
-        pass(nowMs);
+        motorMs = pass(nowMs);
         thrust = thrustAhead;
         motorTurnRadPerS = turnRadPerS;
-        motorMs = nowMs;
     }
 
     /** The compass shows a heading from magnetic north, in radians. */
@@ -82,9 +85,8 @@ public final class PositionFilter {
     /** The compass shows a heading from true north, in radians. */
     public synchronized void trueCompass(double rad, long nowMs) {
         if (Math.abs(rad) <= 4 * Math.PI) {
-            pass(nowMs);
+            compassMs = pass(nowMs);
             double shown = PlaneMath.sameTurn(rad);
-            compassMs = nowMs;
             heading.compass(shown);
             courses.compass(shown);
         }
@@ -93,24 +95,23 @@ public final class PositionFilter {
     /** The gyro measures a turn rate in radians a second, to starboard. */
     public synchronized void gyro(double radPerS, long nowMs) {
         if (Math.abs(radPerS) <= 10) {
-            pass(nowMs);
+            gyroMs = pass(nowMs);
             gyroRadPerS = radPerS;
-            gyroMs = nowMs;
         }
     }
 
     /** The receiver gives a position. */
     public synchronized void gps(GpsFix fix, long nowMs) {
-        pass(nowMs);
+        long atMs = pass(nowMs);
         if (!isPlausible(fix)) {
-            refuse(nowMs);
-        } else if (!frame.isPresent() || nowMs - fixMs > LOST_AFTER_MS) {
-            begin(fix, nowMs);
+            refuse(atMs);
+        } else if (!frame.isPresent() || atMs - fixMs > LOST_AFTER_MS) {
+            begin(fix, atMs);
         } else if (isJump(fix, frame.get())) {
-            jumped(fix, nowMs);
+            jumped(fix, atMs);
         } else {
             jump = Optional.empty();
-            correct(fix, frame.get(), nowMs);
+            correct(fix, frame.get(), atMs);
         }
     }
 
@@ -163,7 +164,13 @@ public final class PositionFilter {
     }
 
     private void correct(GpsFix fix, LocalFrame plane, long nowMs) {
-        double error = errorM(fix) * CORRELATED;
+        double seconds = Math.max(CORRELATED_S, (nowMs - fixMs) / 1000.0);
+        double error = errorM(fix) * Math.max(1, CORRELATED * Math.sqrt(CORRELATED_S / seconds));
+        if (fix.latDeg() == lastLatDeg && fix.lonDeg() == lastLonDeg) {
+            error *= REPEATED;
+        }
+        lastLatDeg = fix.latDeg();
+        lastLonDeg = fix.lonDeg();
         track.position(plane.eastM(fix.latDeg(), fix.lonDeg()), plane.northM(fix.latDeg(), fix.lonDeg()), error);
         fixMs = nowMs;
         motion(fix);
@@ -204,32 +211,27 @@ public final class PositionFilter {
         return nowMs - compassMs <= COMPASS_LOST_MS;
     }
 
-    /** Lets time pass up to now; what comes with an earlier time counts for the newest. */
-    private void pass(long nowMs) {
+    /** Lets time pass up to now, and returns the time: what comes with an earlier one counts for the newest. */
+    private long pass(long nowMs) {
         double seconds = passedMs == Long.MIN_VALUE ? 0 : Math.min(LONGEST_STEP_S, (nowMs - passedMs) / 1000.0);
         if (seconds <= 0) {
             passedMs = Math.max(passedMs, nowMs);
-            return;
+            return passedMs;
         }
         passedMs = nowMs;
         boolean gyro = nowMs - gyroMs <= GYRO_LOST_MS;
         boolean motors = nowMs - motorMs <= MOTORS_LOST_MS;
         heading.turn(gyro ? gyroRadPerS : motors ? motorTurnRadPerS : 0, gyro, seconds);
         track.pass(heading.headingRad(), heading.isKnown() ? heading.errorRad() : Double.NaN, seconds);
+        return passedMs;
     }
 
     /** Where the hull is now. Without a compass its heading is unknown until it moves, or {@link #assumeHeading} was called. */
     public synchronized Pose pose(long nowMs) {
-        pass(nowMs);
-        if (!frame.isPresent() || nowMs - fixMs > LOST_AFTER_MS) {
+        long atMs = pass(nowMs);
+        if (!frame.isPresent() || atMs - fixMs > LOST_AFTER_MS) {
             return heading.isKnown()
-                    ? new Pose(
-                            Double.NaN,
-                            Double.NaN,
-                            heading.headingRad(),
-                            Double.NaN,
-                            Double.NaN,
-                            heading.errorRad())
+                    ? new Pose(Double.NaN, Double.NaN, heading.headingRad(), Double.NaN, Double.NaN, heading.errorRad())
                     : Pose.UNKNOWN;
         }
         double lat = frame.get().latDeg(track.eastM(), track.northM());

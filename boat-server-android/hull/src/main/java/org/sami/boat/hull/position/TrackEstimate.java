@@ -17,7 +17,7 @@ final class TrackEstimate {
     private static final double POSITION_WALK = 0.05; // m in a second
     private static final double SPEED_WALK = 0.5; // m/s in a second
     private static final double FLOW_WALK = 0.04; // m/s in a second
-    private static final double FREE_WALK = 0.6; // m/s in a second, without a heading
+    private static final double FREE_WALK = 0.8; // m/s in a second, without a heading
 
     private final double[] x = new double[SIZE];
     private final double[][] p = new double[SIZE][SIZE];

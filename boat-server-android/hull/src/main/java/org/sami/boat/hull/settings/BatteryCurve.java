@@ -44,7 +44,8 @@ public final class BatteryCurve {
                 throw new IllegalArgumentException("no point of a battery: " + volts[i] + " V, " + percents[i] + " %");
             }
             if (i > 0 && !(volts[i] > volts[i - 1] && percents[i] >= percents[i - 1])) {
-                throw new IllegalArgumentException("volts and percents rise: " + volts[i] + " V, " + percents[i] + " %");
+                throw new IllegalArgumentException(
+                        "volts and percents rise: " + volts[i] + " V, " + percents[i] + " %");
             }
         }
     }

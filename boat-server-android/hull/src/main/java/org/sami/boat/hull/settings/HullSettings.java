@@ -237,8 +237,7 @@ public final class HullSettings {
 
         private static double within(String what, double value, double least, double most) {
             if (!(value >= least && value <= most)) {
-                throw new IllegalArgumentException(
-                        "the " + what + " is " + least + " to " + most + ", not " + value);
+                throw new IllegalArgumentException("the " + what + " is " + least + " to " + most + ", not " + value);
             }
             return value;
         }

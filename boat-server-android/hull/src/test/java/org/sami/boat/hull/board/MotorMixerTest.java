@@ -40,10 +40,8 @@ class MotorMixerTest {
 
     @Test
     void trimHoldsOnlyWhileDriving() {
-        HullSettings hull = HullSettings.of(HullKind.DIFFERENTIAL)
-                .safeMaximum(1)
-                .trim(0.1)
-                .build();
+        HullSettings hull =
+                HullSettings.of(HullKind.DIFFERENTIAL).safeMaximum(1).trim(0.1).build();
 
         assertThat(line(hull, 0.5, 0.5)).isEqualTo("{\"m0\":{\"v\":0.600},\"m1\":{\"v\":0.400}}\r\n");
         assertThat(line(hull, 0, 0)).isEqualTo("{\"m0\":{\"v\":0.000},\"m1\":{\"v\":0.000}}\r\n");

@@ -118,7 +118,8 @@ class PositionFilterTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 0, 3", "NaN, 10.9, 3", "45.4, NaN, 3", "91, 10.9, 3", "45.4, 181, 3", "45.4, 10.9, 500", "-89, 0, 3"})
+    @CsvSource({"0, 0, 3", "NaN, 10.9, 3", "45.4, NaN, 3", "91, 10.9, 3", "45.4, 181, 3", "45.4, 10.9, 500", "-89, 0, 3"
+    })
     void positionThatMakesNoSenseIsRefused(double lat, double lon, double accuracyM) {
         filter.gps(new GpsFix(lat, lon, accuracyM, Double.NaN, Double.NaN), 0);
 

@@ -43,15 +43,11 @@ class HullFileTest {
         HullSettings hull = HullFile.parse("{\"format\":\"sami-hull-1\",\"kind\":\"differential\"}");
 
         assertThat(HullFile.text(hull))
-                .isEqualTo(HullFile.text(
-                        HullSettings.of(HullKind.DIFFERENTIAL).build()));
+                .isEqualTo(HullFile.text(HullSettings.of(HullKind.DIFFERENTIAL).build()));
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
             'safeMaximum': 1.2             | /safeMaximum: the safe maximum is 0.1 to 1.0, not 1.2
             'safeMaximum': 0.05            | /safeMaximum: the safe maximum is 0.1 to 1.0, not 0.05
             'trim': 'left'                 | /trim: expected is a number, not "left"
@@ -78,7 +74,8 @@ class HullFileTest {
                 .hasMessage("/kind: expected is a text");
         assertThatThrownBy(() -> HullFile.parse("{")).hasMessageStartingWith("no JSON");
         assertThatThrownBy(() -> HullFile.parse("")).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> HullFile.parse("{\"format\":\"sami-hull-1\",\"kind\":\"rudder\",\"trim\":0,\"trim\":0}"))
+        assertThatThrownBy(
+                        () -> HullFile.parse("{\"format\":\"sami-hull-1\",\"kind\":\"rudder\",\"trim\":0,\"trim\":0}"))
                 .hasMessageStartingWith("no JSON");
     }
 
