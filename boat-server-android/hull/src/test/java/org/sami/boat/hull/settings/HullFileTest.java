@@ -3,6 +3,10 @@ package org.sami.boat.hull.settings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -61,7 +65,43 @@ class HullFileTest {
     void whatIsWrongIsNamedWithItsPlace(String member, String said) {
         String text = "{\"format\":\"sami-hull-1\",\"kind\":\"rudder\"," + member.replace('\'', '"') + "}";
 
-        assertThatThrownBy(() -> HullFile.parse(text.replace("\"x\"", "\"x\""))).hasMessage(said);
+        assertThatThrownBy(() -> HullFile.parse(text)).hasMessage(said);
+    }
+
+    /** The schema is for editors; the reader holds the same limits. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            'safeMaximum': 1       | true
+            'safeMaximum': 1.01    | false
+            'safeMaximum': 0.09    | false
+            'trim': 0.3            | true
+            'trim': -0.31          | false
+            'steeringThrust': 0.5  | true
+            'steeringThrust': 0.51 | false
+            'turnRateRadPerS': 3   | true
+            'turnRateRadPerS': 3.1 | false
+            'motorsChecked': true  | true
+            'motorsChecked': 0     | false
+            'sail': 1              | false
+            'battery': 'nimh-10'   | true
+            'battery': 'AA'        | false
+            'battery': {'volts':[10,12],'percent':[0,100]} | true
+            'battery': {'volts':[10,61],'percent':[0,100]} | false
+            'battery': {'volts':[10],'percent':[0]}        | false
+            """)
+    void schemaAndReaderAgree(String member, boolean good) throws Exception {
+        String text = "{\"format\":\"sami-hull-1\",\"kind\":\"rudder\"," + member.replace('\'', '"') + "}";
+        ObjectMapper json = new ObjectMapper();
+        Schema schema = SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                .getSchema(json.readTree(
+                        Files.readString(Path.of("src/main/resources/org/sami/schemas/hull-1.schema.json"))));
+
+        assertThat(schema.validate(json.readTree(text)).isEmpty()).isEqualTo(good);
+        if (good) {
+            assertThat(HullFile.parse(text)).isNotNull();
+        } else {
+            assertThatThrownBy(() -> HullFile.parse(text)).isInstanceOf(IllegalArgumentException.class);
+        }
     }
 
     @Test
