@@ -44,6 +44,7 @@ public final class BoardCommand implements Callable<Integer> {
     private static final int MAX_PORT = 65_535;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Option(
@@ -66,6 +67,7 @@ public final class BoardCommand implements Callable<Integer> {
             paramLabel = "LAT,LON",
             converter = PositionConverter.class,
             description = "Where the hull lies at the start, in degrees (WGS 84).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private GeoPoint at;
 
     @Option(
@@ -73,6 +75,7 @@ public final class BoardCommand implements Callable<Integer> {
             paramLabel = "KIND",
             defaultValue = "differential",
             description = "The hull: differential (a motor on each side) or rudder (default ${DEFAULT-VALUE}).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private HullKind kind;
 
     @Option(names = "--no-compass", description = "Its receiver sends no headings.")
@@ -93,6 +96,7 @@ public final class BoardCommand implements Callable<Integer> {
     private long fieldSeed;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private ConditionsOptions conditions;
 
     @Option(

@@ -19,6 +19,7 @@ public final class HullOptions {
     private static final double MOST_DECLINATION_DEG = 180;
 
     @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Option(

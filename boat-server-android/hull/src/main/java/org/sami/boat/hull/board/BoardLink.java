@@ -23,6 +23,7 @@ final class BoardLink {
     private double testStarboard;
     private long testUntilMs = Long.MIN_VALUE / 2;
     private boolean open;
+    private long openedMs;
     private long heardMs = Long.MIN_VALUE / 2;
     private BoardState state = BoardState.GONE;
 
@@ -59,8 +60,9 @@ final class BoardLink {
         return free;
     }
 
-    synchronized void opened() {
+    synchronized void opened(long nowMs) {
         open = true;
+        openedMs = nowMs;
     }
 
     synchronized void lost() {
@@ -82,13 +84,23 @@ final class BoardLink {
 
     /** The state now, if it is another than before. */
     synchronized Optional<BoardState> change(long nowMs) {
-        BoardState now =
-                !open ? BoardState.GONE : nowMs - heardMs > SILENT_MS ? BoardState.SILENT : BoardState.CONNECTED;
+        BoardState now = now(nowMs);
         if (now == state) {
             return Optional.empty();
         }
         state = now;
         return Optional.of(now);
+    }
+
+    /** A port that was opened just now may be one that is dropped at once: only what the board says, or its silence for a while, changes the state. */
+    private BoardState now(long nowMs) {
+        if (!open) {
+            return BoardState.GONE;
+        }
+        if (heardMs >= openedMs && nowMs - heardMs <= SILENT_MS) {
+            return BoardState.CONNECTED;
+        }
+        return nowMs - Math.max(openedMs, heardMs) > SILENT_MS ? BoardState.SILENT : state;
     }
 
     /** Efforts of port and starboard motor that are in force. */

@@ -140,7 +140,7 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
         @Override
         public void opened() {
             openedMs = clock.getAsLong();
-            link.opened();
+            link.opened(openedMs);
         }
 
         @Override

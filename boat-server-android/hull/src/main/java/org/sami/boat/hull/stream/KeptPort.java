@@ -3,7 +3,6 @@ package org.sami.boat.hull.stream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 
 /**
@@ -17,7 +16,8 @@ public final class KeptPort implements Closeable {
     private final int maxLine;
     private final PortListener listener;
     private final Thread reader;
-    private final AtomicReference<Optional<StreamConnection>> connection = new AtomicReference<>(Optional.empty());
+    private final Object lock = new Object();
+    private Optional<StreamConnection> connection = Optional.empty(); // guarded by the lock
     private volatile boolean closed;
     private volatile String endedBy = "";
 
@@ -36,7 +36,19 @@ public final class KeptPort implements Closeable {
 
     /** Opens the port at once, before {@link #start}, to see whether it is there. */
     public void openFirst() throws IOException {
-        connection.set(Optional.of(port.open()));
+        enter(port.open());
+    }
+
+    private void enter(StreamConnection opened) {
+        synchronized (lock) {
+            connection = Optional.of(opened);
+        }
+    }
+
+    private Optional<StreamConnection> current() {
+        synchronized (lock) {
+            return connection;
+        }
     }
 
     /** Begins to read; once only. */
@@ -48,13 +60,13 @@ public final class KeptPort implements Closeable {
         String lastWhy = "";
         while (!closed) {
             try {
-                if (!connection.get().isPresent()) {
-                    connection.set(Optional.of(port.open()));
+                if (!current().isPresent()) {
+                    enter(port.open());
                 }
                 endedBy = "";
                 lastWhy = "";
                 listener.opened();
-                read(connection.get());
+                read(current());
             } catch (IOException | RuntimeException e) {
                 String why = endedBy.isEmpty() ? words(e) : endedBy;
                 if (!closed && !why.equals(lastWhy)) {
@@ -88,7 +100,7 @@ public final class KeptPort implements Closeable {
 
     /** Sends bytes to the device; waits where the device takes none. */
     public void send(byte[] bytes) throws IOException {
-        Optional<StreamConnection> open = connection.get();
+        Optional<StreamConnection> open = current();
         if (!open.isPresent()) {
             throw new IOException(port.name() + " is not open");
         }
@@ -103,7 +115,11 @@ public final class KeptPort implements Closeable {
     }
 
     private void drop() {
-        Optional<StreamConnection> open = connection.getAndSet(Optional.empty());
+        Optional<StreamConnection> open;
+        synchronized (lock) {
+            open = connection;
+            connection = Optional.empty();
+        }
         if (open.isPresent()) {
             try {
                 open.get().close();

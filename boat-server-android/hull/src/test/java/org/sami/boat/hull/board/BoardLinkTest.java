@@ -11,7 +11,7 @@ class BoardLinkTest {
             new BoardLink(HullSettings.of(HullKind.DIFFERENTIAL).safeMaximum(1).build());
 
     private void reports(long nowMs) {
-        link.opened();
+        link.opened(nowMs);
         link.heard(nowMs);
         link.change(nowMs);
     }
@@ -50,6 +50,18 @@ class BoardLinkTest {
     }
 
     @Test
+    void portThatOpensAndIsDroppedAtOnceIsGoneAllTheTime() {
+        reports(0);
+        link.lost();
+        assertThat(link.change(50)).contains(BoardState.GONE);
+        link.opened(1000);
+
+        assertThat(link.change(1100)).isEmpty();
+        assertThat(link.motors(1100).areNone()).isTrue();
+        assertThat(link.change(2100)).contains(BoardState.SILENT);
+    }
+
+    @Test
     void serverThatHangsStopsTheMotors() {
         reports(0);
         link.command(0.5, 0.5, 0);
@@ -84,7 +96,7 @@ class BoardLinkTest {
     void rudderIsTestedWithoutThrust() {
         BoardLink rudder =
                 new BoardLink(HullSettings.of(HullKind.RUDDER).trim(0.1).build());
-        rudder.opened();
+        rudder.opened(0);
         rudder.heard(0);
         rudder.change(0);
         rudder.test(1, -1, 0, 2000);
