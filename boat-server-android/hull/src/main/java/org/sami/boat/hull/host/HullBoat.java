@@ -24,6 +24,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.TrackingError;
+import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
@@ -146,6 +147,8 @@ public final class HullBoat implements Closeable {
         double errorM = Math.max(LEAST_ERROR_M, filter.pose(clock.getAsLong()).positionErrorM());
         ServerConfig config = ServerConfig.of(name, bootId)
                 .lostLinkAction(lostLink)
+                .fullThrustSpeedMps(
+                        BoatDefaults.FULL_THRUST_SPEED_MPS * vehicle.hull().safeMaximum())
                 .trackingError(new TrackingError(errorM, USUAL_DRIFT_MPS))
                 .build();
         ServerLog toFile = new FileLog();
