@@ -56,11 +56,14 @@ record OperatorReply(
         return chosen.size() < choose.min() ? Optional.empty() : Optional.of(new Answer.Proxies(chosen));
     }
 
+    /** The operator has values of his own: what an author proposes makes no difference. */
     private Optional<Answer> fields(Question.FillIn fillIn) {
         Map<String, Value> given = new LinkedHashMap<>();
         for (Question.Item item : fillIn.items()) {
             Optional<Value> value = item.editable()
-                    ? scripted(item.key(), item.type()).or(item::defaultValue).or(() -> values.of(item.type()))
+                    ? scripted(item.key(), item.type())
+                            .or(() -> values.of(item.type()))
+                            .or(item::defaultValue)
                     : item.defaultValue();
             if (value.isEmpty()) {
                 return Optional.empty();

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.lessons.course.Course;
@@ -18,6 +20,7 @@ import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
 
 /** Walks the jobs of the course that ships: each is done by its solution, not by its start, and says of wrong answers what it should. */
+@Execution(ExecutionMode.CONCURRENT)
 class ShippedJobsTest {
     private static final DomainLibrary DOMAIN =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
