@@ -68,9 +68,10 @@ final class FleetListener implements BaseListener {
         finders.add(finder);
     }
 
-    /** From now on it notes nothing: what becomes of links now is the session's own doing. From any thread. */
+    /** Stops noting boats and passing messages on: links that end now are ended by the session itself. From any thread. */
     void close() {
         closed = true;
+        messages.close();
     }
 
     // ---- links, passed on to all who subscribed

@@ -14,7 +14,7 @@ final class SessionMessages implements MessageSink {
     private final SessionTelemetry telemetry;
     private final MessageSink models;
     private final ListenerList<SessionListener> listeners = new ListenerList<>();
-    private volatile boolean closed;
+    private boolean closed;
 
     SessionMessages(SessionTelemetry telemetry, MessageSink models) {
         this.telemetry = telemetry;
@@ -30,30 +30,31 @@ final class SessionMessages implements MessageSink {
         listeners.each(news);
     }
 
-    /** Takes nothing more: what becomes of links now is the session's own doing. */
-    void close() {
+    /** Takes no further message: links that end now are ended by the session itself. A message being taken is finished first. */
+    synchronized void close() {
         closed = true;
     }
 
     @Override
     public void tell(OperatorMessage message) {
-        if (!closed) {
-            note(() -> telemetry.message(message), SessionNote.of(message));
+        if (note(() -> telemetry.message(message), SessionNote.of(message))) {
             models.tell(message);
         }
     }
 
     /** Tells something about a link. */
     void ofLink(long atMillis, String text) {
-        if (!closed) {
-            SessionNote note = new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, text);
-            note(() -> telemetry.message(note), note);
-        }
+        SessionNote note = new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, text);
+        note(() -> telemetry.message(note), note);
     }
 
-    private synchronized void note(Runnable written, SessionNote note) {
-        written.run();
-        listeners.each(listener -> listener.onNote(note));
+    /** Returns whether it was noted: not after {@link #close}, so that a report has all messages that the journal has. */
+    private synchronized boolean note(Runnable written, SessionNote note) {
+        if (!closed) {
+            written.run();
+            listeners.each(listener -> listener.onNote(note));
+        }
+        return !closed;
     }
 
     /** Shows something that need not be kept. */

@@ -3,18 +3,26 @@ package org.sami.crw.sim.session;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionListener;
+import org.sami.crw.session.archive.SessionNote;
+import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.value.GeoPoint;
 
 /** What boats under way do once a session was left, as they say it themselves. */
@@ -51,6 +59,36 @@ class BoatsAtEndTest {
 
             Await.until("anna does it", () -> anna(session).mode().equals(Optional.of(wanted)));
         }
+    }
+
+    @Test
+    void sessionThatWasLeftNotesNoLinkThatIsLostLater() throws Exception {
+        List<String> notes = new CopyOnWriteArrayList<>();
+        List<LinkState> links = new CopyOnWriteArrayList<>();
+        try (Session session = world.opened(TestSession.library("clv"), folder.resolve("session.journal"))) {
+            session.addListener(new SessionListener() {
+                @Override
+                public void onNote(SessionNote note) {
+                    notes.add(note.text());
+                }
+            });
+            session.begin();
+            BoatOnTcp boat = world.boat("anna");
+            TestSession.get(session.fleet().connect(TestSession.address(boat)));
+            TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+            session.leave(BoatsAtEnd.STOP);
+            session.subscribe(Runnable::run, event -> {
+                if (event instanceof FleetEvent.LinkChanged changed) {
+                    links.add(changed.status().link());
+                }
+            });
+
+            boat.close();
+
+            Await.until("the link is lost", () -> links.contains(LinkState.LOST));
+            TestSession.get(session.fleet().boats()); // the fleet's thread has done all that followed
+        }
+        assertThat(notes).noneMatch(text -> text.contains("is lost"));
     }
 
     private static BoatStatus anna(Session session) {
