@@ -30,10 +30,10 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
@@ -330,35 +330,43 @@ class BoatProcessTest {
     }
 
     /** Keeps the latest of what the base is told. */
-    private final class Recorder implements BaseListener, BoatListener {
+    private final class Recorder implements BaseListener, Consumer<FleetEvent> {
         @Override
-        public BoatListener found(String boatId) {
+        public Consumer<FleetEvent> found(String boatId) {
             return this;
         }
 
         @Override
-        public void onStatus(BoatStatus news) {
+        public void accept(FleetEvent event) {
+            if (event instanceof FleetEvent.StatusReported reported) {
+                onStatus(reported.status());
+            } else if (event instanceof FleetEvent.LinkChanged link) {
+                onLinkChange(link.status());
+            } else if (event instanceof FleetEvent.Restarted restarted) {
+                onRestarted(restarted.status());
+            }
+        }
+
+        private void onStatus(BoatStatus news) {
             status.set(news);
         }
 
-        @Override
-        public void onLinkChange(BoatStatus news) {
+        private void onLinkChange(BoatStatus news) {
             status.set(news);
         }
 
-        @Override
-        public void onRestarted(BoatStatus news) {
+        private void onRestarted(BoatStatus news) {
             restarts.incrementAndGet();
         }
     }
 
     /** Only watches the boat, and keeps its modes in their order. */
-    private static final class Watcher implements BaseListener, BoatListener {
+    private static final class Watcher implements BaseListener, Consumer<FleetEvent> {
         private final List<BoatMode> modes = new CopyOnWriteArrayList<>();
         private volatile double latDeg;
 
         @Override
-        public BoatListener found(String boatId) {
+        public Consumer<FleetEvent> found(String boatId) {
             return this;
         }
 
@@ -368,7 +376,13 @@ class BoatProcessTest {
         }
 
         @Override
-        public void onStatus(BoatStatus news) {
+        public void accept(FleetEvent event) {
+            if (event instanceof FleetEvent.StatusReported reported) {
+                onStatus(reported.status());
+            }
+        }
+
+        private void onStatus(BoatStatus news) {
             news.pose().ifPresent(pose -> latDeg = pose.position().latDeg());
             news.mode()
                     .filter(mode -> modes.isEmpty() || modes.get(modes.size() - 1) != mode)

@@ -157,6 +157,18 @@ public sealed interface FleetEvent {
     // ---- faults of this program
 
     /**
+     * A listener of these events threw; all others received the event.
+     *
+     * @param listener name of its class
+     */
+    record ListenerFault(String listener, Throwable cause) implements FleetEvent {
+        @Override
+        public String boat() {
+            return "";
+        }
+    }
+
+    /**
      * Something in this program threw; all else goes on.
      *
      * @param where in words

@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.listener.BoatListeners;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.task.TaskNews;
@@ -15,18 +13,17 @@ import org.sami.spn.host.Registration;
 import org.sami.spn.value.TaskId;
 
 /**
- * The event bus of a base's boats. Proxies and links report to it as a {@link BoatListener} and a {@link BaseListener}; subscribers receive {@link
- * FleetEvent}s, in order, before plans do.
+ * The event bus of a base's boats. Proxies publish {@link FleetEvent}s here, links report here as to a {@link BaseListener}; subscribers receive the
+ * events in order, and before the domain, whose listeners answer plans.
  *
- * <p>Events are published on the fleet's thread. Any thread may subscribe and unsubscribe. What a subscriber throws is logged, published to the
- * others as a {@link FleetEvent.Fault}, and stops no other subscriber.
+ * <p>Events are published on the fleet's thread. Any thread may subscribe and unsubscribe. What a listener throws is logged, published to the
+ * others as a {@link FleetEvent.ListenerFault}, and stops no other listener.
  */
 public final class FleetEvents implements BaseListener {
     private static final long SLOW_MILLIS = 50;
 
     private final ListenerList<Consumer<? super FleetEvent>> subscribers;
-    private final BoatListener publisher = new BoatEventPublisher(this::publish);
-    private volatile BoatListener proxies = new BoatListeners(publisher);
+    private final ListenerList<Consumer<? super FleetEvent>> domain = new ListenerList<>();
 
     /** Nobody has subscribed yet. */
     public FleetEvents() {
@@ -58,37 +55,33 @@ public final class FleetEvents implements BaseListener {
         return subscribers.add(new ExecutedSubscriber(executor, subscriber));
     }
 
-    /** Tells all subscribers. For the fleet's thread. */
+    /** Publishes an event to the subscribers, then to the domain. For the fleet's thread; proxies and links publish here as well. */
     public void publish(FleetEvent event) {
-        subscribers.each(subscriber -> subscriber.accept(event), (subscriber, fault) -> {
-            if (!(event instanceof FleetEvent.Fault)) { // who fails at faults is not told of more
-                publish(new FleetEvent.Fault("a subscriber of fleet events, " + nameOf(subscriber), fault));
+        publish(event, subscribers);
+        publish(event, domain);
+    }
+
+    private void publish(FleetEvent event, ListenerList<Consumer<? super FleetEvent>> to) {
+        to.each(listener -> listener.accept(event), (listener, fault) -> {
+            if (!(event instanceof FleetEvent.ListenerFault)) { // a listener that fails at faults as well causes no further one
+                publish(new FleetEvent.ListenerFault(listener.getClass().getName(), fault));
             }
         });
     }
 
-    private static String nameOf(Object subscriber) {
-        return subscriber.getClass().getName();
+    /** From now on a listener of the domain receives all events, after all subscribers and after the domain's earlier listeners. */
+    public void passTo(Consumer<? super FleetEvent> listener) {
+        domain.add(listener);
     }
 
-    /** What every proxy must be given: it tells the subscribers, then the domain. */
-    public BoatListener boatListener() {
-        return proxies;
-    }
-
-    /** From now on the domain is told of boats as well, after the subscribers; before the first proxy is made. */
-    public void passTo(BoatListener domain) {
-        proxies = new BoatListeners(publisher, domain);
-    }
-
-    /** Tells of a task. For the fleet's thread. */
+    /** Publishes what happened to a task. For the fleet's thread. */
     public void onTask(TaskNews news, List<TaskId> names) {
         publish(new FleetEvent.TaskChanged(news, names));
     }
 
     @Override
-    public BoatListener found(String boatId) {
-        return proxies;
+    public Consumer<FleetEvent> found(String boatId) {
+        return this::publish;
     }
 
     @Override

@@ -8,8 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.sami.crw.decision.DoubtedPaths;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.fleet.FleetWants;
 import org.sami.crw.handler.boat.BoatNews;
@@ -36,8 +38,6 @@ import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.listener.BoatListeners;
 import org.sami.crw.task.TaskNews;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.host.EngineHost;
@@ -49,7 +49,7 @@ import org.sami.spn.value.TaskId;
  * The boats domain on a host: it registers every handler, passes withdrawals on to the boats, and posts the boats' reports as inputs. All
  * programs that run plans on boats use it, simulated or not.
  *
- * <p>A program makes the host first, then the domain, then the proxies: it gives them {@link #boatListener} and adds them to the registry. Then
+ * <p>A program makes the host first, then the domain, then the proxies: has them publish to {@link #events} and adds them to the registry. Then
  * the host resumes.
  */
 public final class CrwDomain implements AutoCloseable {
@@ -88,17 +88,18 @@ public final class CrwDomain implements AutoCloseable {
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         ExploredAreas explored = new ExploredAreas(messages, computations, errors, fleet);
-        events.passTo(new BoatListeners(
-                explored,
-                motion,
-                settings,
-                questions,
-                batteries,
-                areas,
-                measurements,
-                new BoatNews(host, newBoats, messages, batteries),
-                new TakeOverNews(host, boats),
-                new SentLists(host, boats)));
+        List.<Consumer<FleetEvent>>of(
+                        explored,
+                        motion,
+                        settings,
+                        questions,
+                        batteries,
+                        areas,
+                        measurements,
+                        new BoatNews(host, newBoats, messages, batteries),
+                        new TakeOverNews(host, boats),
+                        new SentLists(host, boats))
+                .forEach(events::passTo);
         tasks = new TaskQueues(host, (news, names) -> fleet.execute(() -> publish(news, names, motion)));
 
         DomainHandlers all = new DomainHandlers(boats, messages, services, errors, motion, computations);
@@ -207,12 +208,7 @@ public final class CrwDomain implements AutoCloseable {
         return new CrwDomain(host, boats, fleet, messages, services, connector, events, Optional.of(threads));
     }
 
-    /** The listener for every proxy of the registry; call it on the fleet's thread. */
-    public BoatListener boatListener() {
-        return events.boatListener();
-    }
-
-    /** The events of the boats and their tasks. */
+    /** The events of the boats and their tasks. Every proxy of the registry publishes there, on the fleet's thread. */
     public FleetEvents events() {
         return events;
     }

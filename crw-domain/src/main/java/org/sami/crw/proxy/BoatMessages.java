@@ -1,7 +1,7 @@
 package org.sami.crw.proxy;
 
 import java.util.Optional;
-import java.util.function.BiConsumer;
+import java.util.function.Function;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
@@ -20,11 +20,11 @@ import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.fleet.DeferredEvents;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyLink;
-import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatReading;
@@ -49,7 +49,7 @@ final class BoatMessages {
     private final ProxySettings settings;
     private final PendingRequests fleetRequests;
     private final CommandDriver driver;
-    private final DeferredNotifications announcements;
+    private final DeferredEvents announcements;
     private long lastTelemetry = -1; // its sequence number, or that of a motion
 
     BoatMessages(
@@ -60,7 +60,7 @@ final class BoatMessages {
             ProxySettings settings,
             PendingRequests fleetRequests,
             CommandDriver driver,
-            DeferredNotifications announcements) {
+            DeferredEvents announcements) {
         this.boatId = boatId;
         this.condition = condition;
         this.link = link;
@@ -95,10 +95,10 @@ final class BoatMessages {
         } else if (message instanceof BatteryReport report) {
             BatteryState battery = new BatteryState(report.percent(), report.level());
             condition.status = condition.status.with(battery);
-            announcements.add(l -> l.onBattery(boatId, battery));
+            announcements.add(new FleetEvent.BatteryReported(boatId, battery));
         } else if (message instanceof SensorReport report) {
             BoatReading reading = BoatReading.of(report);
-            announcements.add(l -> l.onReading(boatId, reading));
+            announcements.add(new FleetEvent.Measured(boatId, reading));
         } else if (message instanceof PanoramaReport report) {
             driver.taken(report);
         } else if (message instanceof SettingsReport report) {
@@ -109,7 +109,7 @@ final class BoatMessages {
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);
         } else if (message instanceof CommandAsked asked) {
-            announcements.add(l -> l.onCommandAsked(boatId, asked.clientId()));
+            announcements.add(new FleetEvent.CommandAsked(boatId, asked.clientId()));
         } else if (message instanceof Goodbye goodbye) {
             condition.otherBoat = Optional.of(goodbye.boatId()).filter(id -> !id.equals(boatId));
             refuse(goodbye.reason());
@@ -119,7 +119,7 @@ final class BoatMessages {
     private void refuse(String reason) {
         if (!reason.equals(condition.refusal)) {
             condition.refusal = reason;
-            announcements.add(l -> l.onRefused(boatId, reason));
+            announcements.add(new FleetEvent.Refused(boatId, reason));
         }
     }
 
@@ -150,7 +150,7 @@ final class BoatMessages {
         driver.abandon("the boat's server has started anew");
         condition.unconfirmedRestart = true;
         condition.heldListId = Optional.empty(); // what the earlier start held says nothing of this one
-        announce(BoatListener::onRestarted);
+        announce(FleetEvent.Restarted::new);
     }
 
     private void seen(double latDeg, double lonDeg, double headingRad, double speedMps, BoatMode mode) {
@@ -169,7 +169,7 @@ final class BoatMessages {
         condition.status = condition.status.with(pose, battery, telemetry.mode());
         condition.drift.says(pose.position(), telemetry.mode(), telemetry.boatTimeMs());
         condition.wayHome.says(telemetry.mode());
-        announce(BoatListener::onStatus);
+        announce(FleetEvent.StatusReported::new);
         if (telemetry.mode() == BoatMode.FLEET_STOP) {
             if (!condition.fleetStopped) {
                 condition.fleetStopped = true;
@@ -236,7 +236,7 @@ final class BoatMessages {
         if (link.state() == LinkState.LOST && isToReturn()) {
             condition.wayHome.begin(condition.status.pose().map(BoatPose::position));
         }
-        announce(BoatListener::onLinkChange);
+        announce(FleetEvent.LinkChanged::new);
     }
 
     /** Whether the boat returns to its home when its link is lost. */
@@ -248,9 +248,8 @@ final class BoatMessages {
                         .isPresent();
     }
 
-    /** Tells the listener of something together with the status of now. */
-    void announce(BiConsumer<BoatListener, BoatStatus> news) {
-        BoatStatus now = condition.status;
-        announcements.add(l -> news.accept(l, now));
+    /** Publishes an event that has the present status. */
+    void announce(Function<BoatStatus, FleetEvent> news) {
+        announcements.add(news.apply(condition.status));
     }
 }

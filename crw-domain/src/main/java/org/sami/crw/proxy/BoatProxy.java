@@ -4,12 +4,15 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.Teleoperate;
+import org.sami.crw.fleet.DeferredEvents;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
@@ -18,8 +21,6 @@ import org.sami.crw.proxy.link.Intake;
 import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.link.ProxyLink;
-import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
@@ -45,7 +46,7 @@ public final class BoatProxy {
     private final double cruiseSpeedMps;
     private final PendingRequests fleetRequests; // what stops or releases the whole fleet
     private final HandOver handOver;
-    private final DeferredNotifications announcements;
+    private final DeferredEvents announcements;
     private final ProxySettings settings;
     private final CommandDriver driver;
     private final BoatCondition condition;
@@ -56,12 +57,12 @@ public final class BoatProxy {
     private long announcedChanges; // of the queue
 
     /** A proxy that says hello at its first tick. */
-    public BoatProxy(String boatId, FrameSink toBoat, BoatListener listener, ProxyConfig config) {
+    public BoatProxy(String boatId, FrameSink toBoat, Consumer<? super FleetEvent> listener, ProxyConfig config) {
         this.boatId = Objects.requireNonNull(boatId, "boatId");
         cruiseSpeedMps = config.cruiseSpeedMps();
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
         fleetRequests = new PendingRequests(link, config);
-        announcements = new DeferredNotifications(Objects.requireNonNull(listener, "listener"));
+        announcements = new DeferredEvents(Objects.requireNonNull(listener, "listener"));
         condition = new BoatCondition(boatId, link);
         driver = new CommandDriver(boatId, config, link, announcements, this::position, condition.wayHome);
         handOver = new HandOver(boatId, link, config, announcements, condition, driver::wireId);
@@ -151,7 +152,7 @@ public final class BoatProxy {
         driver.failAll(reason);
         settings.giveUp(reason);
         condition.unconfirmedRestart = false;
-        announcements.add(l -> l.onRetired(boatId));
+        announcements.add(new FleetEvent.Retired(boatId));
         settle();
     }
 
@@ -235,7 +236,7 @@ public final class BoatProxy {
             return;
         }
         intake.due(condition.nowMs).forEach(messages::take);
-        intake.news(condition.nowMs).ifPresent(news -> announcements.add(l -> l.onLeftOut(boatId, news)));
+        intake.news(condition.nowMs).ifPresent(news -> announcements.add(new FleetEvent.TooMuchSent(boatId, news)));
         if (link.tick(condition.nowMs)) {
             messages.linkChanged();
         }
@@ -279,7 +280,7 @@ public final class BoatProxy {
     public void confirmRestart() {
         if (condition.unconfirmedRestart) {
             condition.unconfirmedRestart = false;
-            messages.announce(BoatListener::onRestartAllowed);
+            messages.announce(FleetEvent.RestartAllowed::new);
         }
         settle();
     }
@@ -307,7 +308,7 @@ public final class BoatProxy {
         driver.abandon("the boat was taken over by hand");
         if (!condition.takenOver) {
             condition.takenOver = true;
-            announcements.add(l -> l.onTakenOver(boatId));
+            announcements.add(new FleetEvent.TakenOver(boatId));
         }
         if (link.isCommanding()) {
             link.send(hand, condition.nowMs);
@@ -319,7 +320,7 @@ public final class BoatProxy {
     public void release() {
         if (condition.takenOver) {
             condition.takenOver = false;
-            announcements.add(l -> l.onReleased(boatId));
+            announcements.add(new FleetEvent.HandedBack(boatId));
             driver.stopUnlessWanted();
             settle();
         }
@@ -402,7 +403,7 @@ public final class BoatProxy {
         if (driver.queue().changes() != announcedChanges) {
             announcedChanges = driver.queue().changes();
             CommandQueueSnapshot queue = commands.queue();
-            announcements.add(l -> l.onQueueChanged(boatId, queue));
+            announcements.add(new FleetEvent.QueueChanged(boatId, queue));
         }
         announcements.deliver();
     }

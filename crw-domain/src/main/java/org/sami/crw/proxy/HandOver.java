@@ -6,10 +6,11 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.TakeCommand;
+import org.sami.crw.fleet.DeferredEvents;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.link.ProxyLink;
-import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.status.LinkState;
 
 /**
@@ -20,7 +21,7 @@ public final class HandOver {
     private final String boatId;
     private final ProxyLink link;
     private final PendingRequests requests;
-    private final DeferredNotifications announcements;
+    private final DeferredEvents announcements;
     private final BoatCondition condition;
     private final UnaryOperator<String> ids;
     private boolean toldCommanding;
@@ -34,7 +35,7 @@ public final class HandOver {
             String boatId,
             ProxyLink link,
             ProxyConfig config,
-            DeferredNotifications announcements,
+            DeferredEvents announcements,
             BoatCondition condition,
             UnaryOperator<String> ids) {
         this.boatId = boatId;
@@ -88,7 +89,7 @@ public final class HandOver {
     boolean refused(Nack nack) {
         boolean ours = answered(nack.commandId());
         if (ours) {
-            announcements.add(l -> l.onRefused(boatId, nack.detail()));
+            announcements.add(new FleetEvent.Refused(boatId, nack.detail()));
         }
         return ours;
     }
@@ -98,7 +99,7 @@ public final class HandOver {
         boolean commanding = link.isCommanding();
         if (commanding != toldCommanding) {
             toldCommanding = commanding;
-            announcements.add(l -> l.onCommanding(boatId, commanding));
+            announcements.add(new FleetEvent.CommanderChanged(boatId, commanding));
         }
     }
 
@@ -109,7 +110,7 @@ public final class HandOver {
 
     void tick(long nowMs) {
         for (CommandMessage unanswered : requests.tick(nowMs)) {
-            announcements.add(l -> l.onRefused(boatId, "the boat did not answer " + unanswered.type()));
+            announcements.add(new FleetEvent.Refused(boatId, "the boat did not answer " + unanswered.type()));
         }
     }
 }

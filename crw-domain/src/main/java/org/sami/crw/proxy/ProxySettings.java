@@ -13,10 +13,11 @@ import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
+import org.sami.crw.fleet.DeferredEvents;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.link.ProxyLink;
-import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.status.BoatTuning;
 
 /**
@@ -28,7 +29,7 @@ public final class ProxySettings {
     private final String boatId;
     private final ProxyLink link;
     private final ProxyConfig config;
-    private final DeferredNotifications announcements;
+    private final DeferredEvents announcements;
     private final BoatCondition condition;
     private final UnaryOperator<String> ids;
     private final Runnable afterwards;
@@ -45,7 +46,7 @@ public final class ProxySettings {
             String boatId,
             ProxyLink link,
             ProxyConfig config,
-            DeferredNotifications announcements,
+            DeferredEvents announcements,
             BoatCondition condition,
             UnaryOperator<String> ids,
             Runnable afterwards) {
@@ -105,20 +106,20 @@ public final class ProxySettings {
     }
 
     private void refused(CommandMessage setting, String reason) {
-        announcements.add(l -> l.onTuningRefused(boatId, setting.commandId(), reason));
+        announcements.add(new FleetEvent.SettingRefused(boatId, setting.commandId(), reason));
     }
 
     void reported(SettingsReport report) {
         BoatTuning tuning = BoatTuning.of(report);
         inForce = Optional.of(tuning);
-        announcements.add(l -> l.onTuning(boatId, tuning));
+        announcements.add(new FleetEvent.SettingsReported(boatId, tuning));
     }
 
     /** Whether an answer was to a setting, which the boat has taken with it. */
     boolean answered(String commandId) {
         boolean setting = isSetting(commandId);
         if (setting) {
-            announcements.add(l -> l.onTuningTaken(boatId, commandId));
+            announcements.add(new FleetEvent.SettingTaken(boatId, commandId));
         }
         return setting;
     }
@@ -135,7 +136,7 @@ public final class ProxySettings {
             default -> false;
         };
         if (!willPass && isSetting(nack.commandId())) {
-            announcements.add(l -> l.onTuningRefused(boatId, nack.commandId(), nack.detail()));
+            announcements.add(new FleetEvent.SettingRefused(boatId, nack.commandId(), nack.detail()));
         }
     }
 

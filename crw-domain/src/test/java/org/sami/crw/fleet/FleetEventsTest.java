@@ -2,9 +2,7 @@ package org.sami.crw.fleet;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.lang.reflect.Method;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -18,7 +16,6 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Priority;
@@ -29,19 +26,7 @@ class FleetEventsTest {
 
     private final FleetEvents events = new FleetEvents();
     private final List<FleetEvent> heard = new ArrayList<>();
-    private final BoatProxy boat = new BoatProxy("anna", frame -> {}, events.boatListener(), ProxyConfig.DEFAULT);
-
-    @Test
-    void everyCallOfAProxyIsTold() throws Exception {
-        events.subscribe(heard::add);
-        int calls = 0;
-        for (Method method : BoatListener.class.getMethods()) {
-            method.invoke(events.boatListener(), nothing(method));
-            calls++;
-        }
-
-        assertThat(heard).hasSize(calls).extracting(Object::getClass).doesNotHaveDuplicates();
-    }
+    private final BoatProxy boat = new BoatProxy("anna", frame -> {}, events::publish, ProxyConfig.DEFAULT);
 
     @Test
     void whoHasUnsubscribedHearsNothingMore() {
@@ -60,33 +45,45 @@ class FleetEventsTest {
     void subscribersHearBeforeTheDomain() {
         List<String> order = new ArrayList<>();
         events.subscribe(event -> order.add("subscriber"));
-        events.passTo(new BoatListener() {
-            @Override
-            public void onTakenOver(String boatId) {
-                order.add("domain");
-            }
-        });
+        events.passTo(event -> order.add("domain"));
+        events.subscribe(event -> order.add("late subscriber"));
 
-        events.boatListener().onTakenOver("anna");
+        events.publish(new FleetEvent.TakenOver("anna"));
 
-        assertThat(order).containsExactly("subscriber", "domain");
+        assertThat(order).containsExactly("subscriber", "late subscriber", "domain");
     }
 
     @Test
-    void whatASubscriberThrowsIsToldAndTheNextHearsTheEvent() {
+    void whatAListenerThrowsIsPublishedAndTheNextHearsTheEvent() {
         events.subscribe(event -> {
             throw new IllegalStateException("spilled");
         });
         events.subscribe(heard::add);
 
-        events.boatListener().onTakenOver("anna");
+        events.publish(new FleetEvent.TakenOver("anna"));
 
         assertThat(heard).hasSize(2);
         assertThat(heard.get(0)).isEqualTo(new FleetEvent.TakenOver("anna"));
         assertThat(heard.get(1))
                 .isInstanceOfSatisfying(
-                        FleetEvent.Fault.class,
+                        FleetEvent.ListenerFault.class,
                         fault -> assertThat(fault.cause()).hasMessage("spilled"));
+    }
+
+    @Test
+    void whatAListenerOfTheDomainThrowsIsPublishedToTheNextAndToSubscribers() {
+        List<FleetEvent> domain = new ArrayList<>();
+        events.subscribe(heard::add);
+        events.passTo(event -> {
+            throw new AssertionError("spilled");
+        });
+        events.passTo(domain::add);
+
+        events.publish(new FleetEvent.TakenOver("anna"));
+
+        assertThat(domain).isEqualTo(heard).hasSize(2);
+        assertThat(domain.get(0)).isEqualTo(new FleetEvent.TakenOver("anna"));
+        assertThat(domain.get(1)).isInstanceOf(FleetEvent.ListenerFault.class);
     }
 
     @Test
@@ -155,11 +152,5 @@ class FleetEventsTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-    }
-
-    private static Object[] nothing(Method method) {
-        return Arrays.stream(method.getParameterTypes())
-                .map(type -> type == boolean.class ? (Object) true : type == int.class ? (Object) 0 : null)
-                .toArray();
     }
 }

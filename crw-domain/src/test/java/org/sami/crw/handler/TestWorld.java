@@ -119,7 +119,7 @@ final class TestWorld implements HostClock {
         boats.add(new BoatProxy(
                 id,
                 frame -> send(id, () -> sessions.get(id).receive(frame, nowMillis())),
-                domain.boatListener(),
+                domain.events()::publish,
                 ProxyConfig.DEFAULT.withTelemetryHz(5)));
         startServer(id, id + "-boot1");
         return hull;

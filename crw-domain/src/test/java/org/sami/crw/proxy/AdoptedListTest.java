@@ -14,11 +14,10 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
-import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.command.UploadCount;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -29,14 +28,10 @@ class AdoptedListTest {
     private static final String LIST = "c#earlier.0.3";
 
     private final List<String> heard = new ArrayList<>();
-    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {
-        @Override
-        public void onProgress(String boatId, BoatCommand command, int visitedCount) {
-            heard.add("progress " + visitedCount);
-        }
-
-        @Override
-        public void onCompleted(String boatId, BoatCommand command) {
+    private final ScriptedBoat boat = new ScriptedBoat(event -> {
+        if (event instanceof FleetEvent.Progressed progressed) {
+            heard.add("progress " + progressed.visited());
+        } else if (event instanceof FleetEvent.CommandCompleted) {
             heard.add("completed");
         }
     });

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
@@ -28,12 +29,12 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Stop;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
@@ -385,9 +386,10 @@ class BoatProxyTest {
                 this::keep,
                 new Recorder() {
                     @Override
-                    public void onCompleted(String boatId, BoatCommand command) {
-                        super.onCompleted(boatId, command);
-                        if (command.commandId().equals("c")) {
+                    public void accept(FleetEvent event) {
+                        super.accept(event);
+                        if (event instanceof FleetEvent.CommandCompleted done
+                                && done.command().commandId().equals("c")) {
                             proxy.commands().submit(path("next", 1).startingAt(2));
                             proxy.commands().submit(path("last", 1));
                         }
@@ -442,34 +444,45 @@ class BoatProxyTest {
         return new Telemetry(45, 10, 0, speedMps, 88, mode, 1);
     }
 
-    private class Recorder implements BoatListener {
+    private class Recorder implements Consumer<FleetEvent> {
         @Override
-        public void onCompleted(String boatId, BoatCommand command) {
+        public void accept(FleetEvent event) {
+            if (event instanceof FleetEvent.CommandCompleted done) {
+                onCompleted(done.boat(), done.command());
+            } else if (event instanceof FleetEvent.CommandFailed failed) {
+                onFailed(failed.boat(), failed.command(), failed.reason());
+            } else if (event instanceof FleetEvent.Progressed progressed) {
+                onProgress(progressed.boat(), progressed.command(), progressed.visited());
+            } else if (event instanceof FleetEvent.LinkChanged link) {
+                onLinkChange(link.status());
+            } else if (event instanceof FleetEvent.BatteryReported battery) {
+                onBattery(battery.boat(), battery.battery());
+            } else if (event instanceof FleetEvent.Restarted restarted) {
+                onRestarted(restarted.status());
+            }
+        }
+
+        private void onCompleted(String boatId, BoatCommand command) {
             heard.add("completed " + command.commandId());
         }
 
-        @Override
-        public void onFailed(String boatId, BoatCommand command, String reason) {
+        private void onFailed(String boatId, BoatCommand command, String reason) {
             heard.add("failed " + command.commandId() + ": " + reason);
         }
 
-        @Override
-        public void onProgress(String boatId, BoatCommand command, int visitedCount) {
+        private void onProgress(String boatId, BoatCommand command, int visitedCount) {
             heard.add("progress " + command.commandId() + " " + visitedCount);
         }
 
-        @Override
-        public void onLinkChange(BoatStatus status) {
+        private void onLinkChange(BoatStatus status) {
             heard.add("link " + status.link());
         }
 
-        @Override
-        public void onBattery(String boatId, BatteryState battery) {
+        private void onBattery(String boatId, BatteryState battery) {
             heard.add("battery " + battery.level());
         }
 
-        @Override
-        public void onRestarted(BoatStatus status) {
+        private void onRestarted(BoatStatus status) {
             heard.add("restarted");
         }
     }

@@ -30,7 +30,6 @@ import org.sami.crw.proxy.command.Stop;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.explanation.MissionTitles;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
@@ -41,7 +40,7 @@ class ExplainTest {
     private static final GeoPoint HERE = GeoPoint.of(45, 10);
     private static final List<GeoPoint> POINTS = List.of(Geodesy.offset(HERE, 0, 100), Geodesy.offset(HERE, 0, 200));
 
-    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {});
+    private final ScriptedBoat boat = new ScriptedBoat(event -> {});
     private final Set<Cause> seen = EnumSet.noneOf(Cause.class);
 
     private void assertWhy(Cause cause, String words) {

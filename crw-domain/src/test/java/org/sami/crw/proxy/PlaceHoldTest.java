@@ -14,10 +14,9 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
@@ -32,15 +31,11 @@ class PlaceHoldTest {
     private static final int UNTIL_GIVEN_UP_S = 302;
 
     private final List<String> heard = new ArrayList<>();
-    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {
-        @Override
-        public void onFailed(String boatId, BoatCommand command, String reason) {
-            heard.add("failed " + command.commandId());
-        }
-
-        @Override
-        public void onHoldsPlace(String boatId, BoatCommand givenUp) {
-            heard.add("holds after " + givenUp.commandId());
+    private final ScriptedBoat boat = new ScriptedBoat(event -> {
+        if (event instanceof FleetEvent.CommandFailed failed) {
+            heard.add("failed " + failed.command().commandId());
+        } else if (event instanceof FleetEvent.PlaceHeld held) {
+            heard.add("holds after " + held.givenUp().commandId());
         }
     });
 

@@ -8,9 +8,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.UploadWaypoints;
-import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -20,10 +19,9 @@ class ProgressMonitorTest {
     private static final GeoPoint START = GeoPoint.of(45, 10);
 
     private final List<String> failed = new ArrayList<>();
-    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {
-        @Override
-        public void onFailed(String boatId, BoatCommand command, String reason) {
-            failed.add(command.commandId() + ": " + reason);
+    private final ScriptedBoat boat = new ScriptedBoat(event -> {
+        if (event instanceof FleetEvent.CommandFailed news) {
+            failed.add(news.command().commandId() + ": " + news.reason());
         }
     });
 

@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
@@ -17,8 +18,8 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.value.GeoPoint;
 
 /** A proxy and the boat that it talks to, whose every word the test says. */
@@ -29,7 +30,7 @@ final class ScriptedBoat {
     private long nowMs = 1000;
     private long sequence;
 
-    ScriptedBoat(BoatListener listener) {
+    ScriptedBoat(Consumer<FleetEvent> listener) {
         proxy = new BoatProxy("boat1", this::keep, listener, ProxyConfig.DEFAULT);
     }
 

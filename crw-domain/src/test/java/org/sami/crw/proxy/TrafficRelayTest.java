@@ -20,7 +20,6 @@ import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 
 /** How often boats are told of which others. Anna is at the origin, Bert 10 m from her, Carl 35 m. */
 class TrafficRelayTest {
@@ -43,7 +42,7 @@ class TrafficRelayTest {
     @BeforeEach
     void link() {
         for (String name : List.of("anna", "bert", "carl")) {
-            boats.add(new BoatProxy(name, sink(name), new BoatListener() {}, ProxyConfig.DEFAULT));
+            boats.add(new BoatProxy(name, sink(name), event -> {}, ProxyConfig.DEFAULT));
         }
         for (BoatProxy boat : boats) {
             boat.receive(

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
@@ -25,8 +26,8 @@ import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.spn.value.GeoPoint;
@@ -42,20 +43,13 @@ class TuningTest {
 
     @BeforeEach
     void link() {
-        BoatListener listener = new BoatListener() {
-            @Override
-            public void onReading(String boatId, BoatReading reading) {
-                heard.add(reading);
-            }
-
-            @Override
-            public void onTuning(String boatId, BoatTuning tuning) {
-                heard.add(tuning);
-            }
-
-            @Override
-            public void onTuningRefused(String boatId, String commandId, String reason) {
-                heard.add(reason);
+        Consumer<FleetEvent> listener = event -> {
+            if (event instanceof FleetEvent.Measured measured) {
+                heard.add(measured.reading());
+            } else if (event instanceof FleetEvent.SettingsReported reported) {
+                heard.add(reported.settings());
+            } else if (event instanceof FleetEvent.SettingRefused refused) {
+                heard.add(refused.reason());
             }
         };
         proxy = new BoatProxy("boat1", this::keep, listener, ProxyConfig.DEFAULT);

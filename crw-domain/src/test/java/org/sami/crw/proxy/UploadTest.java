@@ -11,10 +11,10 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.UploadWaypoints;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.command.UploadCount;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -23,9 +23,9 @@ class UploadTest {
     private static final List<GeoPoint> POINTS = List.of(GeoPoint.of(45, 10), GeoPoint.of(45.01, 10.01));
 
     private final List<String> heard = new ArrayList<>();
-    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {
-        @Override
-        public void onUpload(String boatId, Upload upload) {
+    private final ScriptedBoat boat = new ScriptedBoat(event -> {
+        if (event instanceof FleetEvent.UploadAdvanced advanced) {
+            Upload upload = advanced.upload();
             heard.add(upload.commandId() + " " + upload.state() + (upload.why().isEmpty() ? "" : ": " + upload.why()));
         }
     });

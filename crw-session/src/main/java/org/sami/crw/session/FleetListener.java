@@ -13,7 +13,6 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.BoatStatus;
@@ -77,7 +76,7 @@ final class FleetListener implements BaseListener {
     // ---- links, passed on to all who subscribed
 
     @Override
-    public BoatListener found(String boatId) {
+    public Consumer<FleetEvent> found(String boatId) {
         return events.found(boatId);
     }
 

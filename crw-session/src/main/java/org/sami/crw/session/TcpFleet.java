@@ -11,9 +11,9 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.SteadyClock;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkAlarm;
@@ -138,7 +138,7 @@ final class TcpFleet implements FleetConnector {
         }
 
         @Override
-        public BoatListener found(String boatId) {
+        public Consumer<FleetEvent> found(String boatId) {
             return listener.found(boatId);
         }
 

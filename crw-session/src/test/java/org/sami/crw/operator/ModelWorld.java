@@ -92,7 +92,7 @@ final class ModelWorld implements HostClock {
     }
 
     BoatProxy boat(String id) {
-        BoatProxy proxy = new BoatProxy(id, frame -> {}, events.boatListener(), ProxyConfig.DEFAULT);
+        BoatProxy proxy = new BoatProxy(id, frame -> {}, events::publish, ProxyConfig.DEFAULT);
         boats.add(proxy);
         events.onBoat(proxy);
         return proxy;

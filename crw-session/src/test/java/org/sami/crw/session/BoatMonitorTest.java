@@ -10,7 +10,6 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.archive.SessionTelemetry;
@@ -26,7 +25,7 @@ class BoatMonitorTest {
     private final SessionMessages messages = new SessionMessages(telemetry, message -> {});
     private final List<String> notices = new ArrayList<>();
     private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages, MissionTitles.NONE, true, () -> 0);
-    private final BoatProxy anna = new BoatProxy("anna", frame -> {}, new BoatListener() {}, ProxyConfig.DEFAULT);
+    private final BoatProxy anna = new BoatProxy("anna", frame -> {}, event -> {}, ProxyConfig.DEFAULT);
     private final ProxyRegistry boats = new ProxyRegistry();
 
     BoatMonitorTest() {

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -25,9 +26,9 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.cli.CommandResult;
 import org.sami.crw.cli.CrwProcess;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.TcpBase;
@@ -182,8 +183,8 @@ class RunOverTcpTest {
     /** Only watches, until it takes the command. */
     private static final class Watcher implements BaseListener {
         @Override
-        public BoatListener found(String boatId) {
-            return new BoatListener() {};
+        public Consumer<FleetEvent> found(String boatId) {
+            return event -> {};
         }
 
         @Override

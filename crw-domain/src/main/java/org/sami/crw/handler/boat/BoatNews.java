@@ -7,13 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.link.LinkLosses;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
@@ -30,7 +31,7 @@ import org.sami.spn.value.RealValue;
  * become inputs only while a transition waits for them; a battery is news when its class changes. For the fleet's
  * thread.
  */
-public final class BoatNews implements BoatListener {
+public final class BoatNews implements Consumer<FleetEvent> {
     private static final int MOST_FAULTS = 100;
 
     private final EngineHost host;
@@ -51,12 +52,33 @@ public final class BoatNews implements BoatListener {
     }
 
     @Override
-    public void onStatus(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.LinkChanged link) {
+            onLinkChange(link.status());
+        } else if (event instanceof FleetEvent.BatteryReported battery) {
+            onBattery(battery.boat(), battery.battery());
+        } else if (event instanceof FleetEvent.Retired retired) {
+            onRetired(retired.boat());
+        } else if (event instanceof FleetEvent.Restarted restarted) {
+            onRestarted(restarted.status());
+        } else if (event instanceof FleetEvent.CommanderChanged commander) {
+            onCommanding(commander.boat(), commander.commands());
+        } else if (event instanceof FleetEvent.PlaceHeld held) {
+            onHoldsPlace(held.boat(), held.givenUp());
+        } else if (event instanceof FleetEvent.Refused refused) {
+            onRefused(refused.boat(), refused.reason());
+        } else if (event instanceof FleetEvent.ListenerFault fault) {
+            onListenerFault(fault.listener(), fault.cause());
+        }
+    }
+
+    private void onStatus(BoatStatus status) {
         host.postIfAwaited(Occurrence.news(EventNames.POSE_UPDATED, List.of(status.boatId()), Map.of()));
     }
 
-    @Override
-    public void onLinkChange(BoatStatus status) {
+    private void onLinkChange(BoatStatus status) {
         String boat = status.boatId();
         LinkLosses losses = links.computeIfAbsent(boat, id -> new LinkLosses());
         long now = host.nowMillis();
@@ -74,8 +96,7 @@ public final class BoatNews implements BoatListener {
         }
     }
 
-    @Override
-    public void onBattery(String boatId, BatteryState battery) {
+    private void onBattery(String boatId, BatteryState battery) {
         String level = battery.level().name();
         Optional<String> before = Optional.ofNullable(levels.put(boatId, level));
         if (!before.or(() -> SessionMemory.BATTERY.of(boatId, host)).equals(Optional.of(level))) {
@@ -105,22 +126,19 @@ public final class BoatNews implements BoatListener {
     }
 
     /** If it comes again, it joins again where it was dropped meanwhile. */
-    @Override
-    public void onRetired(String boatId) {
+    private void onRetired(String boatId) {
         joined.remove(boatId);
         links.remove(boatId);
     }
 
-    @Override
-    public void onRestarted(BoatStatus status) {
+    private void onRestarted(BoatStatus status) {
         tell(
                 status.boatId(),
                 Priority.CRITICAL,
                 status.boatId() + " has started anew; it does not move until it is allowed to");
     }
 
-    @Override
-    public void onCommanding(String boatId, boolean commands) {
+    private void onCommanding(String boatId, boolean commands) {
         if (!commands) {
             observed.add(boatId);
             tell(boatId, Priority.HIGH, "Another base commands " + boatId + " now; its commands wait");
@@ -129,8 +147,7 @@ public final class BoatNews implements BoatListener {
         }
     }
 
-    @Override
-    public void onHoldsPlace(String boatId, BoatCommand givenUp) {
+    private void onHoldsPlace(String boatId, BoatCommand givenUp) {
         messages.tell(new OperatorMessage(
                 host.nowMillis(),
                 givenUp.mission(),
@@ -141,14 +158,12 @@ public final class BoatNews implements BoatListener {
                 ""));
     }
 
-    @Override
-    public void onRefused(String boatId, String reason) {
+    private void onRefused(String boatId, String reason) {
         tell(boatId, Priority.HIGH, boatId + " refuses: " + reason);
     }
 
     /** Said once of each fault: a listener that fails may do so with every pose. */
-    @Override
-    public void onListenerFault(String listener, Throwable fault) {
+    private void onListenerFault(String listener, Throwable fault) {
         if (faults.size() < MOST_FAULTS && faults.add(listener + ": " + fault)) {
             messages.tell(new OperatorMessage(
                     host.nowMillis(),

@@ -5,10 +5,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.engine.EngineView;
@@ -23,7 +24,7 @@ import org.sami.spn.protocol.Priority;
  * handler carries out the answer on the boat. The session's journal keeps the last known start of each boat, so that a restart while the base was
  * down is noticed too. For the fleet's thread; it passes the engine's steps on to it.
  */
-public final class BoatQuestions implements BoatListener, HostListener {
+public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
     private final EngineHost host;
     private final ProxyRegistry boats;
     private final Executor fleet;
@@ -38,7 +39,25 @@ public final class BoatQuestions implements BoatListener, HostListener {
     }
 
     @Override
-    public void onLinkChange(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.LinkChanged link) {
+            onLinkChange(link.status());
+        } else if (event instanceof FleetEvent.Restarted restarted) {
+            onRestarted(restarted.status());
+        } else if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.RestartAllowed allowed) {
+            onRestartAllowed(allowed.status());
+        } else if (event instanceof FleetEvent.CommandAsked asked) {
+            onCommandAsked(asked.boat(), asked.client());
+        } else if (event instanceof FleetEvent.CommanderChanged commander) {
+            onCommanding(commander.boat(), commander.commands());
+        } else if (event instanceof FleetEvent.Retired retired) {
+            onRetired(retired.boat());
+        }
+    }
+
+    private void onLinkChange(BoatStatus status) {
         if (status.link() == LinkState.LINKED) {
             SessionMemory.BOOT
                     .of(status.boatId(), host)
@@ -52,24 +71,20 @@ public final class BoatQuestions implements BoatListener, HostListener {
         host.post(SessionMemory.BOOT.remember(status.boatId(), status.bootId()));
     }
 
-    @Override
-    public void onRestarted(BoatStatus status) {
+    private void onRestarted(BoatStatus status) {
         restarts.add(status.boatId());
     }
 
-    @Override
-    public void onStatus(BoatStatus status) {
+    private void onStatus(BoatStatus status) {
         restarts.askIfDue();
     }
 
-    @Override
-    public void onRestartAllowed(BoatStatus status) {
+    private void onRestartAllowed(BoatStatus status) {
         remember(status);
         restarts.remove(status.boatId());
     }
 
-    @Override
-    public void onCommandAsked(String boatId, String clientId) {
+    private void onCommandAsked(String boatId, String clientId) {
         if (askers.put(boatId, clientId) != null) {
             withdraw(DomainQuestion.COMMAND_ASKED, boatId);
         }
@@ -80,15 +95,13 @@ public final class BoatQuestions implements BoatListener, HostListener {
                 Priority.HIGH));
     }
 
-    @Override
-    public void onCommanding(String boatId, boolean commands) {
+    private void onCommanding(String boatId, boolean commands) {
         if (askers.remove(boatId) != null) {
             withdraw(DomainQuestion.COMMAND_ASKED, boatId);
         }
     }
 
-    @Override
-    public void onRetired(String boatId) {
+    private void onRetired(String boatId) {
         askers.remove(boatId);
         restarts.remove(boatId);
         for (DomainQuestion question : DomainQuestion.values()) {

@@ -2,9 +2,10 @@ package org.sami.crw.handler.boat;
 
 import java.util.HashSet;
 import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.Upload;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.host.EngineHost;
@@ -13,7 +14,7 @@ import org.sami.spn.host.EngineHost;
  * Keeps in the session's journal which waypoint list each boat took last, so that a base that goes on after its death knows its own
  * list in the boat, and has the boat go on with it (docs/link.md). For the fleet's thread.
  */
-public final class SentLists implements BoatListener {
+public final class SentLists implements Consumer<FleetEvent> {
     private final EngineHost host;
     private final ProxyRegistry boats;
     private final Set<String> met = new HashSet<>();
@@ -24,7 +25,15 @@ public final class SentLists implements BoatListener {
     }
 
     @Override
-    public void onLinkChange(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.LinkChanged link) {
+            onLinkChange(link.status());
+        } else if (event instanceof FleetEvent.UploadAdvanced advanced) {
+            onUpload(advanced.boat(), advanced.upload());
+        }
+    }
+
+    private void onLinkChange(BoatStatus status) {
         if (status.link() == LinkState.LINKED && met.add(status.boatId())) {
             SessionMemory.LIST
                     .of(status.boatId(), host)
@@ -34,8 +43,7 @@ public final class SentLists implements BoatListener {
     }
 
     /** Before it is started: what the boat drives along must be known. */
-    @Override
-    public void onUpload(String boatId, Upload upload) {
+    private void onUpload(String boatId, Upload upload) {
         if (upload.state() == Upload.State.ACKNOWLEDGED) {
             met.add(boatId);
             host.post(SessionMemory.LIST.remember(boatId, upload.listId()));

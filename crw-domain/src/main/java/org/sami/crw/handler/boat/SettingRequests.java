@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Function;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.OptionalAnswer;
@@ -14,7 +16,6 @@ import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
@@ -26,7 +27,7 @@ import org.sami.spn.value.Value;
  * Settings that activations ask of boats, and one answer about each boat: it has taken over all of them, or not, and why. While a
  * link is lost they wait. For the fleet's thread.
  */
-public final class SettingRequests implements BoatListener {
+public final class SettingRequests implements Consumer<FleetEvent> {
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final Map<Command, Asked> asked = new LinkedHashMap<>();
@@ -64,15 +65,22 @@ public final class SettingRequests implements BoatListener {
     }
 
     @Override
-    public void onTuningTaken(String boatId, String commandId) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.SettingTaken set) {
+            onTuningTaken(set.boat(), set.commandId());
+        } else if (event instanceof FleetEvent.SettingRefused refused) {
+            onTuningRefused(refused.boat(), refused.commandId(), refused.reason());
+        }
+    }
+
+    private void onTuningTaken(String boatId, String commandId) {
         Asked one = asked.remove(new Command(boatId, commandId));
         if (one != null && one.waiting.remove(commandId) && one.waiting.isEmpty()) {
             one.post(one.answers.succeeded, Map.of());
         }
     }
 
-    @Override
-    public void onTuningRefused(String boatId, String commandId, String reason) {
+    private void onTuningRefused(String boatId, String commandId, String reason) {
         Asked one = asked.remove(new Command(boatId, commandId));
         if (one != null) {
             one.waiting.forEach(other -> asked.remove(new Command(boatId, other)));

@@ -5,9 +5,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.host.EngineHost;
@@ -19,7 +20,7 @@ import org.sami.spn.value.TextValue;
  * Reports to plans when a person or another base takes a boat over, and when it is back: once each, also across a restart of the base, which ends
  * driving by hand. For the fleet's thread.
  */
-public final class TakeOverNews implements BoatListener {
+public final class TakeOverNews implements Consumer<FleetEvent> {
     private static final String BY_HAND = "operator";
     private static final String BY_OTHERS = "another base";
 
@@ -36,26 +37,37 @@ public final class TakeOverNews implements BoatListener {
     }
 
     @Override
-    public void onTakenOver(String boatId) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.TakenOver taken) {
+            onTakenOver(taken.boat());
+        } else if (event instanceof FleetEvent.HandedBack back) {
+            onReleased(back.boat());
+        } else if (event instanceof FleetEvent.CommanderChanged commander) {
+            onCommanding(commander.boat(), commander.commands());
+        } else if (event instanceof FleetEvent.LinkChanged link) {
+            onLinkChange(link.status());
+        } else if (event instanceof FleetEvent.Retired retired) {
+            onRetired(retired.boat());
+        }
+    }
+
+    private void onTakenOver(String boatId) {
         byHand.add(boatId);
         tell(boatId);
     }
 
-    @Override
-    public void onReleased(String boatId) {
+    private void onReleased(String boatId) {
         byHand.remove(boatId);
         tell(boatId);
     }
 
-    @Override
-    public void onCommanding(String boatId, boolean commands) {
+    private void onCommanding(String boatId, boolean commands) {
         hasOther(boatId, !commands);
         tell(boatId);
     }
 
     /** When this base met the boat, another may have commanded it: then nothing has changed hands. */
-    @Override
-    public void onLinkChange(BoatStatus status) {
+    private void onLinkChange(BoatStatus status) {
         if (status.link() == LinkState.LINKED) {
             boats.find(status.boatId()).ifPresent(proxy -> {
                 hasOther(proxy.boatId(), !proxy.isCommanding());
@@ -72,8 +84,7 @@ public final class TakeOverNews implements BoatListener {
         }
     }
 
-    @Override
-    public void onRetired(String boatId) {
+    private void onRetired(String boatId) {
         byHand.remove(boatId);
         byOthers.remove(boatId);
         if (!told(boatId).isEmpty()) {

@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Function;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
@@ -17,7 +19,6 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -31,7 +32,7 @@ import org.sami.spn.value.TaskId;
  * The commands that activations have sent to boats, and the answers to the plan: progress, and one result for each (path completed or path failed). A
  * lost link is no failure: the command waits. A command whose id the boat already has is not sent twice. For the fleet's thread.
  */
-public final class MotionCommands implements BoatListener {
+public final class MotionCommands implements Consumer<FleetEvent> {
     public static final String UNKNOWN_BOAT = "no boat of that name is known";
 
     private final ProxyRegistry boats;
@@ -173,15 +174,28 @@ public final class MotionCommands implements BoatListener {
     }
 
     @Override
-    public void onProgress(String boatId, BoatCommand command, int visitedCount) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.Progressed progressed) {
+            onProgress(progressed.boat(), progressed.command(), progressed.visited());
+        } else if (event instanceof FleetEvent.PanoramaTaken panorama) {
+            onPanorama(panorama.boat(), panorama.command(), panorama.pictures(), panorama.from());
+        } else if (event instanceof FleetEvent.CommandCompleted done) {
+            onCompleted(done.boat(), done.command());
+        } else if (event instanceof FleetEvent.CommandFailed failed) {
+            onFailed(failed.boat(), failed.command(), failed.reason());
+        } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
+            onWithdrawn(withdrawn.boat(), withdrawn.command(), withdrawn.why());
+        }
+    }
+
+    private void onProgress(String boatId, BoatCommand command, int visitedCount) {
         SentCommand one = sent.get(command.commandId());
         if (one != null) {
             one.post(one.progress(visitedCount));
         }
     }
 
-    @Override
-    public void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
+    private void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
         SentCommand one = sent.get(command.commandId());
         if (one != null) {
             one.post(one.result(
@@ -189,8 +203,7 @@ public final class MotionCommands implements BoatListener {
         }
     }
 
-    @Override
-    public void onCompleted(String boatId, BoatCommand command) {
+    private void onCompleted(String boatId, BoatCommand command) {
         SentCommand one = sent.remove(command.commandId());
         if (one != null) {
             one.post(one.completed());
@@ -198,8 +211,7 @@ public final class MotionCommands implements BoatListener {
         tellAgain(command, SentCommand::completed);
     }
 
-    @Override
-    public void onFailed(String boatId, BoatCommand command, String reason) {
+    private void onFailed(String boatId, BoatCommand command, String reason) {
         SentCommand one = sent.remove(command.commandId());
         if (one != null) {
             one.post(failed(one, reason));
@@ -208,8 +220,7 @@ public final class MotionCommands implements BoatListener {
     }
 
     /** A command that was displaced fails for whoever still waits for it. */
-    @Override
-    public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+    private void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
         SentCommand one = sent.remove(command.commandId());
         String reason = why == Withdrawal.PREEMPTED
                 ? "a command of higher priority took the boat"

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.Restrictions;
 import org.sami.crw.handler.motion.BoatErrors;
@@ -12,7 +14,6 @@ import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.service.coverage.AreaCoverage;
@@ -30,7 +31,7 @@ import org.sami.spn.value.GeoPath;
  * Measures the part of explored areas that boats cover, by their reported positions, and notifies the operator when the last share is driven, or at
  * an earlier end of the mission. For the fleet's thread; it passes the engine's steps on to it.
  */
-public final class ExploredAreas implements BoatListener, HostListener {
+public final class ExploredAreas implements Consumer<FleetEvent>, HostListener {
     private final MessageSink messages;
     private final Computations computations;
     private final BoatErrors errors;
@@ -73,14 +74,21 @@ public final class ExploredAreas implements BoatListener, HostListener {
     }
 
     @Override
-    public void onStatus(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.CommandCompleted done) {
+            onCompleted(done.boat(), done.command());
+        }
+    }
+
+    private void onStatus(BoatStatus status) {
         status.pose()
                 .map(BoatPose::position)
                 .ifPresent(at -> areas.values().forEach(one -> one.add(status.boatId(), at)));
     }
 
-    @Override
-    public void onCompleted(String boat, BoatCommand command) {
+    private void onCompleted(String boat, BoatCommand command) {
         if (command instanceof FollowPath path) {
             for (ExploredArea one : areas.values()) {
                 if (one.complete(boat, path)) {

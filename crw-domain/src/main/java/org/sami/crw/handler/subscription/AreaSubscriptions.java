@@ -4,14 +4,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import org.locationtech.jts.algorithm.locate.IndexedPointInAreaLocator;
 import org.locationtech.jts.algorithm.locate.PointOnGeometryLocator;
 import org.locationtech.jts.geom.Location;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.water.Areas;
@@ -31,7 +32,7 @@ import org.sami.spn.value.GeoPoint;
  * the area while it stands in the place. The border belongs to the area. The mission's memory keeps the last report, so that a restarted base repeats
  * none. For the fleet's thread; it passes the engine's steps on to it.
  */
-public final class AreaSubscriptions implements ActivationHandler, BoatListener, HostListener {
+public final class AreaSubscriptions implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     public static final String TYPE = "ProxyAreaSubscription";
     private static final String AREA = "area";
 
@@ -58,7 +59,13 @@ public final class AreaSubscriptions implements ActivationHandler, BoatListener,
     }
 
     @Override
-    public void onStatus(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        }
+    }
+
+    private void onStatus(BoatStatus status) {
         status.pose().ifPresent(pose -> open.tell(subscription -> subscription.at(status.boatId(), pose.position())));
     }
 

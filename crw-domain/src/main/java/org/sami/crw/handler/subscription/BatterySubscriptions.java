@@ -6,14 +6,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.event.Numbers;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.spn.engine.EngineView;
@@ -33,7 +34,7 @@ import org.sami.spn.value.Value;
  * level by the subscription's own thresholds, while the boat stands in the place. The mission's memory keeps the last answer, so that neither a
  * regained link nor a restarted base repeats it. For the fleet's thread; it passes the engine's steps on to it.
  */
-public final class BatterySubscriptions implements ActivationHandler, BoatListener, HostListener {
+public final class BatterySubscriptions implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     public static final String TYPE = "BatteryLevelSubscription";
     private static final String PERIOD = "updatePeriod";
     private static final String LOW = "low";
@@ -70,12 +71,19 @@ public final class BatterySubscriptions implements ActivationHandler, BoatListen
     }
 
     @Override
-    public void onStatus(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.BatteryReported battery) {
+            onBattery(battery.boat(), battery.battery());
+        }
+    }
+
+    private void onStatus(BoatStatus status) {
         status.battery().ifPresent(battery -> look(status.boatId(), battery));
     }
 
-    @Override
-    public void onBattery(String boatId, BatteryState battery) {
+    private void onBattery(String boatId, BatteryState battery) {
         look(boatId, battery);
     }
 

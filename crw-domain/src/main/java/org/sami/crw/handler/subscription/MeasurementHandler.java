@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
@@ -14,7 +16,6 @@ import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.OptionalAnswer;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.spn.engine.EngineView;
@@ -34,7 +35,7 @@ import org.sami.spn.value.TextValue;
  * values the first counts. Without a reading for a while, a message to the operator lists the sensors, and the measurement fails: for the plan where
  * a transition waits for that, otherwise in the journal only, and the boat waits on. For the fleet's thread; it passes the engine's steps on to it.
  */
-public final class MeasurementHandler implements ActivationHandler, BoatListener, HostListener {
+public final class MeasurementHandler implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     public static final String TYPE = "TakeMeasurement";
 
     /** A measurement fails after this time, in ms, without a reading. */
@@ -63,7 +64,15 @@ public final class MeasurementHandler implements ActivationHandler, BoatListener
     }
 
     @Override
-    public void onReading(String boatId, BoatReading reading) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.Measured measured) {
+            onReading(measured.boat(), measured.reading());
+        } else if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        }
+    }
+
+    private void onReading(String boatId, BoatReading reading) {
         sensors.computeIfAbsent(boatId, id -> new TreeSet<>()).add(reading.sensor() + "/" + reading.channel());
         List<Wish> met = open.stream()
                 .filter(wish -> wish.isOf(boatId) && wish.isMetBy(reading))
@@ -72,8 +81,7 @@ public final class MeasurementHandler implements ActivationHandler, BoatListener
         met.stream().filter(Wish::stands).forEach(wish -> wish.answer(reading));
     }
 
-    @Override
-    public void onStatus(BoatStatus status) {
+    private void onStatus(BoatStatus status) {
         for (Wish wish : List.copyOf(open)) {
             if (wish.isOf(status.boatId()) && wish.isOverdue()) {
                 wish.told = true;

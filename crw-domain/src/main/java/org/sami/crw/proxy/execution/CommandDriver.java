@@ -9,6 +9,8 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.StopMotors;
+import org.sami.crw.fleet.DeferredEvents;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
@@ -18,7 +20,6 @@ import org.sami.crw.proxy.explanation.LastCommandOutcome;
 import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.link.ProxyLink;
-import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.queue.CommandQueue;
 import org.sami.crw.proxy.queue.QueuedCommand;
 import org.sami.spn.value.GeoPoint;
@@ -31,7 +32,7 @@ public final class CommandDriver {
 
     private final String boatId;
     private final ProxyConfig config;
-    private final DeferredNotifications announcements;
+    private final DeferredEvents announcements;
     private final PendingRequests requests; // of the running command, or to stop for want of one
     private final CommandQueue queue = new CommandQueue();
     private final PlaceHold hold = new PlaceHold();
@@ -56,7 +57,7 @@ public final class CommandDriver {
             String boatId,
             ProxyConfig config,
             ProxyLink link,
-            DeferredNotifications announcements,
+            DeferredEvents announcements,
             Supplier<Optional<GeoPoint>> position,
             ExpectedWayHome wayHome) {
         this.position = position;
@@ -121,7 +122,7 @@ public final class CommandDriver {
     /** Takes a command; its turn comes when {@link #settle} is called. */
     public void submit(BoatCommand command) {
         queue.submit(command)
-                .forEach((displaced, why) -> announcements.add(l -> l.onWithdrawn(boatId, displaced, why)));
+                .forEach((displaced, why) -> announcements.add(new FleetEvent.CommandWithdrawn(boatId, displaced, why)));
     }
 
     /** Whether the boat holds its place, since its path was given up and nobody wants anything of it. */
@@ -155,7 +156,7 @@ public final class CommandDriver {
         Optional<BoatCommand> gone = queue.withdraw(commandId);
         gone.ifPresent(command -> {
             lastWord = LastCommandOutcome.failed(command, reason);
-            announcements.add(l -> l.onFailed(boatId, command, reason));
+            announcements.add(new FleetEvent.CommandFailed(boatId, command, reason));
         });
         return gone.isPresent();
     }
@@ -165,7 +166,7 @@ public final class CommandDriver {
         hold.end();
         for (BoatCommand command : queue.clear()) {
             lastWord = LastCommandOutcome.failed(command, reason);
-            announcements.add(l -> l.onFailed(boatId, command, reason));
+            announcements.add(new FleetEvent.CommandFailed(boatId, command, reason));
         }
     }
 
@@ -203,7 +204,7 @@ public final class CommandDriver {
         conclude(failed.because(Verdict.FAILED, why));
         if (wasMissions) {
             hold.begin(queued.command(), at);
-            announcements.add(l -> l.onHoldsPlace(boatId, queued.command()));
+            announcements.add(new FleetEvent.PlaceHeld(boatId, queued.command()));
         }
     }
 
@@ -356,7 +357,7 @@ public final class CommandDriver {
         if (run.isPresent() && run.get() instanceof PanoramaRun panorama && panorama.isAbout(report)) {
             BoatCommand command = panorama.queued().command();
             GeoPoint from = GeoPoint.of(report.latDeg(), report.lonDeg());
-            announcements.add(l -> l.onPanorama(boatId, command, report.pictures(), from));
+            announcements.add(new FleetEvent.PanoramaTaken(boatId, command, report.pictures(), from));
             conclude(Verdict.COMPLETED);
         }
     }
@@ -385,7 +386,7 @@ public final class CommandDriver {
 
     private void visited(QueuedCommand queued, int count) {
         if (queued.visitedUpTo(count)) {
-            announcements.add(l -> l.onProgress(boatId, queued.command(), count));
+            announcements.add(new FleetEvent.Progressed(boatId, queued.command(), count));
         }
     }
 
@@ -410,7 +411,7 @@ public final class CommandDriver {
             mustStop = true;
             queue.finish(queued);
             lastWord = LastCommandOutcome.failed(queued.command(), ended.why());
-            announcements.add(l -> l.onFailed(boatId, queued.command(), ended.why()));
+            announcements.add(new FleetEvent.CommandFailed(boatId, queued.command(), ended.why()));
         }
     }
 
@@ -420,6 +421,6 @@ public final class CommandDriver {
         }
         queue.finish(queued);
         lastWord = LastCommandOutcome.arrived(queued.command());
-        announcements.add(l -> l.onCompleted(boatId, queued.command()));
+        announcements.add(new FleetEvent.CommandCompleted(boatId, queued.command()));
     }
 }

@@ -1,18 +1,19 @@
 package org.sami.crw.proxy.execution;
 
 import java.util.Optional;
+import org.sami.crw.fleet.DeferredEvents;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.command.UploadCount;
-import org.sami.crw.proxy.listener.DeferredNotifications;
 
 /** The waypoint lists that went to one boat: the latest, and how many there were. Tells the listener of every step. */
 public final class Uploads {
     private final String boatId;
-    private final DeferredNotifications announcements;
+    private final DeferredEvents announcements;
     private Optional<Upload> latest = Optional.empty();
     private UploadCount count = UploadCount.NONE;
 
-    Uploads(String boatId, DeferredNotifications announcements) {
+    Uploads(String boatId, DeferredEvents announcements) {
         this.boatId = boatId;
         this.announcements = announcements;
     }
@@ -31,7 +32,7 @@ public final class Uploads {
     void reached(Upload upload) {
         latest = Optional.of(upload);
         count = count.oneMore(upload.state());
-        announcements.add(l -> l.onUpload(boatId, upload));
+        announcements.add(new FleetEvent.UploadAdvanced(boatId, upload));
     }
 
     /** Nobody waits any longer for what is on its way, if anything is. */

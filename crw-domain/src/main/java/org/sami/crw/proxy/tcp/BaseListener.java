@@ -1,14 +1,15 @@
 package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.listener.BoatListener;
 
 /** Gets to know what becomes of a base's links. Called on the base's thread. */
 public interface BaseListener {
 
     /** A boat with a new id has answered; gives the listener of its proxy. */
-    BoatListener found(String boatId);
+    Consumer<FleetEvent> found(String boatId);
 
     /** The proxy of a boat that was found is there, and can be given commands. */
     default void onBoat(BoatProxy proxy) {}

@@ -7,11 +7,12 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import org.sami.boat.link.SteadyClock;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
@@ -20,7 +21,7 @@ import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 
 /** A base on real sockets that counts what reaches it and how long boats take to answer. */
-final class MeasuredBase implements BaseListener, BoatListener, AutoCloseable {
+final class MeasuredBase implements BaseListener, Consumer<FleetEvent>, AutoCloseable {
     private final TcpBase base;
     private final AtomicLong poses = new AtomicLong();
     private final Map<String, BoatStatus> statuses = new ConcurrentHashMap<>();
@@ -101,7 +102,7 @@ final class MeasuredBase implements BaseListener, BoatListener, AutoCloseable {
     }
 
     @Override
-    public BoatListener found(String boatId) {
+    public Consumer<FleetEvent> found(String boatId) {
         return this;
     }
 
@@ -111,18 +112,26 @@ final class MeasuredBase implements BaseListener, BoatListener, AutoCloseable {
     }
 
     @Override
-    public void onStatus(BoatStatus status) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.LinkChanged link) {
+            onLinkChange(link.status());
+        } else if (event instanceof FleetEvent.SettingsReported settings) {
+            onTuning(settings.boat(), settings.settings());
+        }
+    }
+
+    private void onStatus(BoatStatus status) {
         poses.incrementAndGet();
         statuses.put(status.boatId(), status);
     }
 
-    @Override
-    public void onLinkChange(BoatStatus status) {
+    private void onLinkChange(BoatStatus status) {
         statuses.put(status.boatId(), status);
     }
 
-    @Override
-    public void onTuning(String boatId, BoatTuning tuning) {
+    private void onTuning(String boatId, BoatTuning tuning) {
         Long asked = askedNanos.remove(boatId);
         if (asked != null) {
             answeredMs.add((System.nanoTime() - asked) / 1e6);

@@ -3,6 +3,7 @@ package org.sami.crw.sim.fleet;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.function.Consumer;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
@@ -10,8 +11,8 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.sim.clock.VirtualScheduler;
 import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.SimulatedHull;
@@ -51,7 +52,7 @@ public final class SimulatedBoat {
             double northM,
             BoatSeeds seeds,
             long fieldSeed,
-            BoatListener listener,
+            Consumer<FleetEvent> listener,
             Runnable awaitTick) {
         this.id = id;
         this.awaitTick = awaitTick;

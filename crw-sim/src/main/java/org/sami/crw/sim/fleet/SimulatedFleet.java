@@ -5,11 +5,12 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TrafficRelay;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.sim.clock.VirtualScheduler;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
@@ -46,7 +47,7 @@ public final class SimulatedFleet {
     private final VirtualScheduler clock;
     private final long seed;
     private final SplittableRandom seeds;
-    private final Function<String, BoatListener> listeners;
+    private final Function<String, Consumer<FleetEvent>> listeners;
     private final FleetConfig config;
     private final LocalFrame frame;
     private final List<SimulatedBoat> boats = new ArrayList<>();
@@ -71,7 +72,7 @@ public final class SimulatedFleet {
             int boatCount,
             double baseLatDeg,
             double baseLonDeg,
-            Function<String, BoatListener> listeners) {
+            Function<String, Consumer<FleetEvent>> listeners) {
         this(clock, seed, boatCount, baseLatDeg, baseLonDeg, listeners, FleetConfig.DEFAULT);
     }
 
@@ -82,7 +83,7 @@ public final class SimulatedFleet {
             int boatCount,
             double baseLatDeg,
             double baseLonDeg,
-            Function<String, BoatListener> listeners,
+            Function<String, Consumer<FleetEvent>> listeners,
             FleetConfig config) {
         this.clock = Objects.requireNonNull(clock, "clock");
         if (boatCount < 0) {

@@ -5,11 +5,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.function.Consumer;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SteadyClock;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -63,8 +64,8 @@ public final class FleetOrder {
     /** Takes every boat that answers; this class sends the command itself. */
     private final class Finder implements BaseListener {
         @Override
-        public BoatListener found(String boatId) {
-            return new BoatListener() {};
+        public Consumer<FleetEvent> found(String boatId) {
+            return event -> {};
         }
 
         @Override

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,10 +23,10 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.LinkAlarm;
@@ -117,11 +117,10 @@ class TcpBaseTest {
     /** Throws whatever it is told. */
     private static final class FailingListener implements BaseListener {
         @Override
-        public BoatListener found(String boatId) {
-            return (BoatListener) Proxy.newProxyInstance(
-                    BoatListener.class.getClassLoader(), new Class<?>[] {BoatListener.class}, (self, method, args) -> {
-                        throw new IllegalStateException(method.getName());
-                    });
+        public Consumer<FleetEvent> found(String boatId) {
+            return event -> {
+                throw new IllegalStateException(event.toString());
+            };
         }
 
         @Override

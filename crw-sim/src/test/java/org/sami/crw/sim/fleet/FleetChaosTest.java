@@ -6,15 +6,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Stop;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.link.PipeConfig;
@@ -134,19 +135,27 @@ class FleetChaosTest {
         assertThat(fates.put(command.commandId(), fate)).as(command.commandId()).isEqualTo("open");
     }
 
-    private final class Fates implements BoatListener {
+    private final class Fates implements Consumer<FleetEvent> {
         @Override
-        public void onCompleted(String boatId, BoatCommand command) {
+        public void accept(FleetEvent event) {
+            if (event instanceof FleetEvent.CommandCompleted done) {
+                onCompleted(done.boat(), done.command());
+            } else if (event instanceof FleetEvent.CommandFailed failed) {
+                onFailed(failed.boat(), failed.command(), failed.reason());
+            } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
+                onWithdrawn(withdrawn.boat(), withdrawn.command(), withdrawn.why());
+            }
+        }
+
+        private void onCompleted(String boatId, BoatCommand command) {
             end(command, "completed");
         }
 
-        @Override
-        public void onFailed(String boatId, BoatCommand command, String reason) {
+        private void onFailed(String boatId, BoatCommand command, String reason) {
             end(command, "failed: " + reason);
         }
 
-        @Override
-        public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+        private void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
             end(command, why.name());
         }
     }

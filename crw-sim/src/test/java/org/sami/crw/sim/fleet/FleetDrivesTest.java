@@ -6,13 +6,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.hull.NamedConditions;
@@ -191,10 +191,9 @@ class FleetDrivesTest {
     /** Of boats that cross each other's ways. */
     private static List<List<TruePosition>> tracksInFieldWater(TickHelpers helpers, List<String> news) {
         VirtualClock clock = new VirtualClock();
-        BoatListener listener = new BoatListener() {
-            @Override
-            public void onStatus(BoatStatus status) {
-                news.add(clock.nowMs() + " " + status);
+        Consumer<FleetEvent> listener = event -> {
+            if (event instanceof FleetEvent.StatusReported reported) {
+                news.add(clock.nowMs() + " " + reported.status());
             }
         };
         FleetConfig config = FleetConfig.DEFAULT.withConditions(NamedConditions.FIELD.conditions());

@@ -2,54 +2,68 @@ package org.sami.crw.sim.fleet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.BoatCommand;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
 
 /** Writes down all that a proxy reports, telemetry apart. */
-final class ProxyEventRecorder implements BoatListener {
+final class ProxyEventRecorder implements Consumer<FleetEvent> {
     final List<String> lines = new ArrayList<>();
     int statuses;
 
     @Override
-    public void onCompleted(String boatId, BoatCommand command) {
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.CommandCompleted done) {
+            onCompleted(done.boat(), done.command());
+        } else if (event instanceof FleetEvent.CommandFailed failed) {
+            onFailed(failed.boat(), failed.command(), failed.reason());
+        } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
+            onWithdrawn(withdrawn.boat(), withdrawn.command(), withdrawn.why());
+        } else if (event instanceof FleetEvent.Progressed progressed) {
+            onProgress(progressed.boat(), progressed.command(), progressed.visited());
+        } else if (event instanceof FleetEvent.StatusReported reported) {
+            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.LinkChanged link) {
+            onLinkChange(link.status());
+        } else if (event instanceof FleetEvent.BatteryReported battery) {
+            onBattery(battery.boat(), battery.battery());
+        } else if (event instanceof FleetEvent.Restarted restarted) {
+            onRestarted(restarted.status());
+        }
+    }
+
+    private void onCompleted(String boatId, BoatCommand command) {
         lines.add("completed " + command.commandId());
     }
 
-    @Override
-    public void onFailed(String boatId, BoatCommand command, String reason) {
+    private void onFailed(String boatId, BoatCommand command, String reason) {
         lines.add("failed " + command.commandId() + ": " + reason);
     }
 
-    @Override
-    public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+    private void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
         lines.add(why + " " + command.commandId());
     }
 
-    @Override
-    public void onProgress(String boatId, BoatCommand command, int visitedCount) {
+    private void onProgress(String boatId, BoatCommand command, int visitedCount) {
         lines.add("visited " + visitedCount + " of " + command.commandId());
     }
 
-    @Override
-    public void onStatus(BoatStatus status) {
+    private void onStatus(BoatStatus status) {
         statuses++;
     }
 
-    @Override
-    public void onLinkChange(BoatStatus status) {
+    private void onLinkChange(BoatStatus status) {
         lines.add("link " + status.link());
     }
 
-    @Override
-    public void onBattery(String boatId, BatteryState battery) {
+    private void onBattery(String boatId, BatteryState battery) {
         lines.add("battery " + battery.level());
     }
 
-    @Override
-    public void onRestarted(BoatStatus status) {
+    private void onRestarted(BoatStatus status) {
         lines.add("restarted");
     }
 }

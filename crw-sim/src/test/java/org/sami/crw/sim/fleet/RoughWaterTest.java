@@ -4,13 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.sim.hull.Conditions;
@@ -87,11 +88,10 @@ class RoughWaterTest {
     void readingsReachTheBaseAtTheirRatesFromEveryBoatAndDifferOverTheWater() {
         List<String> boats = new ArrayList<>();
         List<BoatReading> readings = new ArrayList<>();
-        BoatListener listener = new BoatListener() {
-            @Override
-            public void onReading(String boatId, BoatReading reading) {
-                boats.add(boatId);
-                readings.add(reading);
+        Consumer<FleetEvent> listener = event -> {
+            if (event instanceof FleetEvent.Measured measured) {
+                boats.add(measured.boat());
+                readings.add(measured.reading());
             }
         };
         var clock = new org.sami.crw.sim.clock.VirtualClock();

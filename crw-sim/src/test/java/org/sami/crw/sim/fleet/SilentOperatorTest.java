@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -20,14 +21,13 @@ import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Vehicle;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -127,10 +127,12 @@ class SilentOperatorTest {
     }
 
     /** Hears that the boat was started anew. */
-    private final class Told implements BoatListener {
+    private final class Told implements Consumer<FleetEvent> {
         @Override
-        public void onRestarted(BoatStatus status) {
-            told.add("restarted");
+        public void accept(FleetEvent event) {
+            if (event instanceof FleetEvent.Restarted) {
+                told.add("restarted");
+            }
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.sami.boat.link.BoatMode;
@@ -20,12 +21,12 @@ import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
@@ -220,7 +221,7 @@ final class TcpTestFleet implements AutoCloseable {
         }
 
         @Override
-        public BoatListener found(String boatId) {
+        public Consumer<FleetEvent> found(String boatId) {
             return new Recorder();
         }
 
@@ -252,45 +253,58 @@ final class TcpTestFleet implements AutoCloseable {
         }
 
         /** Writes down what a proxy tells. */
-        private final class Recorder implements BoatListener {
+        private final class Recorder implements Consumer<FleetEvent> {
             @Override
-            public void onStatus(BoatStatus status) {
+            public void accept(FleetEvent event) {
+                if (event instanceof FleetEvent.StatusReported reported) {
+                    onStatus(reported.status());
+                } else if (event instanceof FleetEvent.LinkChanged link) {
+                    onLinkChange(link.status());
+                } else if (event instanceof FleetEvent.CommandCompleted done) {
+                    onCompleted(done.boat(), done.command());
+                } else if (event instanceof FleetEvent.CommandFailed failed) {
+                    onFailed(failed.boat(), failed.command(), failed.reason());
+                } else if (event instanceof FleetEvent.Restarted restarted) {
+                    onRestarted(restarted.status());
+                } else if (event instanceof FleetEvent.CommanderChanged commander) {
+                    onCommanding(commander.boat(), commander.commands());
+                } else if (event instanceof FleetEvent.CommandAsked asked) {
+                    onCommandAsked(asked.boat(), asked.client());
+                } else if (event instanceof FleetEvent.Refused refused) {
+                    onRefused(refused.boat(), refused.reason());
+                }
+            }
+
+            private void onStatus(BoatStatus status) {
                 statuses.put(status.boatId(), status);
             }
 
-            @Override
-            public void onLinkChange(BoatStatus status) {
+            private void onLinkChange(BoatStatus status) {
                 statuses.put(status.boatId(), status);
                 heard.add(status.boatId() + " " + status.link());
             }
 
-            @Override
-            public void onCompleted(String boatId, BoatCommand command) {
+            private void onCompleted(String boatId, BoatCommand command) {
                 heard.add(boatId + " completed " + command.commandId());
             }
 
-            @Override
-            public void onFailed(String boatId, BoatCommand command, String reason) {
+            private void onFailed(String boatId, BoatCommand command, String reason) {
                 heard.add(boatId + " failed " + command.commandId() + ": " + reason);
             }
 
-            @Override
-            public void onRestarted(BoatStatus status) {
+            private void onRestarted(BoatStatus status) {
                 heard.add(status.boatId() + " restarted");
             }
 
-            @Override
-            public void onCommanding(String boatId, boolean commands) {
+            private void onCommanding(String boatId, boolean commands) {
                 heard.add(boatId + (commands ? " commanded" : " observed"));
             }
 
-            @Override
-            public void onCommandAsked(String boatId, String clientId) {
+            private void onCommandAsked(String boatId, String clientId) {
                 heard.add(boatId + " asked for by " + clientId);
             }
 
-            @Override
-            public void onRefused(String boatId, String reason) {
+            private void onRefused(String boatId, String reason) {
                 heard.add(boatId + " refused: " + reason);
             }
         }

@@ -10,9 +10,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
@@ -43,7 +43,7 @@ public final class SimulatedBoatConnector implements FleetConnector {
     }
 
     /** The base's data of a boat. */
-    public BoatListener listenerOf(String boat) {
+    public Consumer<FleetEvent> listenerOf(String boat) {
         return listener.orElseThrow().found(boat);
     }
 

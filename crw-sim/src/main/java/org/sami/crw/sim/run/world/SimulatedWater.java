@@ -5,9 +5,10 @@ import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.boat.server.vehicle.LocalFrame;
-import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
@@ -28,7 +29,7 @@ public final class SimulatedWater {
     private final SimulatedFleet fleet;
 
     /** Water with boats in a line from west to east, whose middle is the quay. */
-    public SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, BoatListener> listeners) {
+    public SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, Consumer<FleetEvent>> listeners) {
         this.clock = clock;
         GeoPoint centre = settings.site().centreInProcess();
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
