@@ -28,6 +28,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Fix;
 import org.sami.spn.finding.Severity;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
@@ -41,7 +42,7 @@ import org.sami.ui.table.RowTable;
  * The issues as a table (thesis 5.1): a click shows where, below it stands what to do and what the program can do, above it what is shown.
  * Deep checks begin and stop here.
  */
-public final class IssuesPanel extends JPanel {
+public final class IssuesPanel extends FoldingPanel {
     /** Below it the rows need the room; a row's tooltip says all as well. */
     private static final int LEAST_HEIGHT_OF_MESSAGE = 220;
 
@@ -122,6 +123,9 @@ public final class IssuesPanel extends JPanel {
                 showCurrent();
             }
         });
+        foldBelowWidth(NARROW, deep::setNarrow);
+        Fold tight = foldBelowWidth(TWO_ROWS, this::putInRows);
+        foldWhere(() -> !tight.isFolded() && isLow(), this::putFixesToTheRight);
         commands.deep().addListener(this::refresh);
         style();
         refresh();
@@ -209,23 +213,21 @@ public final class IssuesPanel extends JPanel {
 
     @Override
     public void doLayout() {
-        boolean tight = getWidth() < Look.px(TWO_ROWS);
-        deep.setNarrow(getWidth() < Look.px(NARROW));
-        bars.setColumnConstraints(tight ? ROWS : ONE_ROW);
-        bars.setComponentConstraints(text, tight ? FILTER_BELOW : FILTER);
-        bars.setComponentConstraints(deep.status(), tight ? SEARCHED_BELOW : SEARCHED);
-        bars.setComponentConstraints(deep, tight ? SEARCH_BELOW : SEARCH);
-        place(!tight && isLow() ? BorderLayout.EAST : BorderLayout.SOUTH);
         showMending();
         super.doLayout();
     }
 
+    private void putInRows(boolean several) {
+        bars.setColumnConstraints(several ? ROWS : ONE_ROW);
+        bars.setComponentConstraints(text, several ? FILTER_BELOW : FILTER);
+        bars.setComponentConstraints(deep.status(), several ? SEARCHED_BELOW : SEARCHED);
+        bars.setComponentConstraints(deep, several ? SEARCH_BELOW : SEARCH);
+    }
+
     /** In a low panel the fixes of an issue are to the right of the table, which keeps its rows. */
-    private void place(String side) {
-        if (!side.equals(((BorderLayout) getLayout()).getConstraints(mending))) {
-            fixColumns.setLayoutConstraints(side.equals(BorderLayout.EAST) ? FIXES_BESIDE : FIXES);
-            add(mending, side);
-        }
+    private void putFixesToTheRight(boolean right) {
+        fixColumns.setLayoutConstraints(right ? FIXES_BESIDE : FIXES);
+        add(mending, right ? BorderLayout.EAST : BorderLayout.SOUTH);
     }
 
     private JScrollPane mending() {

@@ -31,6 +31,7 @@ import org.sami.spn.replay.TimeLine;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
@@ -43,7 +44,7 @@ import org.sami.ui.table.RowTable;
  * Opens a journal and shows it on the net of the open plan: missions that ran, a time line, where the plan differs from the session's. On the
  * event thread; moments are computed on another thread.
  */
-public final class ReplayPanel extends JPanel {
+public final class ReplayPanel extends FoldingPanel {
     private static final int LOW = 180;
     private static final int TWO_ROWS = 420;
     private static final String WORDS = "wmin 0";
@@ -115,6 +116,8 @@ public final class ReplayPanel extends JPanel {
         add(top, BorderLayout.NORTH);
         add(missions);
         add(timeLine, BorderLayout.SOUTH);
+        foldWhere(this::leavesOutTop, hidden -> top.setVisible(!hidden));
+        foldBelowWidth(TWO_ROWS, narrow -> bars.setComponentConstraints(words, narrow ? WORDS_BELOW : WORDS));
         missions.addSelectionListener(
                 () -> missions.selected().ifPresent(shown -> context.editor().open(shown.plan())));
         context.editor().addListener(new EditorListener() {
@@ -131,11 +134,8 @@ public final class ReplayPanel extends JPanel {
     }
 
     /** In a low panel there is room for missions and the time line of a journal; its file is closed and another opened from the menu. */
-    @Override
-    public void doLayout() {
-        top.setVisible(replay.isEmpty() || difference.isVisible() || getHeight() >= Look.px(LOW));
-        bars.setComponentConstraints(words, getWidth() < Look.px(TWO_ROWS) ? WORDS_BELOW : WORDS);
-        super.doLayout();
+    private boolean leavesOutTop() {
+        return replay.isPresent() && !difference.isVisible() && getHeight() < Look.px(LOW);
     }
 
     private void choose() {

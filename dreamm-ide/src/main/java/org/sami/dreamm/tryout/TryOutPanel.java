@@ -22,6 +22,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.spn.stepping.Stepper;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
@@ -35,7 +36,7 @@ import org.sami.ui.table.RowTable;
 /**
  * Tries the open plan: what can happen now, what one of it needs, and what was done. The tokens are on the net. On the event thread.
  */
-public final class TryOutPanel extends JPanel {
+public final class TryOutPanel extends FoldingPanel {
     private static final int ALL_WORDS = 960;
     private static final int SHORT_WORDS = 820;
     private static final int FEWEST_WORDS = 740;
@@ -76,6 +77,7 @@ public final class TryOutPanel extends JPanel {
     private final JTabbedPane tabs = new JTabbedPane();
     private final transient CommandButton run;
     private final transient List<CommandButton> worded = new ArrayList<>();
+    private final transient Fold narrow = foldBelowWidth(ALL_WORDS, this::hideWords);
     private transient Optional<PossibleStepEditor> editor = Optional.empty();
     private int shownSteps = -1;
 
@@ -139,24 +141,25 @@ public final class TryOutPanel extends JPanel {
     /** In a narrow panel buttons show their icons alone; where there is less room still, the settings are a tab of their own. */
     @Override
     public void doLayout() {
-        boolean narrow = getWidth() < Look.px(ALL_WORDS);
         boolean small = getWidth() < Look.px(FEWEST_WORDS);
         boolean brief = getWidth() < Look.px(SHORT_WORDS);
-        worded.forEach(button -> button.setHideActionText(narrow));
         if (!small) {
             settings.inRow(brief);
         }
-        showRun();
         arrange(small);
         placeMessage(small);
         halve();
         super.doLayout();
     }
 
+    private void hideWords(boolean hidden) {
+        worded.forEach(button -> button.setHideActionText(hidden));
+        showRun();
+    }
+
     /** The button says what it does next, in a narrow panel by its icon alone. */
     private void showRun() {
-        boolean icon = getWidth() > 0 && getWidth() < Look.px(ALL_WORDS);
-        run.setText(icon ? "" : commands.isRunning() ? "Pause" : "Run");
+        run.setText(narrow.isFolded() ? "" : commands.isRunning() ? "Pause" : "Run");
         run.setIcon(Icons.normal(commands.isRunning() ? "pause" : "run-on"));
     }
 

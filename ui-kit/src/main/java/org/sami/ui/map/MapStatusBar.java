@@ -7,21 +7,20 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.CoordinateNotation;
 import org.sami.ui.geo.Coordinates;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 
 /** The strip below a map: coordinates under the pointer, their notation, a field to type some, what to do, and zoom. */
-final class MapStatusBar extends JPanel {
+final class MapStatusBar extends FoldingPanel {
     private static final String HEIGHT = "hmin " + Spacing.HIT_TARGET_FIELD + ", wmin " + Spacing.HIT_TARGET_FIELD;
     private static final int WIDE_PX = 860;
     private static final GeoPoint LONGEST = GeoPoint.of(-88.888888, -178.888888);
@@ -60,6 +59,7 @@ final class MapStatusBar extends JPanel {
         field.putClientProperty("JTextField.placeholderText", "Type coordinates");
         field.addActionListener(e -> enter(typed));
         reserve();
+        foldBelowWidth(WIDE_PX, this::leaveOutTyping);
         add(coordinates, HEIGHT);
         add(notations, HEIGHT);
         add(field, HEIGHT);
@@ -128,14 +128,9 @@ final class MapStatusBar extends JPanel {
     }
 
     /** On a narrow map only what is needed most has room; typing makes some. */
-    @Override
-    public void doLayout() {
-        boolean roomy = getWidth() >= Look.px(WIDE_PX);
-        if (notations.isVisible() != roomy) {
-            notations.setVisible(roomy);
-            field.setVisible(roomy);
-        }
-        super.doLayout();
+    private void leaveOutTyping(boolean narrow) {
+        notations.setVisible(!narrow);
+        field.setVisible(!narrow);
     }
 
     /** Puts the focus into the field. */

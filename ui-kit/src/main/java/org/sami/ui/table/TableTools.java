@@ -8,13 +8,13 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
-import org.sami.ui.look.Look;
+import org.sami.ui.look.FoldingPanel;
 
 /**
  * A table with buttons: below it with their titles, or, where the panel is so low that rows would have no room, next to it as icons. Their
  * components are named by the commands, the icons with the suffix {@code -icon}.
  */
-public final class TableTools extends JPanel {
+public final class TableTools extends FoldingPanel {
     private static final int LOW = 170;
 
     private final CommandRow below = new CommandRow();
@@ -33,15 +33,9 @@ public final class TableTools extends JPanel {
         add(table);
         add(below, BorderLayout.SOUTH);
         add(beside, BorderLayout.EAST);
-    }
-
-    @Override
-    public void doLayout() {
-        boolean low = getHeight() < Look.px(LOW);
-        if (low != beside.isVisible()) {
+        foldBelowHeight(LOW, low -> {
             beside.setVisible(low);
             below.setVisible(!low);
-        }
-        super.doLayout();
+        });
     }
 }

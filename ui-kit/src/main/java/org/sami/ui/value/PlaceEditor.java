@@ -11,6 +11,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoShape;
 import org.sami.ui.geo.GeoSketch;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Look;
 import org.sami.ui.map.MapView;
 
@@ -30,7 +31,8 @@ final class PlaceEditor extends ValueEditor {
     private final MapView map;
     private final MapMaker maps;
     private final JPanel mapSide = new JPanel(new BorderLayout());
-    private final JPanel panel = new Sides();
+    private final MigLayout layout = new MigLayout(LAYOUT + ", wrap 1", "[grow,fill]", "[grow,fill][]");
+    private final FoldingPanel panel = new FoldingPanel(layout);
     private final PlacesOnMap places;
     private boolean editable = true;
     private boolean following;
@@ -51,6 +53,7 @@ final class PlaceEditor extends ValueEditor {
         mapSide.setOpaque(false);
         mapSide.add(map);
         mapSide.add(grip, BorderLayout.SOUTH);
+        panel.foldWhere(() -> map.isVisible() && panel.getWidth() >= Look.px(ROOM), this::putInOneRow);
         panel.add(mapSide, high(maps.height()));
         panel.add(text.component(), "wmin 120, aligny top");
         places = new PlacesOnMap(map, field.componentName("places"), robot -> new IdentityMark(0));
@@ -60,26 +63,11 @@ final class PlaceEditor extends ValueEditor {
     }
 
     /** Puts the text next to the map where both have room, so that it is visible in a low panel. */
-    private final class Sides extends JPanel {
-        private final MigLayout layout = new MigLayout(LAYOUT + ", wrap 1", "[grow,fill]", "[grow,fill][]");
-        private boolean beside;
-
-        Sides() {
-            setLayout(layout);
-        }
-
-        @Override
-        public void doLayout() {
-            boolean room = map.isVisible() && getWidth() >= Look.px(ROOM);
-            if (room != beside) {
-                beside = room;
-                layout.setLayoutConstraints(LAYOUT + (room ? "" : ", wrap 1"));
-                layout.setColumnConstraints(room ? "[60%,fill][grow,fill]" : "[grow,fill]");
-                layout.setRowConstraints(room ? "[grow,fill]" : "[grow,fill][]");
-                invalidate();
-            }
-            super.doLayout();
-        }
+    private void putInOneRow(boolean room) {
+        layout.setLayoutConstraints(LAYOUT + (room ? "" : ", wrap 1"));
+        layout.setColumnConstraints(room ? "[60%,fill][grow,fill]" : "[grow,fill]");
+        layout.setRowConstraints(room ? "[grow,fill]" : "[grow,fill][]");
+        panel.invalidate();
     }
 
     private static String high(int height) {
@@ -90,7 +78,7 @@ final class PlaceEditor extends ValueEditor {
     private void resize(int height) {
         int now = Math.max(LEAST, Math.round(height * 100f / Look.scalePercent()));
         maps.keepHeight(now);
-        ((MigLayout) panel.getLayout()).setComponentConstraints(mapSide, high(now));
+        layout.setComponentConstraints(mapSide, high(now));
         panel.revalidate();
     }
 

@@ -17,8 +17,8 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
-import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.Spacing;
@@ -28,7 +28,7 @@ import org.sami.ui.look.WidthTrackingPanel;
  * The selected boat: why it moves or not, its command queue, what is to be so before it is launched, driving by hand, its settings, and what
  * else can be done with it.
  */
-public final class BoatPanel extends JPanel {
+public final class BoatPanel extends FoldingPanel {
     private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3, wrap 1";
     private static final String LOW_HEAD = "insets 4 12 4 12, fillx, hidemode 3";
     private static final String QUEUE = "hmin 60"; // a whole row below the titles of the columns
@@ -51,8 +51,7 @@ public final class BoatPanel extends JPanel {
     private final MigLayout commandsLayout =
             new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]");
     private final JPanel commands = new JPanel(commandsLayout);
-    private boolean isLow;
-    private boolean isTight;
+    private final transient Fold low = foldBelowHeight(LOW, this::foldHead);
 
     /** The panel of whichever boat is selected first. */
     public BoatPanel(OperatorContext context) {
@@ -82,30 +81,25 @@ public final class BoatPanel extends JPanel {
         add(tabs);
         commands.add(queue.table(), QUEUE);
         commands.add(buttons);
+        foldBelowHeight(TIGHT, this::scrollWholeTab);
         context.boats().addListener(this::refresh);
         refresh();
     }
 
-    /** A low panel has one line above its tabs, and says the facts in a tooltip; of its commands it shows one at least. */
-    @Override
-    public void doLayout() {
-        boolean low = getHeight() < Look.px(LOW);
-        if (low != isLow) {
-            isLow = low;
-            headLayout.setLayoutConstraints(low ? LOW_HEAD : HEAD);
-            headLayout.setColumnConstraints(low ? "[]16[grow]" : "[grow]");
-            facts.setVisible(!low && !facts.getText().isEmpty());
-            head.revalidate();
-            byHand.setLow(low);
-        }
-        boolean tight = getHeight() < Look.px(TIGHT);
-        if (tight != isTight) {
-            isTight = tight;
-            queue.table().showAllRows(tight); // all of the tab is scrolled then, and nothing within it
-            commandsLayout.setComponentConstraints(queue.table(), tight ? "" : QUEUE);
-            commands.revalidate();
-        }
-        super.doLayout();
+    /** A low panel has one line above its tabs, and says the facts in a tooltip. */
+    private void foldHead(boolean toOneLine) {
+        headLayout.setLayoutConstraints(toOneLine ? LOW_HEAD : HEAD);
+        headLayout.setColumnConstraints(toOneLine ? "[]16[grow]" : "[grow]");
+        facts.setVisible(!toOneLine && !facts.getText().isEmpty());
+        head.revalidate();
+        byHand.setLow(toOneLine);
+    }
+
+    /** Of its commands a panel shows one at least: where it is lower still, the whole tab is scrolled, and nothing within it. */
+    private void scrollWholeTab(boolean tight) {
+        queue.table().showAllRows(tight);
+        commandsLayout.setComponentConstraints(queue.table(), tight ? "" : QUEUE);
+        commands.revalidate();
     }
 
     private static JScrollPane scrolled(JPanel form) {
@@ -160,7 +154,7 @@ public final class BoatPanel extends JPanel {
         why.setToolTipText(why.getText());
         LookColors.foreground(why, BoatWords.color(BoatWords.trouble(now)));
         facts.setText(facts(now));
-        facts.setVisible(!isLow);
+        facts.setVisible(!low.isFolded());
         facts.setToolTipText(facts.getText());
         name.setToolTipText(facts.getText());
         LookColors.foreground(facts, SemanticColor.MUTED);

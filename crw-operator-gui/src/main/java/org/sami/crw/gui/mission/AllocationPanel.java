@@ -25,7 +25,7 @@ import org.sami.spn.value.NaturalOrder;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.look.Look;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -35,7 +35,7 @@ import org.sami.ui.value.WrappedText;
  * Who has which tasks, in the order in which they are done, and which nobody has. A task is dragged to a row of another boat, or given by a
  * menu; what that changes stands below while it is dragged, and in the menu.
  */
-public final class AllocationPanel extends JPanel {
+public final class AllocationPanel extends FoldingPanel {
     private static final int LOW = 200;
     private static final String HINT = "Drag a task to another boat, or give it by the button.";
 
@@ -47,6 +47,7 @@ public final class AllocationPanel extends JPanel {
     private final Command give;
     private final CommandButton giveButton;
     private final CommandButton beside;
+    private final transient Fold low = foldBelowHeight(LOW, this::foldTools);
     private List<Row> rows = List.of();
 
     /** A task and whose it is (empty text where nobody has it), or a boat without a task. */
@@ -102,21 +103,10 @@ public final class AllocationPanel extends JPanel {
      * A low panel has its button next to the table, and the strip shows what dropping a task would change: text below the table would move
      * rows under the pointer.
      */
-    @Override
-    public void doLayout() {
-        showTools();
-        super.doLayout();
-    }
-
-    private void showTools() {
-        boolean low = isLow();
-        beside.setVisible(low);
-        giveButton.setVisible(!low);
-        tools.setVisible(!low);
-    }
-
-    private boolean isLow() {
-        return getHeight() < Look.px(LOW);
+    private void foldTools(boolean toEdge) {
+        beside.setVisible(toEdge);
+        giveButton.setVisible(!toEdge);
+        tools.setVisible(!toEdge);
     }
 
     private String words(Row row) {
@@ -183,7 +173,7 @@ public final class AllocationPanel extends JPanel {
     private void say(Optional<TaskMovePreview> preview) {
         effect.setText(preview.map(TaskMovePreview::words).orElse(HINT));
         effect.setColor(preview.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
-        if (isLow()) {
+        if (low.isFolded()) {
             preview.ifPresent(shown -> context.notices().told(shown.words()));
         }
     }

@@ -9,20 +9,20 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.value.WrappedText;
 
 /** Says what an abort or a completion will do, in place, and has it done or left. Not seen while nothing is proposed. */
-final class EndingPanel extends JPanel {
+final class EndingPanel extends FoldingPanel {
     /** The key that lets the mission run, while the panel has the focus. */
     static final KeyStroke LEAVE = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
 
@@ -38,7 +38,7 @@ final class EndingPanel extends JPanel {
     private Optional<Boolean> abort = Optional.empty();
     private String mission = "";
     private List<String> consequences = List.of();
-    private boolean narrow;
+    private final transient Fold narrow = foldBelowWidth(NARROW, folded -> write());
 
     /**
      * Nothing is proposed.
@@ -100,24 +100,14 @@ final class EndingPanel extends JPanel {
     }
 
     /** Where the heading would wrap next to the buttons, the mission's name leads the lines below it. */
-    @Override
-    public void doLayout() {
-        boolean narrowNow = getWidth() < Look.px(NARROW);
-        if (narrowNow != narrow) {
-            narrow = narrowNow;
-            write();
-        }
-        super.doLayout();
-    }
-
     private void write() {
         String what = abort.orElse(false) ? "Abort " : "Complete ";
         List<String> below = new ArrayList<>(consequences);
-        if (narrow) {
+        if (narrow.isFolded()) {
             below.add(0, mission);
         }
         String text = String.join("\n", below);
-        String heading = what + (narrow ? "it" : mission) + "?";
+        String heading = what + (narrow.isFolded() ? "it" : mission) + "?";
         if (!text.equals(lines.getText()) || !heading.equals(title.getText())) {
             title.setText(heading);
             lines.setText(text);

@@ -24,7 +24,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
-import org.sami.ui.look.Look;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.net.NetListener;
 import org.sami.ui.net.NetView;
 
@@ -32,7 +32,7 @@ import org.sami.ui.net.NetView;
  * The net of a mission with its tokens, as authors know it: what fires shines, a transition says why it does not. Sub-missions that run are one
  * choice, or a double click on their place, away.
  */
-final class MissionNet extends JPanel {
+final class MissionNet extends FoldingPanel {
     private static final int LOW = 140;
 
     private final OperatorContext context;
@@ -48,7 +48,7 @@ final class MissionNet extends JPanel {
     private Runnable menuListener = () -> {};
     private boolean filling;
     private boolean modeChosen;
-    private boolean low;
+    private final transient Fold low = foldBelowHeight(LOW, this::foldHead);
 
     /** A mission in the list of those that can be shown. */
     private record Shown(long mission, String title) {
@@ -105,15 +105,9 @@ final class MissionNet extends JPanel {
     }
 
     /** Where there is hardly room for the net it has all of it: modes are left to their key, sub-missions to a menu. */
-    @Override
-    public void doLayout() {
-        boolean before = low;
-        low = getHeight() < Look.px(LOW);
-        head.setVisible(!low);
-        super.doLayout();
-        if (before != low) {
-            menuListener.run();
-        }
+    private void foldHead(boolean hidden) {
+        head.setVisible(!hidden);
+        menuListener.run();
     }
 
     /** Calls a listener when {@link #needsMenu} may have changed. */
@@ -123,7 +117,7 @@ final class MissionNet extends JPanel {
 
     /** Whether there are sub-missions to choose from, and no room for their list. */
     boolean needsMenu() {
-        return low && hasSubMissions();
+        return low.isFolded() && hasSubMissions();
     }
 
     /** Whether anything but the mission itself can be shown. */
@@ -133,7 +127,7 @@ final class MissionNet extends JPanel {
 
     /** Lets the operator choose what is shown: in the list, or, where it has no room, in a menu. */
     void choose() {
-        if (low) {
+        if (low.isFolded()) {
             menu().show(this, 0, 0);
         } else {
             which.requestFocusInWindow();

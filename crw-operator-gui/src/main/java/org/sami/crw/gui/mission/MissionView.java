@@ -19,14 +19,14 @@ import org.sami.crw.operator.mission.StuckMission;
 import org.sami.crw.operator.mission.Wait;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.value.Value;
-import org.sami.ui.look.Look;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.net.NetView;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
 /** One mission: where its tokens are, what it waits for and why nothing fires, its variables; its end in two buttons. */
-final class MissionView extends JPanel {
+final class MissionView extends FoldingPanel {
     private static final int LOW = 195;
     private static final int LEAST_TAB = 64;
 
@@ -82,6 +82,7 @@ final class MissionView extends JPanel {
         top.add(ending, BorderLayout.SOUTH);
         add(top, BorderLayout.NORTH);
         add(parts);
+        foldBelowHeight(LOW, this::leaveRoomToNet);
     }
 
     /** Its net. */
@@ -197,13 +198,10 @@ final class MissionView extends JPanel {
         }
     }
 
-    /** In a low panel all that can be is left to the net. */
-    @Override
-    public void doLayout() {
-        boolean low = getHeight() < Look.px(LOW);
+    /** In a low panel all that can be is left to the net; that the mission is stuck stands next to the tabs. */
+    private void leaveRoomToNet(boolean low) {
         head.setLow(low);
-        stuckBar.setVisible(isStuck() && !low); // else next to the tabs
-        super.doLayout();
+        stuckBar.setVisible(isStuck() && !low);
     }
 
     /** Shows how far it is in the phases of its plan. */

@@ -25,6 +25,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
@@ -32,16 +33,13 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.window.NoticeLabel;
 
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
-public final class StatusStrip extends JPanel {
+public final class StatusStrip extends FoldingPanel {
     private static final int WIDE_FROM = 1100;
     private static final int TIGHT = 720;
     private static final String LAYOUT = "insets 6 12 6 8, hidemode 3, gap ";
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
-    private final transient MigLayout layout = new MigLayout(
-            LAYOUT + 20,
-            "[][][][][shrinkprio 250]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]",
-            "[]");
+    private final transient MigLayout layout;
     private final OperatorContext context;
     private final FleetStopCommands fleetStop;
     private final JLabel missions = new JLabel();
@@ -56,7 +54,7 @@ public final class StatusStrip extends JPanel {
     private final String keyOfDecisions;
     private final String keyOfAlarms;
     private boolean red;
-    private boolean narrow;
+    private final transient Fold narrow = foldBelowWidth(WIDE_FROM, this::narrow);
     private final CommandButton stop;
     private final CommandButton release;
     private final CommandButton confirm;
@@ -74,7 +72,11 @@ public final class StatusStrip extends JPanel {
             Command showAlarms,
             Command showDecisions,
             Supplier<Optional<String>> decisionUnseen) {
-        setLayout(layout);
+        super(new MigLayout(
+                LAYOUT + 20,
+                "[][][][][shrinkprio 250]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]",
+                "[]"));
+        layout = (MigLayout) getLayout();
         this.context = context;
         this.fleetStop = fleetStop;
         this.decisionUnseen = decisionUnseen;
@@ -82,6 +84,7 @@ public final class StatusStrip extends JPanel {
         stop = new CommandButton(fleetStop.stop());
         release = new CommandButton(fleetStop.release());
         confirm = CommandButton.confirming(fleetStop.confirm());
+        foldBelowWidth(TIGHT, release::setHideActionText); // its tooltip says it; the step that releases has its words
         alarms.setFocusable(false);
         alarms.setName("alarms-count");
         alarms.addActionListener(showAlarms);
@@ -113,19 +116,9 @@ public final class StatusStrip extends JPanel {
         refresh();
     }
 
-    @Override
-    public void doLayout() {
-        if (isNarrow() != narrow) {
-            refresh();
-        }
-        layout.setLayoutConstraints(LAYOUT + (narrow ? 8 : 20));
-        release.setHideActionText(
-                getWidth() < Look.px(TIGHT)); // its tooltip says it; the step that releases has its words
-        super.doLayout();
-    }
-
-    private boolean isNarrow() {
-        return getWidth() > 0 && getWidth() < Look.px(WIDE_FROM);
+    private void narrow(boolean narrower) {
+        layout.setLayoutConstraints(LAYOUT + (narrower ? 8 : 20));
+        refresh();
     }
 
     @Override
@@ -177,23 +170,23 @@ public final class StatusStrip extends JPanel {
         long running = context.models().missions().snapshot().running().stream()
                 .filter(mission -> mission.parent() == Ids.NONE)
                 .count();
-        narrow = isNarrow();
-        int beside = Look.px(narrow ? 8 : 20);
-        stop.setMargin(new Insets(Look.px(4), beside, Look.px(4), beside));
-        say(missions, count(running, "mission"), narrow ? String.valueOf(running) : "");
+        boolean brief = narrow.isFolded();
+        int margin = Look.px(brief ? 8 : 20);
+        stop.setMargin(new Insets(Look.px(4), margin, Look.px(4), margin));
+        say(missions, count(running, "mission"), brief ? String.valueOf(running) : "");
         int waiting = context.models().decisions().snapshot().size();
         say(
                 decisions,
                 waiting == 0 ? "nothing waits" : count(waiting, "decision"),
-                narrow ? String.valueOf(waiting) : "");
+                brief ? String.valueOf(waiting) : "");
         showUnseen();
         ink(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
         FleetCount count = FleetCount.of(fleet, context.models().unreached().snapshot());
-        say(boats, count.words(), narrow ? count.linked() + " / " + count.all() : "");
+        say(boats, count.words(), brief ? count.linked() + " / " + count.all() : "");
         ink(boats, count.linked() < count.all() ? SemanticColor.WARNING : SemanticColor.TEXT);
         showLinks(fleet, count);
-        clock.setFont(narrow ? Fonts.strong() : Fonts.heading());
+        clock.setFont(brief ? Fonts.strong() : Fonts.heading());
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
         showAlarms(context.models().alarms().snapshot());
         release.setVisible(fleetStop.isStopped() && !fleetStop.isReleasing());
@@ -220,7 +213,7 @@ public final class StatusStrip extends JPanel {
                 lost > 0
                         ? count.lostWords()
                         : fleet.isEmpty() ? "no links" : stale ? "link stale " + age : "links fresh",
-                narrow ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : stale ? age : "fresh") : "");
+                narrow.isFolded() ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : stale ? age : "fresh") : "");
         boolean bad = lost > 0 || stale;
         SemanticColor color = bad ? SemanticColor.CRITICAL : SemanticColor.TEXT;
         links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, red ? SemanticColor.ON_CRITICAL : color));
@@ -242,7 +235,7 @@ public final class StatusStrip extends JPanel {
         String words = count.words();
         String mark = hasCritical(all) ? "▲ " : "△ ";
         String brief = open == 0 && count.over() > 0 ? count.over() + " over" : mark + open;
-        alarms.setText(narrow ? brief : open == 0 ? words : mark + words);
+        alarms.setText(narrow.isFolded() ? brief : open == 0 ? words : mark + words);
         alarms.setToolTipText(words + " – show the alarms (" + keyOfAlarms + ")");
         alarms.getAccessibleContext().setAccessibleName(words);
         LookColors.foreground(alarms, open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING);
