@@ -9,18 +9,23 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.PlannedMission;
+import org.sami.crw.sim.run.settings.RunInput;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
 import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.FileTooLargeException;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine.Option;
 
 /** The options that decide a mission and its fleet, whatever its seed, its water and its speed are. */
@@ -113,6 +118,16 @@ public final class MissionOptions {
     private List<String> also = new ArrayList<>();
 
     @Option(
+            names = "--script",
+            paramLabel = "FILE",
+            description =
+                    "Play this script in place of a plan, a command of the console a line: 'start PLAN [NAME=VALUE ...]', "
+                            + "'press INTERRUPT [BOAT ...]', 'wait SECONDS'. Its plans are those of PLAN|FILE, else of the library.")
+    private Path script;
+
+    private Optional<RunScript> read = Optional.empty(); // the script, once it was needed
+
+    @Option(
             names = "--battery",
             paramLabel = "PERCENT[,PERCENT...]",
             description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
@@ -125,7 +140,7 @@ public final class MissionOptions {
      * The settings of a run.
      *
      * @param plan its id
-     * @param folder that the answers file is looked for in
+     * @param folder that the answers file and the script are looked for in
      * @throws UsageFault if they make no sense
      */
     public RunSettings settings(String plan, String mission, Rest rest, Path folder) {
@@ -145,12 +160,12 @@ public final class MissionOptions {
                     .limit(Optional.ofNullable(limitMillis)
                             .map(OptionalLong::of)
                             .orElse(OptionalLong.empty()))
-                    .parameters(parameters)
+                    .parameters(script(folder).map(RunScript::parameters).orElse(parameters))
                     .answerAfterMillis(answerAfterMillis)
                     .answers(answersText(folder))
                     .connect(rest.addresses())
-                    .interrupts(interrupts)
-                    .also(also)
+                    .interrupts(script(folder).map(RunScript::interrupts).orElse(interrupts))
+                    .also(script(folder).map(RunScript::also).orElse(also))
                     .build();
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
@@ -158,19 +173,66 @@ public final class MissionOptions {
     }
 
     /**
-     * The plans of all missions of a run.
+     * The project that a run is of.
      *
-     * @param first the plan that it is named after
-     * @throws UsageFault if the project has no such plan, or a time makes no sense
+     * @param name of a plan of the library, or of a file; null where the user gave none
+     * @throws UsageFault if there is no such plan and no such file, or neither a name nor a script
      */
-    public List<Plan> plans(Plan first, Project project) {
-        List<Plan> plans = new ArrayList<>(List.of(first));
+    public PlanSource source(String name, DomainLibrary library) {
+        if (name != null) {
+            return PlanSource.find(name, library);
+        }
+        if (script == null) {
+            throw new UsageFault(
+                    "Missing required parameter: 'PLAN|FILE'; a script (--script) can stand in its place");
+        }
+        return PlanSource.all(library);
+    }
+
+    /**
+     * The plans of all missions of a run, the one that it is named after first.
+     *
+     * @param wanted the plan that the user named; empty text for none
+     * @param folder that the script is looked for in
+     * @throws UsageFault if the project has no such plan, or a time or a line of the script makes no sense
+     */
+    public List<Plan> plans(PlanSource source, String wanted, Vocabulary vocabulary, Path folder) {
+        Project project = source.project().orElseThrow();
+        Optional<RunScript> played = script(folder);
+        if (played.isPresent()) {
+            if (!wanted.isEmpty() || !parameters.isEmpty() || !also.isEmpty() || !interrupts.isEmpty()) {
+                throw new UsageFault("--script: the script says which missions start, with which values and interrupts; "
+                        + "leave out --plan, --set, --also and --interrupt");
+            }
+            return played.get().plans(vocabulary, project);
+        }
+        List<Plan> plans = new ArrayList<>(List.of(source.choose(wanted)));
         try {
-            also.forEach(more -> plans.add(PlannedMission.parse(more, project).plan()));
+            also.forEach(more -> plans.add(
+                    PlannedMission.parse(more, vocabulary, project).plan()));
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--also: " + e.getMessage());
         }
         return plans;
+    }
+
+    /**
+     * Looks whether the interrupts of a script fit its missions.
+     *
+     * @throws UsageFault naming the line that does not
+     */
+    public void checkScript(RunPlan plan, RunSettings settings, Path folder) {
+        script(folder)
+                .ifPresent(played -> played.check(
+                        RunInput.of(plan, settings, AnswersFile.EMPTY).interrupts(),
+                        settings.isConnected() ? List.of() : settings.fleet().boatNames()));
+    }
+
+    private Optional<RunScript> script(Path folder) {
+        if (script != null && read.isEmpty()) {
+            read = Optional.of(RunScript.read(folder.resolve(script)));
+        }
+        return read;
     }
 
     private Site site() {
@@ -179,6 +241,11 @@ public final class MissionOptions {
 
     private InitialCharges charges() {
         return battery == null ? InitialCharges.FULL : InitialCharges.parse(battery);
+    }
+
+    /** Whether a script stands in the place of a plan. */
+    public boolean hasScript() {
+        return script != null;
     }
 
     /** Whether the number of boats was given. */

@@ -76,6 +76,12 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
         }
     }
 
+    /** All plans of a library, as one project. */
+    public static PlanSource all(DomainLibrary library) {
+        Project combined = library.combined();
+        return new PlanSource("library", Optional.of(combined), Optional.empty(), checked(library, combined));
+    }
+
     /** A plan that stands in a file, chosen by its id. */
     public static PlanSource find(String file, DomainLibrary library, String planId) {
         PlanSource all = find(file, library);

@@ -6,10 +6,12 @@ import java.util.Optional;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -78,13 +80,32 @@ public final class RunOptions {
     }
 
     /**
-     * The plans of all missions of the run.
+     * The project that the run is of.
      *
-     * @param first the plan that it is named after
-     * @throws UsageFault if the project has no such plan, or a time makes no sense
+     * @param name of a plan of the library, or of a file; null where the user gave none
+     * @throws UsageFault if there is no such plan and no such file, or neither a name nor a script
      */
-    public List<Plan> plans(Plan first, Project project) {
-        return options.plans(first, project);
+    public PlanSource source(String name, DomainLibrary library) {
+        return options.source(name, library);
+    }
+
+    /**
+     * The plans of all missions of the run, the one that it is named after first.
+     *
+     * @param wanted the plan that the user named; empty text for none
+     * @throws UsageFault if the project has no such plan, or a time or a line of the script makes no sense
+     */
+    public List<Plan> plans(PlanSource source, String wanted, Vocabulary vocabulary) {
+        return options.plans(source, wanted, vocabulary, Path.of(""));
+    }
+
+    /**
+     * Looks whether the interrupts of a script fit its missions.
+     *
+     * @throws UsageFault naming the line that does not
+     */
+    public void checkScript(RunPlan plan, RunSettings settings) {
+        options.checkScript(plan, settings, Path.of(""));
     }
 
     /** How long boats behind TCP may take to answer at the start. */

@@ -44,6 +44,7 @@ import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlanLocations;
 import org.sami.crw.sim.run.settings.PlannedMission;
+import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
@@ -212,14 +213,18 @@ final class Execution {
                     new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
             checkPlace(plan, settings, parameters.values());
             for (String more : settings.also()) {
-                Plan other = PlannedMission.parse(more, plan.project()).plan();
-                checkPlace(new RunPlan(plan.vocabulary(), plan.project(), other), settings, List.of());
+                PlannedMission other = PlannedMission.parse(more, plan.vocabulary(), plan.project());
+                checkPlace(
+                        new RunPlan(plan.vocabulary(), plan.project(), other.plan()),
+                        settings,
+                        other.parameters().values());
             }
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--set: " + e.getMessage());
         }
         try {
-            PlanInterrupts interrupts = new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan());
+            PlanInterrupts interrupts =
+                    RunInput.of(plan, settings, AnswersFile.EMPTY).interrupts();
             if (settings.isConnected()) {
                 interrupts.check(settings.interrupts()); // who the boats are is known when they have answered
             } else {

@@ -150,7 +150,7 @@ public final class ExperimentCommand implements Callable<Integer> {
 
     private List<ExperimentCase> cases() throws ExperimentRuns.FaultyFile {
         ExperimentRuns read = new ExperimentRuns(PlanSource.library());
-        if (runs == null && name == null) {
+        if (runs == null && name == null && !options.hasScript()) {
             throw new UsageFault("which missions? Name a plan (PLAN|FILE), or a file with a mission a line (--runs)");
         }
         if (runs == null) {

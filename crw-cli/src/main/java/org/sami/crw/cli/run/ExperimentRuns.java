@@ -63,8 +63,8 @@ public final class ExperimentRuns {
     /** What stands in a line. */
     @Command(name = "a run")
     static final class Line {
-        @Parameters(paramLabel = "PLAN|FILE")
-        private String name;
+        @Parameters(paramLabel = "PLAN|FILE", arity = "0..1")
+        private String name; // null where a script stands in its place
 
         @Option(names = "--plan", defaultValue = "")
         private String plan;
@@ -126,7 +126,7 @@ public final class ExperimentRuns {
     private ExperimentCase read(List<String> words, Path folder) throws FaultyFile {
         Line line = new Line();
         Converters.addTo(new CommandLine(line)).parseArgs(words.toArray(String[]::new));
-        boolean isFile = Files.exists(folder.resolve(line.name));
+        boolean isFile = line.name != null && Files.exists(folder.resolve(line.name));
         return of(
                 isFile ? folder.resolve(line.name).toString() : line.name, line.plan, line.label, line.options, folder);
     }
@@ -134,21 +134,22 @@ public final class ExperimentRuns {
     /**
      * A case.
      *
+     * @param name of a plan of the library, or of a file; null where the options have a script
      * @param planName empty text where the user did not say
      * @param label likewise; it is the plan's id then
-     * @param folder that the answers file is looked for in
+     * @param folder that the answers file and the script are looked for in
      */
     ExperimentCase of(String name, String planName, String label, MissionOptions options, Path folder)
             throws FaultyFile {
-        PlanSource source = PlanSource.find(name, library);
+        PlanSource source = options.source(name, library);
         if (source.project().isEmpty()) {
-            throw new FaultyFile(name, source.findings());
+            throw new FaultyFile(source.source(), source.findings());
         }
-        Plan plan = source.choose(planName);
-        List<Finding> concerning =
-                source.concerning(options.plans(plan, source.project().get()));
+        List<Plan> plans = options.plans(source, planName, library.vocabulary(), folder);
+        Plan plan = plans.get(0);
+        List<Finding> concerning = source.concerning(plans);
         if (concerning.stream().anyMatch(Finding::isError)) {
-            throw new FaultyFile(name, concerning);
+            throw new FaultyFile(source.source(), concerning);
         }
         MissionOptions.Rest rest = new MissionOptions.Rest(1, Conditions.CALM, Speed.MAX, List.of());
         RunSettings settings = options.settings(plan.id(), plan.title(), rest, folder);
@@ -157,6 +158,7 @@ public final class ExperimentRuns {
             throw new FaultyFile(options.answersFile(), answers.findings());
         }
         RunPlan runPlan = new RunPlan(library.vocabulary(), source.project().get(), plan);
+        options.checkScript(runPlan, settings, folder);
         Execution.checkSettings(runPlan, settings);
         return new ExperimentCase(label.isEmpty() ? plan.id() : label, runPlan, settings, answers.orThrow());
     }

@@ -11,6 +11,7 @@ import org.sami.crw.cli.option.RunOptions;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
@@ -47,6 +48,7 @@ import picocli.CommandLine.Spec;
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
             "  crw run clv --connect 127.0.0.1:5001,127.0.0.1:5002 --area 60 --locations 6",
             "  crw run my-project.json --plan search --also watch@60",
+            "  crw run my-project.json --script day.script",
             "  crw run station-keep --set watch-time.duration=60s --speed max",
             "  crw run my-project.json --plan search --journal search.journal --json"
         })
@@ -56,6 +58,7 @@ public final class RunCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "PLAN|FILE",
+            arity = "0..1",
             description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
     private String name;
 
@@ -81,26 +84,28 @@ public final class RunCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         PrintWriter err = spec.commandLine().getErr();
         DomainLibrary library = PlanSource.library();
-        PlanSource source = PlanSource.find(name, library);
+        PlanSource source = options.source(name, library);
         if (source.project().isEmpty()) {
-            FindingsText.print(err, name, source.findings());
+            FindingsText.print(err, source.source(), source.findings());
             err.flush();
             return ExitCode.FINDINGS;
         }
-        Plan plan = source.choose(planOption.name());
-        List<Finding> concerning =
-                source.concerning(options.plans(plan, source.project().get()));
+        List<Plan> plans = options.plans(source, planOption.name(), library.vocabulary());
+        Plan plan = plans.get(0);
+        List<Finding> concerning = source.concerning(plans);
         if (concerning.stream().anyMatch(Finding::isError)) {
-            FindingsText.print(err, name, concerning);
+            FindingsText.print(err, source.source(), concerning);
             err.flush();
             return ExitCode.FINDINGS;
         }
         FindingsText.print(
                 err,
-                name,
+                source.source(),
                 concerning.stream().filter(f -> f.code().equals(DISABLED)).toList());
         err.flush();
         RunSettings settings = options.settings(plan.id(), plan.title());
+        options.checkScript(
+                new RunPlan(library.vocabulary(), source.project().get(), plan), settings);
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {
             FindingsText.print(err, options.answersFile(), answers.findings());

@@ -14,7 +14,6 @@ import org.sami.crw.sim.run.record.ReportEnd;
 import org.sami.crw.sim.run.record.RunNotes;
 import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.RunRecords;
-import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 
@@ -51,8 +50,7 @@ public final class RunHarness implements FleetRun {
                 input.settings().answerAfterMillis(),
                 fleet.operatorDefaults().quay());
         interrupts = new InterruptScheduler(
-                new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
-                        .read(input.settings().interrupts(), fleet.names()),
+                input.interrupts().read(input.settings().interrupts(), fleet.names()),
                 clock);
         records = new RunRecords(input, session, fleet.plane(), notes, operator, interrupts);
         fleet.addTo(records.folds());

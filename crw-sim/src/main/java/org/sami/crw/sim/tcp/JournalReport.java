@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.report.OperatorPart;
@@ -23,8 +24,8 @@ import org.sami.crw.sim.run.record.OperatorActions;
 import org.sami.crw.sim.run.record.ReportEnd;
 import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.crw.sim.run.record.RunHeaders;
-import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlannedInterrupt;
+import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.engine.Engine;
@@ -118,7 +119,8 @@ public final class JournalReport {
                 .map(plan -> {
                     List<String> boats = telemetry.area().map(RunArea::boats).orElse(List.of());
                     try {
-                        return new PlanInterrupts(vocabulary, project, plan.plan())
+                        return RunInput.of(plan, run.orElseThrow(), AnswersFile.EMPTY)
+                                .interrupts()
                                 .read(run.orElseThrow().interrupts(), boats);
                     } catch (IllegalArgumentException unknownBoat) {
                         return List

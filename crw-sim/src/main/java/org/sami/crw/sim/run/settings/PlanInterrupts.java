@@ -44,8 +44,14 @@ public final class PlanInterrupts {
 
     /** The interrupts of a plan, those of its sub-missions after its own. */
     public PlanInterrupts(Vocabulary vocabulary, Project project, Plan plan) {
+        this(vocabulary, project, List.of(plan));
+    }
+
+    /** The interrupts of several plans, whose missions run together. */
+    public PlanInterrupts(Vocabulary vocabulary, Project project, List<Plan> plans) {
         this.vocabulary = vocabulary;
-        collect(project, plan, new HashSet<>());
+        Set<String> seen = new HashSet<>();
+        plans.forEach(plan -> collect(project, plan, seen));
     }
 
     private void collect(Project project, Plan plan, Set<String> seen) {

@@ -2,11 +2,13 @@ package org.sami.crw.sim.run.settings;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * A root mission that a run starts.
@@ -29,18 +31,53 @@ public record PlannedMission(Plan plan, String name, Map<String, Value> paramete
     }
 
     /**
-     * Reads {@code PLAN[@SECONDS]}: a mission of another plan of the project, or of the same once more, which asks for what it needs.
+     * Reads {@code PLAN[@SECONDS]}: a mission of another plan of the project, or of the same once more. Each further line is {@code NAME=VALUE},
+     * a value for what the plan would ask at its start; it asks for the rest.
      *
-     * @throws IllegalArgumentException if the project has no such plan, or the time makes no sense
+     * @throws IllegalArgumentException if the project has no such plan, a value does not fit it, or the time makes no sense
      */
-    public static PlannedMission parse(String text, Project project) {
-        int at = text.lastIndexOf(AT);
-        String id = at < 0 ? text : text.substring(0, at);
-        Plan plan = project.plan(id)
+    public static PlannedMission parse(String text, Vocabulary vocabulary, Project project) {
+        List<String> lines = text.lines().toList();
+        String first = lines.isEmpty() ? "" : lines.get(0);
+        int at = first.lastIndexOf(AT);
+        Plan plan = plan(at < 0 ? first : first.substring(0, at), project);
+        Map<String, String> values = new LinkedHashMap<>();
+        for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
+            int equals = line.indexOf('=');
+            if (equals < 1) {
+                throw new IllegalArgumentException("'" + line + "' is no NAME=VALUE");
+            }
+            values.put(line.substring(0, equals), line.substring(equals + 1));
+        }
+        return new PlannedMission(
+                plan,
+                plan.title(),
+                new Parameters(vocabulary, project, plan).read(values),
+                at < 0 ? 0 : millis(first, first.substring(at + 1)));
+    }
+
+    /**
+     * Writes what {@link #parse} reads.
+     *
+     * @param parameters values by name; a value has no line break
+     */
+    public static String text(String plan, long afterMillis, Map<String, String> parameters) {
+        StringBuilder text = new StringBuilder(plan + AT + afterMillis / 1000.0);
+        parameters.forEach(
+                (name, value) -> text.append('\n').append(name).append('=').append(value));
+        return text.toString();
+    }
+
+    /**
+     * A plan of a project.
+     *
+     * @throws IllegalArgumentException if there is none with that id
+     */
+    public static Plan plan(String id, Project project) {
+        return project.plan(id)
                 .orElseThrow(() -> new IllegalArgumentException("the project has no plan '" + id + "'; it has "
                         + String.join(
                                 ", ", project.plans().stream().map(Plan::id).toList())));
-        return new PlannedMission(plan, plan.title(), Map.of(), at < 0 ? 0 : millis(text, text.substring(at + 1)));
     }
 
     private static long millis(String text, String seconds) {

@@ -37,9 +37,17 @@ public record RunInput(RunPlan plan, RunSettings settings, AnswersFile answers, 
                 new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters()),
                 0));
         settings.also().stream()
-                .map(more -> PlannedMission.parse(more, plan.project()))
+                .map(more -> PlannedMission.parse(more, plan.vocabulary(), plan.project()))
                 .sorted(Comparator.comparingLong(PlannedMission::afterMillis))
                 .forEach(missions::add);
         return new RunInput(plan, settings, answers, missions);
+    }
+
+    /** The interrupts that its missions offer. */
+    public PlanInterrupts interrupts() {
+        return new PlanInterrupts(
+                plan.vocabulary(),
+                plan.project(),
+                missions.stream().map(PlannedMission::plan).toList());
     }
 }
