@@ -59,7 +59,7 @@ final class GlobalOptions {
                 line.setErr(TerminalWriter.of(err));
                 return new RunLast().execute(parsed);
             }
-            return toldOtherwise(line, parsed, err);
+            return reportedOtherwise(line, parsed, err);
         } finally {
             line.getOut().flush();
             line.setOut(out);
@@ -67,7 +67,7 @@ final class GlobalOptions {
         }
     }
 
-    private int toldOtherwise(CommandLine line, ParseResult parsed, PrintWriter err) {
+    private int reportedOtherwise(CommandLine line, ParseResult parsed, PrintWriter err) {
         try (PrintWriter log = log()) {
             ErrorLines told = new ErrorLines(err, quiet, log);
             line.setErr(TerminalWriter.of(new PrintWriter(told, true)));

@@ -16,7 +16,7 @@ public interface BoatConnector {
     /** For a base whose boats are fixed before it starts. */
     BoatConnector NONE = new BoatConnector() {
         @Override
-        public void connect(Wanted wanted, Consumer<String> found) {
+        public void connect(Request request, Consumer<String> found) {
             throw new IllegalStateException("this base connects to no boats while it runs");
         }
 
@@ -33,8 +33,8 @@ public interface BoatConnector {
      * @param color such as {@code #ffce00}; empty for none
      * @param server host and port of its server
      */
-    record Wanted(String name, String color, String server) {
-        public Wanted {
+    record Request(String name, String color, String server) {
+        public Request {
             Objects.requireNonNull(name, "name");
             Objects.requireNonNull(color, "color");
             Objects.requireNonNull(server, "server");
@@ -47,7 +47,7 @@ public interface BoatConnector {
      * @param found receives the boat's id once it is known, on the fleet's thread
      * @throws RuntimeException with the reason, where connecting is impossible
      */
-    void connect(Wanted wanted, Consumer<String> found);
+    void connect(Request request, Consumer<String> found);
 
     /**
      * Makes simulated boats and begins to connect to them.

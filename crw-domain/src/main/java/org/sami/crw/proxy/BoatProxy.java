@@ -159,7 +159,7 @@ public final class BoatProxy {
     /** Every command fails, for a reason in words, and the boat stops its motors, whatever it does. */
     public void abort(String reason) {
         driver.failAll(reason);
-        driver.stopUnlessWanted();
+        driver.stopWhenIdle();
         settle();
     }
 
@@ -321,7 +321,7 @@ public final class BoatProxy {
         if (condition.takenOver) {
             condition.takenOver = false;
             announcements.add(new FleetEvent.HandedBack(boatId));
-            driver.stopUnlessWanted();
+            driver.stopWhenIdle();
             settle();
         }
     }

@@ -24,7 +24,7 @@ public final class HandOver {
     private final DeferredEvents announcements;
     private final BoatCondition condition;
     private final UnaryOperator<String> ids;
-    private boolean toldCommanding;
+    private boolean reportedCommanding;
 
     /**
      * A hand-over that no base has asked for yet.
@@ -97,8 +97,8 @@ public final class HandOver {
     /** The boat has said who commands. */
     void settled() {
         boolean commanding = link.isCommanding();
-        if (commanding != toldCommanding) {
-            toldCommanding = commanding;
+        if (commanding != reportedCommanding) {
+            reportedCommanding = commanding;
             announcements.add(new FleetEvent.CommanderChanged(boatId, commanding));
         }
     }

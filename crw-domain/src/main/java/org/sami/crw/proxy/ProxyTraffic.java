@@ -40,7 +40,7 @@ final class ProxyTraffic {
     }
 
     /** Whether the boat wishes to know of others. */
-    boolean isWanted() {
+    boolean takesTraffic() {
         return link.takesTraffic();
     }
 

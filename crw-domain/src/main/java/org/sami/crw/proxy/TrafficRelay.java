@@ -111,7 +111,7 @@ public final class TrafficRelay {
         look(boats, nowMs);
         pairUp();
         for (Seen seen : fromWest) {
-            if (seen.isConcerned && seen.boat.traffic().isWanted()) {
+            if (seen.isConcerned && seen.boat.traffic().takesTraffic()) {
                 tell(seen, nowMs);
             }
         }

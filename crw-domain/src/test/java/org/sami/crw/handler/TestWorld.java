@@ -84,11 +84,11 @@ final class TestWorld implements HostClock {
     /** A boat lies behind every address but one; made boats lie where they are wanted. */
     private final class TestBoatConnector implements BoatConnector {
         @Override
-        public void connect(Wanted wanted, Consumer<String> found) {
-            if (wanted.server().equals(NOWHERE)) {
+        public void connect(Request request, Consumer<String> found) {
+            if (request.server().equals(NOWHERE)) {
                 throw new IllegalArgumentException("nobody can be at " + NOWHERE);
             }
-            String id = wanted.name() + " at " + wanted.server();
+            String id = request.name() + " at " + request.server();
             if (boats.find(id).isEmpty()) {
                 addBoat(id, 0, 10 * hulls.size());
             }

@@ -31,7 +31,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
     }
 
     /** This base stopped the whole fleet, or released it. From any thread. */
-    public void told(boolean stop) {
+    public void commanded(boolean stop) {
         inbox.accept(() -> {
             everyBoat = stop;
             change();

@@ -38,7 +38,7 @@ import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 
-/** Makes of a journal's telemetry what models were told of boats. For the replay's thread. */
+/** Gives models a journal's telemetry as news of boats. For the replay's thread. */
 final class RecordedBoats implements SessionTelemetry.Reader {
     private final ReplayFeed feed;
     private final MessageSink messages;
@@ -66,7 +66,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
     /**
      * Knows no boat.
      *
-     * @param messages takes what the operator was told
+     * @param messages takes the messages to the operator
      */
     RecordedBoats(ReplayFeed feed, MessageSink messages) {
         this.feed = feed;
@@ -147,11 +147,11 @@ final class RecordedBoats implements SessionTelemetry.Reader {
     }
 
     @Override
-    public void pose(long atMillis, String id, FleetHistory.Told told, double distanceM) {
+    public void pose(long atMillis, String id, FleetHistory.Report report, double distanceM) {
         Recorded boat = of(id);
-        boat.pose = Optional.of(new BoatPose(told.position(), told.headingRad(), told.speedMps(), told.boatTimeMs()));
+        boat.pose = Optional.of(new BoatPose(report.position(), report.headingRad(), report.speedMps(), report.boatTimeMs()));
         boat.poseAtMillis = atMillis;
-        boat.percent = told.batteryPercent();
+        boat.percent = report.batteryPercent();
         seen(id, boat);
     }
 

@@ -52,8 +52,8 @@ public final class EarlierBoats {
         Map<String, GeoPoint> last = new HashMap<>();
         SessionTelemetry.read(journal.earlier(), new SessionTelemetry.Reader() {
             @Override
-            public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-                last.put(boat, told.position());
+            public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
+                last.put(boat, report.position());
             }
         });
         return last;

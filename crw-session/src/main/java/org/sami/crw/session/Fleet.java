@@ -94,7 +94,7 @@ public final class Fleet {
         Replies.Reply<String> reply = replies.open();
         connector.executor().execute(() -> {
             try {
-                connector.connect(new BoatConnector.Wanted("", "", address.toString()), reply::complete);
+                connector.connect(new BoatConnector.Request("", "", address.toString()), reply::complete);
             } catch (RuntimeException cannot) {
                 reply.fail(new RefusedException(cannot.getMessage()));
             }
@@ -375,7 +375,7 @@ public final class Fleet {
     public CompletionStage<List<String>> stopAll() {
         return onFleet(boats -> {
             stopped = true;
-            stop.told(true);
+            stop.commanded(true);
             boats.fleetStop();
             log.add(Kind.FLEET_STOP, "stopped the fleet", Ids.NONE, boats.boatIds());
             return boats.boatIds();
@@ -386,7 +386,7 @@ public final class Fleet {
     public CompletionStage<List<String>> releaseAll() {
         return onFleet(boats -> {
             stopped = false;
-            stop.told(false);
+            stop.commanded(false);
             boats.fleetRelease();
             log.add(Kind.FLEET_STOP, "released the fleet", Ids.NONE, boats.boatIds());
             return boats.boatIds();

@@ -147,9 +147,9 @@ final class FleetListener implements BaseListener {
 
     private void told(BoatStatus boat) {
         boat.pose()
-                .ifPresent(pose -> history.told(
+                .ifPresent(pose -> history.reported(
                         boat.boatId(),
-                        new FleetHistory.Told(
+                        new FleetHistory.Report(
                                 pose.position(),
                                 pose.headingRad(),
                                 pose.speedMps(),

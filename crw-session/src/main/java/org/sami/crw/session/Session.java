@@ -43,7 +43,7 @@ public final class Session implements AutoCloseable {
     private final SessionSetup setup;
     private final SessionParts parts;
     private final SessionEngine engine;
-    private final AtomicBoolean boatsWanted = new AtomicBoolean();
+    private final AtomicBoolean boatsLookedFor = new AtomicBoolean();
     private final AtomicBoolean begun = new AtomicBoolean();
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Fleet fleet;
@@ -96,9 +96,9 @@ public final class Session implements AutoCloseable {
 
     /** Before the first link is made it is noted that this process has come: what was lost then is no loss of this one. */
     private void noteBegin() {
-        if (boatsWanted.compareAndSet(false, true)) {
+        if (boatsLookedFor.compareAndSet(false, true)) {
             parts.telemetry.begun();
-            parts.fleet.history().begunAnew();
+            parts.fleet.history().processBegan();
         }
     }
 
@@ -322,8 +322,8 @@ public final class Session implements AutoCloseable {
      * Says on the engine's thread, a little later, of which boats missions want something, now or when nothing keeps them any longer. What
      * was asked of boats before has reached their proxies by then.
      */
-    public void whoIsWanted(Consumer<Set<String>> then) {
-        parts.fleet.whoIsWanted(then);
+    public void boatsWithWork(Consumer<Set<String>> then) {
+        parts.fleet.boatsWithWork(then);
     }
 
     /** The caller writes down where boats were; else the session does. */

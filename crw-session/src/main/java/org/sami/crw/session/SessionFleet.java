@@ -95,7 +95,7 @@ final class SessionFleet implements Closeable {
     }
 
     /** Gives the engine's thread the boats of which something is wanted. */
-    void whoIsWanted(Consumer<Set<String>> then) {
+    void boatsWithWork(Consumer<Set<String>> then) {
         connector.executor().execute(() -> {
             Set<String> wanted = connector.boats().all().stream()
                     .filter(boat -> !boat.isAtRest())

@@ -53,8 +53,8 @@ final class TcpFleet implements FleetConnector {
     }
 
     @Override
-    public void connect(Wanted wanted, Consumer<String> found) {
-        InetSocketAddress address = BoatAddress.parse(wanted.server()).toSocketAddress();
+    public void connect(Request request, Consumer<String> found) {
+        InetSocketAddress address = BoatAddress.parse(request.server()).toSocketAddress();
         String known = boatAt.get(address);
         if (known != null) {
             found.accept(known);

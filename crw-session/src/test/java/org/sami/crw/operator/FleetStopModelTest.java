@@ -67,7 +67,7 @@ class FleetStopModelTest {
         does(bert, BoatMode.STOPPED);
         assertThat(state()).isEqualTo(FleetStopState.NONE);
 
-        models.fleetStop().told(true);
+        models.fleetStop().commanded(true);
         anna.fleetStop();
         bert.fleetStop();
         does(anna, BoatMode.FLEET_STOP);
@@ -88,7 +88,7 @@ class FleetStopModelTest {
             assertThat(entry.fault().text()).isEqualTo(state().words());
         });
 
-        models.fleetStop().told(false);
+        models.fleetStop().commanded(false);
         does(anna, BoatMode.STOPPED);
         assertThat(faults()).hasSize(1);
         anna.fleetRelease();

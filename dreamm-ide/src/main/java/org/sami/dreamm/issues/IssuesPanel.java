@@ -57,7 +57,7 @@ public final class IssuesPanel extends FoldingPanel {
     private static final String SEARCH = "cell 5 0";
     private static final String SEARCH_BELOW = "cell 0 1 4 1";
     private static final String FIXES = "novisualpadding, insets 0, gap 8";
-    private static final String FIXES_BESIDE = FIXES + ", wrap 1";
+    private static final String FIXES_IN_COLUMN = FIXES + ", wrap 1";
 
     private final transient DreammContext context;
     private final transient IssueList issues;
@@ -226,7 +226,7 @@ public final class IssuesPanel extends FoldingPanel {
 
     /** In a low panel the fixes of an issue are to the right of the table, which keeps its rows. */
     private void putFixesToTheRight(boolean right) {
-        fixColumns.setLayoutConstraints(right ? FIXES_BESIDE : FIXES);
+        fixColumns.setLayoutConstraints(right ? FIXES_IN_COLUMN : FIXES);
         add(mending, right ? BorderLayout.EAST : BorderLayout.SOUTH);
     }
 

@@ -84,7 +84,7 @@ final class MissionTreeView extends JTree {
     }
 
     /** Lines are shortened to the width that is seen: they are measured again when that changes. */
-    private void measureAnew() {
+    private void remeasure() {
         firePropertyChange(CELL_RENDERER_PROPERTY, null, getCellRenderer());
     }
 
@@ -168,7 +168,7 @@ final class MissionTreeView extends JTree {
         boolean another = width != getWidth();
         super.setBounds(x, y, width, height);
         if (another) {
-            measureAnew();
+            remeasure();
         }
     }
 

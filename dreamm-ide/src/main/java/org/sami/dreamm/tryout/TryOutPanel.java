@@ -41,7 +41,7 @@ public final class TryOutPanel extends FoldingPanel {
     private static final int SHORT_WORDS = 820;
     private static final int FEWEST_WORDS = 740;
     private static final int TWO_ROWS = 520;
-    private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
+    private static final String LIST_LEFT = "[64%, grow, fill][36%, grow, fill]";
     private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";
     private static final String SMALL_HALVES = "[36%, grow, fill][260:64%, grow, fill]";
     private static final String LIST_ALONE = "[grow, fill]";
@@ -67,7 +67,7 @@ public final class TryOutPanel extends FoldingPanel {
     private final JPanel behindTabs = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "push[]", "[]"));
     private final JPanel foot =
             new JPanel(new MigLayout("insets 2 12 4 12, gap 16, hidemode 3", "[grow, fill][]", "[]"));
-    private final transient MigLayout columns = new MigLayout("insets 0, gap 1, fill", BESIDE, "[grow, fill]");
+    private final transient MigLayout columns = new MigLayout("insets 0, gap 1, fill", LIST_LEFT, "[grow, fill]");
     private final JPanel parts = new JPanel(columns);
     private final JButton happen = new JButton("Let it happen");
     private final JButton reject = new JButton("None of them");
@@ -177,7 +177,7 @@ public final class TryOutPanel extends FoldingPanel {
         } else if (!small && isTab) {
             tabs.remove(now);
             tabs.remove(settings.column());
-            columns.setColumnConstraints(BESIDE);
+            columns.setColumnConstraints(LIST_LEFT);
             parts.add(now, "wmin 0, hmin 0", 0);
             parts.revalidate();
         }

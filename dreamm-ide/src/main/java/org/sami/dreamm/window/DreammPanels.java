@@ -34,10 +34,10 @@ final class DreammPanels {
             .folding("issues", "try-out", "replay", "comparison");
 
     /** The net alone; panels open in one stack next to it. */
-    private static final Arrangement COMPACT = besideOneStack(0.42);
+    private static final Arrangement COMPACT = nextToOneStack(0.42);
 
     /** The same with more than half of the window for what is opened. */
-    private static final Arrangement TIGHT = besideOneStack(0.54);
+    private static final Arrangement TIGHT = nextToOneStack(0.54);
 
     /** How they lie at first: the net has most of the window, in small windows and with large letters all of it (decision 0439). */
     static final Arrangements FIRST =
@@ -55,12 +55,12 @@ final class DreammPanels {
                     .behind("replay", "issues")
                     .behind("comparison", "model-view")
                     .folding("issues", "try-out", "replay", "comparison"),
-            besideCourse(0.42),
-            besideCourse(0.5),
+            nextToCourse(0.42),
+            nextToCourse(0.5),
             new Dimension(1400, 0),
             new Dimension(900, 420));
 
-    private static Arrangement besideCourse(double part) {
+    private static Arrangement nextToCourse(double part) {
         return Arrangement.of("model-view")
                 .left(LEARN, "model-view", part)
                 .below("inspector", "model-view", 0.5)
@@ -73,7 +73,7 @@ final class DreammPanels {
                 .folding("inspector", "mission-tree", "palette", "issues", "try-out", "replay", "comparison");
     }
 
-    private static Arrangement besideOneStack(double part) {
+    private static Arrangement nextToOneStack(double part) {
         return Arrangement.of("model-view")
                 .right("inspector", "model-view", part)
                 .behind("comparison", "model-view")

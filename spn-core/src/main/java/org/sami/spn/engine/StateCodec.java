@@ -52,7 +52,7 @@ public final class StateCodec {
         try {
             StateDecoder reader = new StateDecoder(bytes);
             EngineState state = new EngineState(reader.read(engine.compiled(), loaded));
-            if (reader.leavesReturnsUntold()) {
+            if (reader.omitsUsedReturns()) {
                 state.rules().pendings.tellUnused();
             }
             return state;

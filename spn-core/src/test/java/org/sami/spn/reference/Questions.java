@@ -183,7 +183,7 @@ final class Questions {
                 if (left.size() < choice.proxies().size()
                         && left.size() < Math.max(1, choice.min())
                         && all.size() > left.size()) {
-                    askAnew(q, all);
+                    askAgain(q, all);
                     world.note(NoteKind.GONE, m.id, "");
                 }
             }
@@ -268,19 +268,19 @@ final class Questions {
             List<String> all = new ArrayList<>(unfiltered(q));
             all.removeAll(boats);
             if (others.size() < Math.max(1, choice.min()) && all.size() > others.size()) {
-                askAnew(q, all);
+                askAgain(q, all);
                 world.note(NoteKind.GONE, old.mission(), "");
             } else if (others.isEmpty() && old.activation() == Ids.NONE) {
                 close(q, Optional.empty(), Optional.empty());
                 world.note(NoteKind.INTERRUPT_REFUSED, old.mission(), "");
             } else {
-                askAnew(q, others);
+                askAgain(q, others);
             }
         }
     }
 
     /** Closes a choice and asks it for other boats, with the deadline that it had (R-DEC-8, R-DEC-9). */
-    private void askAnew(World.Question q, List<String> boats) {
+    private void askAgain(World.Question q, List<String> boats) {
         Decision old = q.decision();
         Question.ChooseProxies choice = (Question.ChooseProxies) old.question();
         boolean runs = world.clocks.stream().anyMatch(clock -> clock.timer().isEmpty() && clock.decision() == old.id());

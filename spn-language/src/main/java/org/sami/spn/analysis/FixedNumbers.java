@@ -19,7 +19,7 @@ final class FixedNumbers implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (InEdge edge : plan.plan().inEdges()) {
             for (InRequirement r : edge.requirements()) {
-                if (isFixed(r) && varies(plan, r.kind()) && !TooManyWanted.isTooMany(plan, r)) {
+                if (isFixed(r) && varies(plan, r.kind()) && !TooManyRequired.isTooMany(plan, r)) {
                     plan.place(edge.place())
                             .filter(place -> !hasOther(plan, place, edge, r))
                             .ifPresent(place -> report(plan, place, edge, r, report));

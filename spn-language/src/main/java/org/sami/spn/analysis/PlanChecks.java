@@ -70,7 +70,7 @@ public final class PlanChecks {
             new AppliesNothing(),
             new ReadsBeforeWrites(),
             new FixedNumbers(),
-            new TooManyWanted(),
+            new TooManyRequired(),
             new EndsWithFirst(),
             new ForgottenPlaces(),
             new OpenGates(),

@@ -27,7 +27,7 @@ public final class AtomicFile {
         Path file = Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
         Path folder = Objects.requireNonNull(file.getParent(), "a file lies in a folder");
         Files.createDirectories(folder);
-        Path temporary = createBeside(file);
+        Path temporary = createSibling(file);
         try {
             try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
                 ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
@@ -45,7 +45,7 @@ public final class AtomicFile {
     }
 
     /** An empty file with the permissions that new files have here; those of the JDK's temporary files are too narrow. */
-    private static Path createBeside(Path file) throws IOException {
+    private static Path createSibling(Path file) throws IOException {
         for (int i = 0; i < ATTEMPTS; i++) {
             try {
                 return Files.createFile(file.resolveSibling("." + file.getFileName() + "." + i + ".tmp"));

@@ -9,13 +9,13 @@ import java.util.Objects;
  * The plans of a project's document, each in the document itself or in a file of its own next to it.
  *
  * @param file the document's file; empty text where it came from none
- * @param beside the files next to it
+ * @param sibling the files next to it
  * @param sources where the texts of the plans' files are kept for the places of findings
  */
-record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources) {
+record PlanFiles(String file, VocabularyFiles.Source sibling, SourceTexts sources) {
     PlanFiles {
         Objects.requireNonNull(file, "file");
-        Objects.requireNonNull(beside, "beside");
+        Objects.requireNonNull(sibling, "sibling");
         Objects.requireNonNull(sources, "sources");
     }
 
@@ -34,10 +34,10 @@ record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources
                 continue;
             }
             Problems inFile = new Problems();
-            VocabularyFiles.fetch(beside, name, inFile)
+            VocabularyFiles.fetch(sibling, name, inFile)
                     .flatMap(text -> {
                         String prefix = name + "#";
-                        sources.add(prefix, beside(name), text);
+                        sources.add(prefix, sibling(name), text);
                         sources.planIn(plans.size(), prefix);
                         Problems syntax = new Problems();
                         var node = JsonText.parse(text, syntax);
@@ -54,7 +54,7 @@ record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources
         return plans;
     }
 
-    private String beside(String name) {
+    private String sibling(String name) {
         return file.isEmpty() ? name : Path.of(file).resolveSibling(name).toString();
     }
 }

@@ -68,9 +68,9 @@ public final class ProjectReader {
     public Reading<Project> readAndCheck(Path path, Function<Project, List<Finding>> checks) {
         Path file = Files.isDirectory(path) ? path.resolve("project.json") : path;
         Problems problems = new Problems();
-        VocabularyFiles.Source beside = name -> TextFiles.read(file.resolveSibling(name));
+        VocabularyFiles.Source sibling = name -> TextFiles.read(file.resolveSibling(name));
         Optional<String> text = fetch(file, problems);
-        return text.map(t -> read(file.toString(), t, beside, checks)).orElseGet(() -> Reading.nothing(problems));
+        return text.map(t -> read(file.toString(), t, sibling, checks)).orElseGet(() -> Reading.nothing(problems));
     }
 
     private static List<Finding> unchecked(Project project) {
@@ -78,14 +78,14 @@ public final class ProjectReader {
     }
 
     private Reading<Project> read(
-            String file, String text, VocabularyFiles.Source beside, Function<Project, List<Finding>> checks) {
+            String file, String text, VocabularyFiles.Source sibling, Function<Project, List<Finding>> checks) {
         Problems problems = new Problems();
         SourceTexts sources = new SourceTexts();
         sources.add("", file, text);
         Optional<Project> project = JsonText.parse(text, problems)
                 .flatMap(node -> JsonObjectReader.of(node, "", problems))
                 .filter(root -> checkVersion(root, problems))
-                .map(root -> readProject(root, new PlanFiles(file, beside, sources), problems));
+                .map(root -> readProject(root, new PlanFiles(file, sibling, sources), problems));
         if (!problems.none()) {
             project.ifPresent(p -> problems.addAll(PlanChecks.checkUnloaded(p, vocabulary), ""));
             return new Reading<>(Optional.empty(), sources.locate(problems.findings()));

@@ -128,7 +128,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     /** Where panels lie as the program has put them, and another of its arrangements fits better by now, that one is taken. */
     private void adapt() {
-        if (!isBesideOneAnother() || fitted.equals(Optional.of(fitting()))) {
+        if (!isSideBySide() || fitted.equals(Optional.of(fitting()))) {
             return;
         }
         Arrangement fit = fitting();
@@ -191,24 +191,24 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     /** Has sides whose panels are all empty leave their room to others of their column; to be called a few times a second. */
     public void shareRoom() {
-        if (isBesideOneAnother()) {
+        if (isSideBySide()) {
             proportions.share(pointer::letsShrink, pointer::letsReturn, pointer::pressable);
         }
     }
 
     /** Whether the arrangement is one to be kept: none is while one panel has all the room. */
-    private boolean isBesideOneAnother() {
+    private boolean isSideBySide() {
         return arranged && alone.isEmpty();
     }
 
     private void changed() {
-        if (isBesideOneAnother()) {
+        if (isSideBySide()) {
             saving.restart();
         }
     }
 
     private void save() {
-        if (isBesideOneAnother()) {
+        if (isSideBySide()) {
             proportions.inProportion(() -> {
                 try {
                     docking()
@@ -246,7 +246,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     /** Where the program folds panels at first, those without a place stand in the strip at the edge. */
     private void showFolded() {
-        if (folds && isBesideOneAnother()) {
+        if (folds && isSideBySide()) {
             folded.fold(panels.values().stream()
                     .filter(panel -> !Docking.isDocked(panel))
                     .toList());

@@ -55,7 +55,7 @@ final class DockColumn {
     }
 
     private Part part(Component side) {
-        Optional<PaneKeeper> keeper = split(side).map(keepers::get).filter(one -> !one.isBeside());
+        Optional<PaneKeeper> keeper = split(side).map(keepers::get).filter(one -> !one.isSideBySide());
         if (keeper.isEmpty()) {
             Part leaf = new Part(side, keeper, List.of());
             leaves.add(leaf);

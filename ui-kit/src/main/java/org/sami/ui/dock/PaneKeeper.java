@@ -167,12 +167,12 @@ final class PaneKeeper extends ComponentAdapter {
         }
     }
 
-    boolean isBeside() {
+    boolean isSideBySide() {
         return pane.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
     }
 
     /** What both sides have together, in pixels. */
     int free() {
-        return Math.max(0, (isBeside() ? pane.getWidth() : pane.getHeight()) - pane.getDividerSize());
+        return Math.max(0, (isSideBySide() ? pane.getWidth() : pane.getHeight()) - pane.getDividerSize());
     }
 }

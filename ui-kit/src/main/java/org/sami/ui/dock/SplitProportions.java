@@ -67,7 +67,7 @@ final class SplitProportions {
             }
         }
         for (PaneKeeper keeper : now) {
-            if (!keeper.isBeside() && top(keeper) == keeper) {
+            if (!keeper.isSideBySide() && top(keeper) == keeper) {
                 share(keeper, mayShrink, mayReturn, pointedAt);
             }
         }
@@ -126,7 +126,7 @@ final class SplitProportions {
             }
             if (at instanceof JSplitPane pane) {
                 PaneKeeper outer = keepers.get(pane);
-                if (outer == null || outer.isBeside() || keeper.isBeside()) {
+                if (outer == null || outer.isSideBySide() || keeper.isSideBySide()) {
                     break;
                 }
                 top = outer;
@@ -143,7 +143,7 @@ final class SplitProportions {
     /** Has the dividers of the column of a pane stand where they are to stand now. */
     private void show(PaneKeeper keeper) {
         DockColumn column = new DockColumn(top(keeper), keepers);
-        if (!keeper.isBeside() && column.isKnown()) {
+        if (!keeper.isSideBySide() && column.isKnown()) {
             column.show();
         } else {
             keeper.showProportion();

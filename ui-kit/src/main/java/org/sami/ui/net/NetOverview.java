@@ -22,7 +22,7 @@ final class NetOverview extends JComponent {
 
     private final transient NetView view;
     private final transient NetViewport viewport;
-    private boolean wanted = true;
+    private boolean enabledByUser = true;
 
     NetOverview(NetView view, NetViewport viewport) {
         this.view = view;
@@ -50,18 +50,18 @@ final class NetOverview extends JComponent {
     }
 
     /** Shows it while not all of the net is seen, or never. */
-    void setWanted(boolean wanted) {
-        this.wanted = wanted;
+    void setEnabledByUser(boolean enabledByUser) {
+        this.enabledByUser = enabledByUser;
         refresh();
     }
 
-    boolean isWanted() {
-        return wanted;
+    boolean isEnabledByUser() {
+        return enabledByUser;
     }
 
     /** Another part of the net is shown, or the view has another size. */
     void refresh() {
-        setVisible(wanted && !isNeedless());
+        setVisible(enabledByUser && !isNeedless());
         repaint();
     }
 

@@ -290,11 +290,11 @@ public final class NetView extends JPanel {
 
     /** Shows the overview in the lower right corner while not all of the net is seen, or never. */
     public void setOverview(boolean shown) {
-        overview.setWanted(shown);
+        overview.setEnabledByUser(shown);
     }
 
     void toggleOverview() {
-        setOverview(!overview.isWanted());
+        setOverview(!overview.isEnabledByUser());
     }
 
     /** Where a point of the drawing is, in pixels of {@link #canvas}. */

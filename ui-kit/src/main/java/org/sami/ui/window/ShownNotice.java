@@ -12,7 +12,7 @@ final class ShownNotice {
 
     private final LongSupplier nanos;
     private Optional<Notice> last = Optional.empty();
-    private long toldAt;
+    private long shownAt;
 
     /**
      * Nothing was reported yet.
@@ -26,7 +26,7 @@ final class ShownNotice {
     /** Shows a notice from now on, instead of the one before. */
     void tell(Notice notice) {
         last = Optional.of(notice);
-        toldAt = nanos.getAsLong();
+        shownAt = nanos.getAsLong();
     }
 
     /** The notice to show now; empty where none was reported, or it has been shown long enough. */
@@ -36,7 +36,7 @@ final class ShownNotice {
 
     /** For how long it is to be shown yet, in ms; 0 where nothing is. */
     long leftMillis() {
-        long age = nanos.getAsLong() - toldAt;
+        long age = nanos.getAsLong() - shownAt;
         return last.map(notice -> (notice.refused() ? REFUSED_NS : DONE_NS) - age)
                 .map(left -> left <= 0 ? 0 : Math.max(1, TimeUnit.NANOSECONDS.toMillis(left)))
                 .orElse(0L);

@@ -18,7 +18,7 @@ public final class Markups {
     }
 
     /** How many options are asked for by the markup Selection Options; one without it, and one where it says less. */
-    public static int optionsWanted(Activation activation) {
+    public static int requestedOptions(Activation activation) {
         long number = option(activation, "SelectionOptions", "number")
                 .map(value -> ((IntegerValue) value).value())
                 .orElse(1L);

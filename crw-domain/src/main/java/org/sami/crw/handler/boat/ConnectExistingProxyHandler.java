@@ -21,7 +21,7 @@ public final class ConnectExistingProxyHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        BoatConnector.Wanted wanted = new BoatConnector.Wanted(
+        BoatConnector.Request wanted = new BoatConnector.Request(
                 ActivationFields.text(activation, "name"),
                 ActivationFields.text(activation, "color"),
                 ActivationFields.text(activation, "server"));

@@ -29,8 +29,8 @@ public final class ConnectExistingProxyIdHandler implements ActivationHandler {
         if (!(id instanceof RecordValue boatId)) {
             throw new IllegalArgumentException("\"" + ID + "\" is no boat id: " + id);
         }
-        BoatConnector.Wanted wanted =
-                new BoatConnector.Wanted(text(boatId, "name"), text(boatId, "color"), text(boatId, "server"));
+        BoatConnector.Request wanted =
+                new BoatConnector.Request(text(boatId, "name"), text(boatId, "color"), text(boatId, "server"));
         connector.connect(wanted, boat -> newBoats.await(activation, List.of(boat), context));
     }
 

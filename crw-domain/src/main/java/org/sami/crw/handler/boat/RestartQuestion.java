@@ -67,7 +67,7 @@ final class RestartQuestion {
         if (!gathered.isEmpty() && host.nowMillis() - sinceMillis >= GATHERED_MILLIS) {
             asked.addAll(gathered);
             gathered.clear();
-            askAnew();
+            askAgain();
         }
     }
 
@@ -76,11 +76,11 @@ final class RestartQuestion {
         lookUp();
         gathered.remove(boat);
         if (asked.remove(boat)) {
-            askAnew();
+            askAgain();
         }
     }
 
-    private void askAnew() {
+    private void askAgain() {
         List<Input> inputs = new ArrayList<>();
         open.forEach(subject -> inputs.add(new Input.WithdrawQuestion(KIND, subject)));
         open.clear();

@@ -19,7 +19,7 @@ import org.sami.spn.value.GeoPoint;
  * them (docs/services.md). For the fleet's thread.
  */
 public final class NearPlaces {
-    private static final String TOLD = "near-places";
+    private static final String WARNED_KEY = "near-places";
 
     private final MessageSink messages;
     private final BoatErrors errors;
@@ -41,7 +41,7 @@ public final class NearPlaces {
         CrossTrackError error = errors.of(List.copyOf(places.keySet()));
         long mission = activation.mission();
         if (apartM >= error.berthM()
-                || context.query(view -> view.memory(mission, TOLD).isPresent())) {
+                || context.query(view -> view.memory(mission, WARNED_KEY).isPresent())) {
             return;
         }
         String words = String.format(
@@ -53,7 +53,7 @@ public final class NearPlaces {
                 Math.ceil(error.berthM()),
                 error.positionM());
         messages.tell(ActivationMessages.of(activation, context, Priority.MEDIUM, words, activation.proxies()));
-        context.post(List.of(new Input.Remember(mission, TOLD, new BooleanValue(true))));
+        context.post(List.of(new Input.Remember(mission, WARNED_KEY, new BooleanValue(true))));
     }
 
     private static double leastDistanceM(List<GeoPoint> places) {

@@ -49,7 +49,7 @@ import org.sami.spn.value.GeoPoint;
  */
 public final class WayQuestions implements HostListener {
     /** Begins the reason of a command that failed because the operator did not want it. */
-    public static final String NOT_WANTED = "the operator does not want it";
+    public static final String REJECTED_WAY = "the operator does not want it";
 
     private static final int NAMED = 3;
 
@@ -228,7 +228,7 @@ public final class WayQuestions implements HostListener {
                     one.all.stream().map(Doubted::move).toList());
         } else {
             one.all.forEach(doubted -> one.sender.refuse(
-                    one.activation, one.context, doubted.move, NOT_WANTED + ": " + doubted.doubt.words()));
+                    one.activation, one.context, doubted.move, REJECTED_WAY + ": " + doubted.doubt.words()));
         }
     }
 

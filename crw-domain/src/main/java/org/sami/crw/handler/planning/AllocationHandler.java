@@ -104,7 +104,7 @@ public final class AllocationHandler implements ActivationHandler {
             @Override
             public AllocationService.Options compute() {
                 return service.solve(
-                        problem.in(water), Markups.criterion(activation), Markups.optionsWanted(activation));
+                        problem.in(water), Markups.criterion(activation), Markups.requestedOptions(activation));
             }
 
             @Override

@@ -34,7 +34,7 @@ final class ExploredArea {
     private final Map<String, List<GeoPoint>> tracks = new LinkedHashMap<>();
     private final List<List<GeoPoint>> assumed = new ArrayList<>();
     private final Set<String> done = new HashSet<>();
-    private boolean isTold;
+    private boolean isReported;
 
     /**
      * An area that boats begin to explore, or go on with.
@@ -98,7 +98,7 @@ final class ExploredArea {
 
     /** Takes where a boat reports to be, if it has a share and the operator has not been told the result yet. */
     void add(String boat, GeoPoint at) {
-        if (isTold || !shares.containsKey(boat)) {
+        if (isReported || !shares.containsKey(boat)) {
             return;
         }
         List<GeoPoint> track = tracks.computeIfAbsent(boat, id -> new ArrayList<>());
@@ -131,10 +131,10 @@ final class ExploredArea {
      * @return computes the words, which takes a while; on any thread
      */
     Optional<Supplier<String>> end(String when, double positionM) {
-        if (isTold) {
+        if (isReported) {
             return Optional.empty();
         }
-        isTold = true;
+        isReported = true;
         List<List<GeoPoint>> driven = new ArrayList<>(assumed);
         driven.addAll(tracks.values());
         return Optional.of(() -> words(driven, when) + coverage.likelyMissed(positionM));

@@ -196,7 +196,7 @@ public final class PathHandler implements ActivationHandler {
         PathProblem problem =
                 new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE), detour);
         PathService.Options options =
-                service.find(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
+                service.find(problem, Markups.criterion(activation), Markups.requestedOptions(activation));
         return new Found(
                 options.ways().stream()
                         .map(way -> new KeptWay(way, way.words(from.get(), water)))

@@ -17,7 +17,7 @@ public final class ServiceThreads implements AutoCloseable {
     /** The time after which an operator would ask for something else. */
     public static final long STANDARD_LIMIT_MILLIS = 60_000;
 
-    private static final long TOLD_MILLIS = 5000;
+    private static final long SLOW_MILLIS = 5000;
     private static final int THREADS = 2;
 
     private final long limitMillis;
@@ -71,8 +71,8 @@ public final class ServiceThreads implements AutoCloseable {
     Future<?> lookAfter(Runnable progress) {
         return timeouts.scheduleAtFixedRate(
                 progress,
-                Math.min(TOLD_MILLIS, limitMillis),
-                Math.min(TOLD_MILLIS, limitMillis),
+                Math.min(SLOW_MILLIS, limitMillis),
+                Math.min(SLOW_MILLIS, limitMillis),
                 TimeUnit.MILLISECONDS);
     }
 

@@ -214,7 +214,7 @@ public final class CommandDriver {
     }
 
     /** Wants the boat stopped unless a command is waiting for it. */
-    public void stopUnlessWanted() {
+    public void stopWhenIdle() {
         mustStop = true;
     }
 
@@ -233,15 +233,15 @@ public final class CommandDriver {
         if (!mayCommand) {
             return;
         }
-        if (run.isPresent() && !isRunWanted()) {
+        if (run.isPresent() && !isRunCurrent()) {
             abandon("its command is no longer wanted");
             mustStop = true;
             completeEmptyPaths(); // the one that took the boat may have nothing to do
         }
-        Optional<QueuedCommand> wanted = wanted();
-        if (run.isEmpty() && wanted.isPresent()) {
+        Optional<QueuedCommand> task = task();
+        if (run.isEmpty() && task.isPresent()) {
             mustStop = false;
-            begin(wanted.get(), nowMs);
+            begin(task.get(), nowMs);
         } else if (run.isEmpty() && mustStop) {
             mustStop = false;
             requests.clear();
@@ -262,7 +262,7 @@ public final class CommandDriver {
     }
 
     /** The boat's present task: a mission's command, otherwise to hold its place. */
-    private Optional<QueuedCommand> wanted() {
+    private Optional<QueuedCommand> task() {
         return queue.current().isPresent() ? queue.current() : hold.station();
     }
 
@@ -304,11 +304,11 @@ public final class CommandDriver {
                 : Optional.empty();
     }
 
-    private boolean isRunWanted() {
-        Optional<QueuedCommand> wanted = wanted();
+    private boolean isRunCurrent() {
+        Optional<QueuedCommand> task = task();
         return run.isPresent()
-                && wanted.isPresent()
-                && wanted.get() == run.get().queued();
+                && task.isPresent()
+                && task.get() == run.get().queued();
     }
 
     /** Sends again what is due; gives up a command that stays unanswered, but never a stop. */
@@ -365,7 +365,7 @@ public final class CommandDriver {
     /** The boat has said how far it is, after a time when it could not be told anything. */
     public void resume(Progress held, long nowMs) {
         noteVisited(held);
-        if (isRunWanted()) {
+        if (isRunCurrent()) {
             requests.clear();
             conclude(run.get().resume(held, nowMs));
         } else if (isStopping()) {

@@ -19,8 +19,8 @@ final class AnswerBar extends JPanel {
     private static final int NARROW = 440;
     private static final int WIDE = 600;
     private static final String LAYOUT = "novisualpadding, insets 0, gap 8, fillx, hidemode 3";
-    private static final String BESIDE = "split 2, wmin 80";
-    private static final String LINE_BESIDE = "wmin 0";
+    private static final String IN_ROW = "split 2, wmin 80";
+    private static final String LINE_IN_ROW = "wmin 0";
     private static final String LINE_ABOVE = "dock north, wmin 0";
     private static final String ABOVE = "dock north, wmin 80, gapbottom 4";
 
@@ -51,8 +51,8 @@ final class AnswerBar extends JPanel {
         add(answer);
         add(refuse);
         add(draw);
-        add(problem, BESIDE);
-        add(problemLine, LINE_BESIDE);
+        add(problem, IN_ROW);
+        add(problemLine, LINE_IN_ROW);
         add(position);
         add(earlier);
         add(later);
@@ -66,10 +66,10 @@ final class AnswerBar extends JPanel {
      */
     void fit(int width, boolean low) {
         narrow = width < Look.px(NARROW);
-        String place = narrow && !low ? ABOVE : BESIDE;
+        String place = narrow && !low ? ABOVE : IN_ROW;
         put(problem, place);
         problemLine.setFont(Fonts.small()); // of the scale in force
-        put(problemLine, narrow ? LINE_ABOVE : LINE_BESIDE);
+        put(problemLine, narrow ? LINE_ABOVE : LINE_IN_ROW);
         problem.setVisible(!low && !(narrow && problem.getText().isEmpty()));
         problemLine.setVisible(low && !(narrow && problemLine.getText().isEmpty()));
         position.setVisible(!narrow);

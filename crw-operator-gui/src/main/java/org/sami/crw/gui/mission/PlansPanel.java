@@ -34,7 +34,7 @@ import org.sami.ui.table.RowTable;
 public final class PlansPanel extends JPanel {
     private static final int LEAST_ROWS = 3;
     private static final int LOW = 170;
-    private static final String BESIDE = "novisualpadding, hidemode 3, insets 8 8 4 8, gap 4 4, fillx";
+    private static final String IN_ROW = "novisualpadding, hidemode 3, insets 8 8 4 8, gap 4 4, fillx";
     private static final int ROUND_BUTTONS = 20; // insets above and below them, and gaps between three in a column
     private static final String WITH_VALUES = "With values…";
 
@@ -42,12 +42,12 @@ public final class PlansPanel extends JPanel {
     private final MissionStarter starter;
     private final Document searched = new PlainDocument();
     private final PlanSearch search = new PlanSearch("plans-search", searched, this::toFound);
-    private final PlanSearch searchBeside = new PlanSearch("plans-search-beside", searched, this::toFound);
+    private final PlanSearch searchInRow = new PlanSearch("plans-search-beside", searched, this::toFound);
     private final CommandRow above = new CommandRow();
-    private final MigLayout besideLayout = new MigLayout(BESIDE, "[grow,fill]", "[]");
-    private final JPanel beside = new JPanel(besideLayout);
-    private final CommandButton startBeside;
-    private final CommandButton startWithBeside;
+    private final MigLayout rowLayout = new MigLayout(IN_ROW, "[grow,fill]", "[]");
+    private final JPanel beside = new JPanel(rowLayout);
+    private final CommandButton startInRow;
+    private final CommandButton startWithInRow;
     private final RowTable<PlanTree.Line> table;
     private final OnePress begins = new OnePress();
     private final DisabledNote disabled = new DisabledNote("plans-disabled");
@@ -93,19 +93,19 @@ public final class PlansPanel extends JPanel {
                 .add(new Command(
                                 "plans-find",
                                 "Search plans",
-                                () -> (above.isVisible() ? search : searchBeside).requestFocusInWindow())
+                                () -> (above.isVisible() ? search : searchInRow).requestFocusInWindow())
                         .withKey("ctrl F")
                         .withIcon("search"));
         PlanSearch.onChange(searched, this::find);
         above.left(search).right(CommandButton.primary(start, "play")).right(new CommandButton(startWith));
         LookColors.border(above, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
-        beside.add(searchBeside, "growx, wmin 0");
-        startBeside = named(CommandButton.primary(start, "play"));
-        startWithBeside = named(new CommandButton(startWith));
-        startWithBeside.setText(WITH_VALUES);
-        startWithBeside.getAccessibleContext().setAccessibleName(startWith.title());
-        beside.add(startBeside);
-        beside.add(startWithBeside);
+        beside.add(searchInRow, "growx, wmin 0");
+        startInRow = named(CommandButton.primary(start, "play"));
+        startWithInRow = named(new CommandButton(startWith));
+        startWithInRow.setText(WITH_VALUES);
+        startWithInRow.getAccessibleContext().setAccessibleName(startWith.title());
+        beside.add(startInRow);
+        beside.add(startWithInRow);
         add(above, BorderLayout.NORTH);
         add(beside, BorderLayout.EAST);
         arrange();
@@ -133,24 +133,24 @@ public final class PlansPanel extends JPanel {
         boolean low = getHeight() < Look.px(LOW);
         above.setVisible(!low);
         beside.setVisible(low);
-        int buttons = height(startBeside) + height(startWithBeside) + Look.px(ROUND_BUTTONS);
+        int buttons = height(startInRow) + height(startWithInRow) + Look.px(ROUND_BUTTONS);
         boolean inColumn = buttons <= getHeight();
-        searchBeside.setVisible(buttons + height(searchBeside) <= getHeight());
-        String constraints = inColumn ? BESIDE + ", wrap 1" : BESIDE;
-        if (!constraints.equals(besideLayout.getLayoutConstraints())) {
-            besideLayout.setLayoutConstraints(constraints);
+        searchInRow.setVisible(buttons + height(searchInRow) <= getHeight());
+        String constraints = inColumn ? IN_ROW + ", wrap 1" : IN_ROW;
+        if (!constraints.equals(rowLayout.getLayoutConstraints())) {
+            rowLayout.setLayoutConstraints(constraints);
             beside.invalidate(); // its size may stay
         }
         String words = inColumn || 2 * rowOfWords() <= getWidth() ? WITH_VALUES : "";
-        if (!words.equals(startWithBeside.getText())) {
-            startWithBeside.setText(words);
+        if (!words.equals(startWithInRow.getText())) {
+            startWithInRow.setText(words);
         }
     }
 
     /** How wide a row of both buttons with all of their words is. */
     private int rowOfWords() {
-        return startBeside.getPreferredSize().width
-                + startWithBeside.getFontMetrics(startWithBeside.getFont()).stringWidth(WITH_VALUES)
+        return startInRow.getPreferredSize().width
+                + startWithInRow.getFontMetrics(startWithInRow.getFont()).stringWidth(WITH_VALUES)
                 + 2 * Look.px(Spacing.HIT_TARGET_FIELD); // icon, margins, insets and gaps
     }
 
@@ -187,7 +187,7 @@ public final class PlansPanel extends JPanel {
                 .anyMatch(plan -> !DisabledParts.warning(plan).isEmpty()));
         String name = loaded.name().isEmpty() ? loaded.id() : loaded.name();
         search.setToolTipText("Search the plans of " + name);
-        searchBeside.setToolTipText(search.getToolTipText());
+        searchInRow.setToolTipText(search.getToolTipText());
         find();
     }
 

@@ -94,11 +94,11 @@ public final class DataDirectory implements AutoCloseable {
      * journal is taken for it.
      */
     public Optional<Path> unfinished() throws IOException {
-        OpenSession.Told told = openSession.read();
-        if (!told.trouble().isEmpty()) {
-            trouble = Optional.of(told.trouble());
+        OpenSession.Entry entry = openSession.read();
+        if (!entry.trouble().isEmpty()) {
+            trouble = Optional.of(entry.trouble());
         }
-        return told.journal();
+        return entry.journal();
     }
 
     /** What was wrong with the file that names the unfinished session, when {@link #unfinished} looked; one sentence without a full stop. */

@@ -33,7 +33,7 @@ final class OpenSession {
      * @param journal of the session that is not finished; empty for none
      * @param trouble what was wrong with the file and where it is now, one sentence without a full stop; empty text where nothing was
      */
-    record Told(Optional<Path> journal, String trouble) {}
+    record Entry(Optional<Path> journal, String trouble) {}
 
     /**
      * The file of a directory; it need not be there.
@@ -61,9 +61,9 @@ final class OpenSession {
     }
 
     /** Reads it, and sets it aside where it is damaged. */
-    Told read() throws IOException {
+    Entry read() throws IOException {
         if (!Files.exists(file)) {
-            return new Told(Optional.empty(), "");
+            return new Entry(Optional.empty(), "");
         }
         Optional<String> damage;
         try {
@@ -71,7 +71,7 @@ final class OpenSession {
                     Files.size(file) > MOST_BYTES ? "" : Files.readString(file).strip();
             damage = damage(name);
             if (damage.isEmpty()) {
-                return new Told(Optional.of(sessions.resolve(name)), "");
+                return new Entry(Optional.of(sessions.resolve(name)), "");
             }
         } catch (CharacterCodingException notText) {
             damage = Optional.of("is not UTF-8 text");
@@ -81,7 +81,7 @@ final class OpenSession {
         if (newest.isPresent()) {
             write(newest.get()); // it stays on offer until it is finished, or a session begins again
         }
-        return new Told(
+        return new Entry(
                 newest,
                 file.toAbsolutePath() + " " + damage.get() + " and was set aside as "
                         + aside.getFileName() + "; "

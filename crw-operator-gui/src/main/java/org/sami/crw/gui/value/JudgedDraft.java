@@ -11,7 +11,7 @@ import org.sami.crw.judgement.Judgement;
  * event thread.
  */
 public final class JudgedDraft {
-    private static final long ANEW_NANOS = 3_000_000_000L;
+    private static final long RETRY_NANOS = 3_000_000_000L;
 
     private final Supplier<DraftAnswer> draft;
     private final Function<DraftAnswer, CompletionStage<Judgement>> judge;
@@ -39,7 +39,7 @@ public final class JudgedDraft {
     /** Has the present draft judged, unless it is so already. */
     public void look() {
         DraftAnswer now = draft.get();
-        boolean old = !now.equals(DraftAnswer.EMPTY) && System.nanoTime() - askedNanos > ANEW_NANOS;
+        boolean old = !now.equals(DraftAnswer.EMPTY) && System.nanoTime() - askedNanos > RETRY_NANOS;
         if (underWay || (now.equals(asked) && !old)) {
             return;
         }

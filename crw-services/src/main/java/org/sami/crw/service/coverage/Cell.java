@@ -44,9 +44,9 @@ final class Cell {
             List<Cell> next = new ArrayList<>();
             for (Lane lane : row) {
                 List<Cell> beside =
-                        open.stream().filter(cell -> cell.last().isBeside(lane)).toList();
+                        open.stream().filter(cell -> cell.last().isNextTo(lane)).toList();
                 if (beside.size() == 1
-                        && row.stream().filter(beside.get(0).last()::isBeside).count() == 1) {
+                        && row.stream().filter(beside.get(0).last()::isNextTo).count() == 1) {
                     next.add(beside.get(0));
                 } else {
                     Cell cell = new Cell(lane);

@@ -15,7 +15,7 @@ import org.locationtech.jts.geom.Geometry;
 record Lane(int row, double fromM, double toM, Coordinate start, Coordinate end) {
 
     /** Whether two stretches of neighbouring lines lie side by side. */
-    boolean isBeside(Lane other) {
+    boolean isNextTo(Lane other) {
         return fromM < other.toM && other.fromM < toM;
     }
 

@@ -17,7 +17,7 @@ final class DriftCheck {
     static final double IDLE_M = AlarmDefaults.DRIFT_WITHOUT_COMMAND_M;
 
     /** A boat on its station goes back from the edge by itself, and makes room for others: only what is farther out, and for long, is carried away. */
-    private static final double BESIDE_STATION_M = AlarmDefaults.DRIFT_OUTSIDE_STATION_M;
+    private static final double OUTSIDE_STATION_M = AlarmDefaults.DRIFT_OUTSIDE_STATION_M;
 
     private static final long OUT_FOR_MILLIS = AlarmDefaults.DRIFT_AFTER_MS;
 
@@ -64,7 +64,7 @@ final class DriftCheck {
         }
         double awayM = Geodesy.distanceM(keep.point(), boat.pose().orElseThrow().position());
         station.reached |= boat.why().cause() == Cause.KEEPS_STATION;
-        if (!station.reached || awayM <= keep.radiusM() + BESIDE_STATION_M) {
+        if (!station.reached || awayM <= keep.radiusM() + OUTSIDE_STATION_M) {
             station.outSinceMillis = Long.MAX_VALUE;
             return Optional.empty();
         }

@@ -95,20 +95,20 @@ public final class LayerChoice {
     }
 
     /** The data that are to be drawn. */
-    public List<SensorFields.Wanted> wanted(Collection<MarkedEvent> events, Collection<String> allBoats) {
+    public List<SensorFields.Request> requests(Collection<MarkedEvent> events, Collection<String> allBoats) {
         if (Boolean.FALSE.equals(byHand.get(ShownLayer.SENSOR_DATA))) {
             return List.of();
         }
-        List<SensorFields.Wanted> wanted = new ArrayList<>();
-        dataByHand.forEach((channel, how) -> wanted.add(
-                new SensorFields.Wanted(channel.toString(), how, Set.of(), threshold(channel.toString()), "by hand")));
+        List<SensorFields.Request> requests = new ArrayList<>();
+        dataByHand.forEach((channel, how) -> requests.add(
+                new SensorFields.Request(channel.toString(), how, Set.of(), threshold(channel.toString()), "by hand")));
         for (MarkedEvent event : events) {
             MapRelevance relevance = event.relevance(allBoats);
             Optional<MapRelevance.Boats> boats = relevance.boats().filter(MapRelevance.Boats::showData);
             if (relevance.information().isPresent() || boats.isPresent()) {
                 MapRelevance.Information information =
                         relevance.information().orElse(new MapRelevance.Information("", Visualization.HEATMAP));
-                wanted.add(new SensorFields.Wanted(
+                requests.add(new SensorFields.Request(
                         information.sensor(),
                         information.visualization(),
                         boats.map(shown -> Set.copyOf(shown.boats())).orElse(Set.of()),
@@ -116,7 +116,7 @@ public final class LayerChoice {
                         event.words(missions)));
             }
         }
-        return wanted;
+        return requests;
     }
 
     private OptionalDouble threshold(String word) {

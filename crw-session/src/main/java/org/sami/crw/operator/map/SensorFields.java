@@ -28,12 +28,12 @@ public final class SensorFields {
 
     private final Executor computing;
     private final BiConsumer<List<SensorChannel>, List<SensorLayer>> computed;
-    private volatile List<Wanted> wanted = List.of();
+    private volatile List<Request> wanted = List.of();
 
     // what follows is for the computing executor
     private final Map<SensorChannel, Map<String, SampledField>> fields = new TreeMap<>();
     private Optional<LocalPlane> plane = Optional.empty();
-    private List<Wanted> answered = List.of();
+    private List<Request> answered = List.of();
     private boolean measured;
     private long computedAtMillis = Long.MIN_VALUE / 2;
 
@@ -44,8 +44,8 @@ public final class SensorFields {
      * @param boats the boats of the readings; empty for all
      * @param threshold for that visualization; empty for the middle between least and greatest
      */
-    record Wanted(String word, Visualization visualization, Set<String> boats, OptionalDouble threshold, String why) {
-        Wanted {
+    record Request(String word, Visualization visualization, Set<String> boats, OptionalDouble threshold, String why) {
+        Request {
             Objects.requireNonNull(word, "word");
             Objects.requireNonNull(visualization, "visualization");
             boats = Set.copyOf(boats);
@@ -90,14 +90,14 @@ public final class SensorFields {
     }
 
     /** These layers are wanted from now on. */
-    public void want(List<Wanted> layers) {
+    public void want(List<Request> layers) {
         wanted = List.copyOf(layers);
     }
 
     /** Computes what is wanted, if something has changed and the last time is long enough ago. To be called often. */
     public void look(long nowMillis) {
         execute(() -> {
-            List<Wanted> now = wanted;
+            List<Request> now = wanted;
             boolean changed = measured || !now.equals(answered);
             if (changed && nowMillis - computedAtMillis >= PERIOD_MILLIS) {
                 measured = false;
@@ -116,9 +116,9 @@ public final class SensorFields {
         }
     }
 
-    private List<SensorLayer> layers(List<Wanted> now) {
+    private List<SensorLayer> layers(List<Request> now) {
         List<SensorLayer> layers = new ArrayList<>();
-        for (Wanted one : now) {
+        for (Request one : now) {
             fields.entrySet().stream()
                     .filter(channel -> isMeant(channel, one))
                     .findFirst()
@@ -128,14 +128,14 @@ public final class SensorFields {
         return layers;
     }
 
-    private static boolean isMeant(Map.Entry<SensorChannel, Map<String, SampledField>> channel, Wanted one) {
+    private static boolean isMeant(Map.Entry<SensorChannel, Map<String, SampledField>> channel, Request one) {
         boolean called = one.word().isEmpty() || channel.getKey().isCalled(one.word());
         return called
                 && (one.boats().isEmpty()
                         || channel.getValue().keySet().stream().anyMatch(one.boats()::contains));
     }
 
-    private Optional<SensorLayer> layer(SensorChannel channel, Map<String, SampledField> byBoat, Wanted one) {
+    private Optional<SensorLayer> layer(SensorChannel channel, Map<String, SampledField> byBoat, Request one) {
         SampledField all = new SampledField(plane.orElseThrow());
         for (Map.Entry<String, SampledField> boat : byBoat.entrySet()) {
             if (one.boats().isEmpty() || one.boats().contains(boat.getKey())) {
@@ -145,7 +145,7 @@ public final class SensorFields {
         return all.grid().map(grid -> layer(channel, grid, one));
     }
 
-    private static SensorLayer layer(SensorChannel channel, FieldGrid grid, Wanted one) {
+    private static SensorLayer layer(SensorChannel channel, FieldGrid grid, Request one) {
         Legend legend = Legend.of(grid, channel.unit());
         List<ContourLine> contours = one.visualization() == Visualization.CONTOUR
                 ? legend.marks().stream()

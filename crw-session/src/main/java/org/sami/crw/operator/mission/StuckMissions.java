@@ -147,7 +147,7 @@ public final class StuckMissions {
     /** Whether the operator has refused all of it: then it is not asked again. */
     private boolean isNotWanted(Activation activation) {
         return failed.of(activation.id()).stream()
-                .allMatch(failure -> failure.reason().startsWith(WayQuestions.NOT_WANTED));
+                .allMatch(failure -> failure.reason().startsWith(WayQuestions.REJECTED_WAY));
     }
 
     private static String words(Set<String> boats) {

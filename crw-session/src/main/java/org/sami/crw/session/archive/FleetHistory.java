@@ -25,7 +25,7 @@ public final class FleetHistory {
      *
      * @param boatTimeMs the boat's clock
      */
-    public record Told(GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
+    public record Report(GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
 
     /**
      * The last state of a boat.
@@ -33,7 +33,7 @@ public final class FleetHistory {
      * @param distanceM metres driven since the session began, as reported to the base
      * @param recharges number of recharges
      */
-    public record Boat(String id, Told told, double distanceM, int recharges) {}
+    public record Boat(String id, Report report, double distanceM, int recharges) {}
 
     /**
      * How a boat's link went.
@@ -53,7 +53,7 @@ public final class FleetHistory {
         private int lost;
         private int back;
         private boolean linkIsLost;
-        private Optional<Told> last = Optional.empty();
+        private Optional<Report> last = Optional.empty();
         private int recharges;
         private double distanceM;
         private UploadCount earlierUploads = UploadCount.NONE;
@@ -85,7 +85,7 @@ public final class FleetHistory {
     }
 
     /** The process that had the links has ended; that is no loss of them. */
-    public synchronized void begunAnew() {
+    public synchronized void processBegan() {
         boats.values().forEach(known -> {
             known.linkIsLost = false;
             known.earlierUploads = known.earlierUploads.and(known.uploads);
@@ -101,7 +101,7 @@ public final class FleetHistory {
     }
 
     /** A boat has said where it is and what charge it has. Distance is its speed over its time, which noise does not lengthen. */
-    public synchronized void told(String boat, Told now) {
+    public synchronized void reported(String boat, Report now) {
         Known known = of(boat);
         known.last.ifPresent(before -> {
             long gapMs = now.boatTimeMs - before.boatTimeMs;
@@ -116,8 +116,8 @@ public final class FleetHistory {
     }
 
     /** Where a boat was and how far it had come when an earlier process wrote it down. */
-    public synchronized void restored(String boat, Told then, double distanceM) {
-        told(boat, then);
+    public synchronized void restored(String boat, Report then, double distanceM) {
+        reported(boat, then);
         of(boat).distanceM = distanceM;
     }
 
@@ -125,12 +125,12 @@ public final class FleetHistory {
     public synchronized List<GeoPoint> positions() {
         return boats.values().stream()
                 .flatMap(known -> known.last.stream())
-                .map(Told::position)
+                .map(Report::position)
                 .toList();
     }
 
     /** What a boat told last. */
-    public synchronized Optional<Told> last(String boat) {
+    public synchronized Optional<Report> last(String boat) {
         return of(boat).last;
     }
 
@@ -160,14 +160,14 @@ public final class FleetHistory {
 
     /** The boats that have ever said where they are, by name, as they were last. */
     public synchronized List<Boat> boats() {
-        List<Boat> told = new ArrayList<>();
-        new TreeMap<>(boats).keySet().forEach(id -> boat(id).ifPresent(told::add));
-        return told;
+        List<Boat> reported = new ArrayList<>();
+        new TreeMap<>(boats).keySet().forEach(id -> boat(id).ifPresent(reported::add));
+        return reported;
     }
 
     /** One boat, if it has ever said where it is. */
     public synchronized Optional<Boat> boat(String boat) {
         Known known = of(boat);
-        return known.last.map(told -> new Boat(boat, told, known.distanceM, known.recharges));
+        return known.last.map(report -> new Boat(boat, report, known.distanceM, known.recharges));
     }
 }

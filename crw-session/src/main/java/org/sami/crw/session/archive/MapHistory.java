@@ -27,8 +27,8 @@ public final class MapHistory implements SessionTelemetry.Reader {
     }
 
     @Override
-    public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-        tracks.computeIfAbsent(boat, id -> new ArrayList<>()).add(new ShownTrack.Point(told.position(), atMillis));
+    public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
+        tracks.computeIfAbsent(boat, id -> new ArrayList<>()).add(new ShownTrack.Point(report.position(), atMillis));
     }
 
     @Override

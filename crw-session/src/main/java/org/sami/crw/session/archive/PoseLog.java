@@ -22,7 +22,7 @@ public final class PoseLog {
     private volatile boolean stopped;
 
     private static final class Written {
-        private Optional<FleetHistory.Told> last = Optional.empty();
+        private Optional<FleetHistory.Report> last = Optional.empty();
         private long atMillis;
         private double distanceM;
         private int poses;
@@ -61,7 +61,7 @@ public final class PoseLog {
 
     private void look(FleetHistory.Boat boat, long nowMillis, boolean all) {
         Written written = boats.computeIfAbsent(boat.id(), id -> new Written());
-        if (written.last.equals(Optional.of(boat.told()))) {
+        if (written.last.equals(Optional.of(boat.report()))) {
             return;
         }
         boolean due = all
@@ -69,11 +69,11 @@ public final class PoseLog {
                 || boat.distanceM() - written.distanceM >= written.spacingM()
                 || nowMillis - written.atMillis >= LONGEST_MS;
         if (due) {
-            written.last = Optional.of(boat.told());
+            written.last = Optional.of(boat.report());
             written.atMillis = nowMillis;
             written.distanceM = boat.distanceM();
             written.poses++;
-            telemetry.pose(nowMillis, boat.id(), boat.told(), boat.distanceM());
+            telemetry.pose(nowMillis, boat.id(), boat.report(), boat.distanceM());
         }
     }
 }

@@ -51,8 +51,8 @@ public final class SessionTelemetry {
     }
 
     /** Notes where a boat was, and how far it had come. */
-    public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-        add(atMillis, boat, POSE, TelemetryForms.Pose.of(told, distanceM));
+    public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
+        add(atMillis, boat, POSE, TelemetryForms.Pose.of(report, distanceM));
     }
 
     /** Several of one channel are written as one row: they are most of what a run writes down. */
@@ -147,7 +147,7 @@ public final class SessionTelemetry {
         default void begun() {}
 
         /** Where a boat was, and how far it had come in metres. */
-        default void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {}
+        default void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {}
 
         /** A boat was at a location. */
         default void visited(long atMillis, String boat, GeoPoint location) {}
@@ -203,7 +203,7 @@ public final class SessionTelemetry {
         switch (row.kind()) {
             case POSE -> {
                 TelemetryForms.Pose pose = TelemetryForms.whole(json, TelemetryForms.Pose.class);
-                reader.pose(row.atMillis(), boat, pose.told(), pose.distanceM());
+                reader.pose(row.atMillis(), boat, pose.report(), pose.distanceM());
             }
             case VISITED ->
                 reader.visited(

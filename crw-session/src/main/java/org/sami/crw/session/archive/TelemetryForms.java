@@ -57,19 +57,19 @@ final class TelemetryForms {
             double batteryPercent,
             long boatTimeMs,
             double distanceM) {
-        static Pose of(FleetHistory.Told told, double distanceM) {
+        static Pose of(FleetHistory.Report report, double distanceM) {
             return new Pose(
-                    told.position().latDeg(),
-                    told.position().lonDeg(),
-                    told.headingRad(),
-                    told.speedMps(),
-                    told.batteryPercent(),
-                    told.boatTimeMs(),
+                    report.position().latDeg(),
+                    report.position().lonDeg(),
+                    report.headingRad(),
+                    report.speedMps(),
+                    report.batteryPercent(),
+                    report.boatTimeMs(),
                     distanceM);
         }
 
-        FleetHistory.Told told() {
-            return new FleetHistory.Told(GeoPoint.of(latDeg, lonDeg), headingRad, speedMps, batteryPercent, boatTimeMs);
+        FleetHistory.Report report() {
+            return new FleetHistory.Report(GeoPoint.of(latDeg, lonDeg), headingRad, speedMps, batteryPercent, boatTimeMs);
         }
     }
 

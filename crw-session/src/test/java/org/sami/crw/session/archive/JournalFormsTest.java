@@ -80,13 +80,13 @@ class JournalFormsTest {
         Path file = folder.resolve("journal");
         SessionJournal journal = SessionJournal.create(file, JournalHeader.of("{}", Map.of(), Map.of()));
         SessionTelemetry telemetry = new SessionTelemetry(journal, () -> 7_000);
-        FleetHistory.Told told = new FleetHistory.Told(PLACE, 0.25, 1.5, 88.5, 123);
+        FleetHistory.Report report = new FleetHistory.Report(PLACE, 0.25, 1.5, 88.5, 123);
         SessionNote note = new SessionNote(7_100, SessionNote.LINK, 3, "the link \"went\"");
         OperatorMessage message = new OperatorMessage(
                 7_200, 3, OperatorMessage.Source.DOMAIN, Priority.HIGH, "come home", List.of("anna"), "home");
 
         telemetry.begun();
-        telemetry.pose(6_000, "anna", told, 12.25);
+        telemetry.pose(6_000, "anna", report, 12.25);
         telemetry.visited(6_100, "anna", PLACE);
         telemetry.linked("anna", "7f1c");
         telemetry.lost("anna");
@@ -120,7 +120,7 @@ class JournalFormsTest {
         assertThat(heard.said)
                 .containsExactly(
                         "begun",
-                        "pose anna " + told + " 12.25",
+                        "pose anna " + report + " 12.25",
                         "visited anna " + PLACE,
                         "linked anna 7f1c",
                         "lost anna",
@@ -177,8 +177,8 @@ class JournalFormsTest {
         }
 
         @Override
-        public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-            said.add("pose " + boat + " " + told + " " + distanceM);
+        public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
+            said.add("pose " + boat + " " + report + " " + distanceM);
         }
 
         @Override

@@ -18,7 +18,7 @@ import org.sami.spn.host.Registration;
  * and are over. Those of boats are reported elsewhere. On the models' thread.
  */
 public final class HealthNews implements AutoCloseable {
-    private static final Set<HealthKind> TOLD = EnumSet.of(
+    private static final Set<HealthKind> SESSION_KINDS = EnumSet.of(
             HealthKind.ENGINE,
             HealthKind.JOURNAL,
             HealthKind.DISK,
@@ -27,7 +27,7 @@ public final class HealthNews implements AutoCloseable {
             HealthKind.MISSION);
 
     private final Consumer<String> out;
-    private final Map<Long, HealthEntry> told = new HashMap<>(); // by number
+    private final Map<Long, HealthEntry> shown = new HashMap<>(); // by number
     private final Registration registration;
 
     /** Tells what is wrong from now on. */
@@ -39,11 +39,11 @@ public final class HealthNews implements AutoCloseable {
     private void show(Health health) {
         Set<Long> now = new HashSet<>();
         for (HealthEntry entry : health.entries()) {
-            if (TOLD.contains(entry.fault().kind())) {
+            if (SESSION_KINDS.contains(entry.fault().kind())) {
                 now.add(entry.number());
-                HealthEntry before = told.get(entry.number());
+                HealthEntry before = shown.get(entry.number());
                 if (before == null || before.severity().compareTo(entry.severity()) < 0) {
-                    told.put(entry.number(), entry);
+                    shown.put(entry.number(), entry);
                     out.accept("FAULT: " + entry.fault().text());
                     out.accept("    " + entry.fault().advice());
                     if (!entry.fault().details().isEmpty()) {
@@ -53,7 +53,7 @@ public final class HealthNews implements AutoCloseable {
             }
         }
         boolean stopped = !health.of(HealthKind.ENGINE).isEmpty();
-        told.values().removeIf(entry -> {
+        shown.values().removeIf(entry -> {
             boolean over = !now.contains(entry.number());
             if (over && !stopped) { // else nothing is well again
                 out.accept("over: " + entry.fault().text());

@@ -109,7 +109,7 @@ public final class RunLifecycle {
      * @param boats as they are then
      */
     public void lookForStall(Supplier<List<BoatState>> boats) {
-        session.whoIsWanted(wanted -> lookForStall(boats.get(), wanted));
+        session.boatsWithWork(wanted -> lookForStall(boats.get(), wanted));
     }
 
     private void lookForStall(List<BoatState> boats, Set<String> wanted) {

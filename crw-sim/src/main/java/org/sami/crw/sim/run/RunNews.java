@@ -21,7 +21,7 @@ import org.sami.spn.protocol.Answerer;
 
 /**
  * Prints, line by line, what the operator of a run sees: decisions as they open, who answers them and what, messages, alarms
- * that a boat is or is sent where it may not. Told on
+ * that a boat is or is sent where it may not. Shown on
  * the models' thread.
  */
 public final class RunNews implements AutoCloseable {
@@ -31,12 +31,12 @@ public final class RunNews implements AutoCloseable {
     private final RunObserver.News news;
     private final LongSupplier nowMillis;
     private final List<Registration> registrations;
-    private final Map<String, Told> lastTold = new HashMap<>(); // by a message's keyword; by its text where it has none
+    private final Map<String, Shown> lastShown = new HashMap<>(); // by a message's keyword; by its text where it has none
     private long lastMessage;
     private final HealthNews health;
     private long lastAlarm;
 
-    private record Told(String text, long atMillis) {}
+    private record Shown(String text, long atMillis) {}
 
     /**
      * Begins with what is new from now on.
@@ -122,10 +122,10 @@ public final class RunNews implements AutoCloseable {
         long atMillis = entry.message().atMillis();
         String keyword = entry.message().keyword();
         String subject = keyword.isEmpty() ? text : keyword;
-        Told before = lastTold.get(subject);
+        Shown before = lastShown.get(subject);
         boolean repeated = before != null && before.text.equals(text) && atMillis - before.atMillis < REPEATED_MILLIS;
         if (news.isDetailed() || !repeated) {
-            lastTold.put(subject, new Told(text, atMillis));
+            lastShown.put(subject, new Shown(text, atMillis));
             tell(atMillis, "message: " + text);
         }
     }

@@ -68,10 +68,10 @@ final class StallDetector {
     /**
      * Why nothing can happen; empty while something can.
      *
-     * @param isWanted whether a mission wants something of a boat, by its name
+     * @param hasWork whether a mission wants something of a boat, by its name
      */
-    Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
-        follow(nowMillis, boats, isWanted);
+    Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> hasWork) {
+        follow(nowMillis, boats, hasWork);
         long quietMillis = nowMillis - mission.lastInputMillis();
         if (mission.started() < missions
                 || quietMillis <= SETTLED_MILLIS
@@ -81,12 +81,12 @@ final class StallDetector {
             return Optional.empty();
         }
         boolean nobodyMoves = boats.stream()
-                .allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < REST_SPEED_MPS);
-        boolean nobodyIsWanted = boats.stream().noneMatch(boat -> isWanted.test(boat.id()));
-        boolean atOnce = nobodyIsWanted
+                .allMatch(boat -> !hasWork.test(boat.id()) || Math.abs(boat.speedMps()) < REST_SPEED_MPS);
+        boolean noBoatHasWork = boats.stream().noneMatch(boat -> hasWork.test(boat.id()));
+        boolean atOnce = noBoatHasWork
                 && !interrupts.waitForBatteries()
                 && !host.ask(view -> stuck.isNewsAwaited(view, FleetWants.NOTHING));
-        boolean nobodyCan = boats.stream().noneMatch(boat -> isWanted.test(boat.id()) && boat.batteryPercent() > 0);
+        boolean nobodyCan = boats.stream().noneMatch(boat -> hasWork.test(boat.id()) && boat.batteryPercent() > 0);
         boolean nobodyGetsOn = nobodyMoves && (nobodyCan || nowMillis - lastSomewhereMillis > STUCK_MILLIS);
         return atOnce || (nobodyGetsOn && quietMillis > QUIET_MILLIS)
                 ? Optional.of(reason(nowMillis, boats))
@@ -94,13 +94,13 @@ final class StallDetector {
     }
 
     /** Notes when a boat that a mission wants, and that can drive, last got somewhere. */
-    private void follow(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
+    private void follow(long nowMillis, List<BoatState> boats, Predicate<String> hasWork) {
         for (BoatState boat : boats) {
             BoatState before = places.putIfAbsent(boat.id(), boat);
             if (before != null
                     && PlaneMath.length(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > PROGRESS_M) {
                 places.put(boat.id(), boat);
-                if (isWanted.test(boat.id()) && boat.batteryPercent() > 0) {
+                if (hasWork.test(boat.id()) && boat.batteryPercent() > 0) {
                     lastSomewhereMillis = nowMillis;
                 }
             }

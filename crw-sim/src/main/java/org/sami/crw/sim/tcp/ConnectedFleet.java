@@ -41,7 +41,7 @@ final class ConnectedFleet implements RunFleet {
     private final RunBoats boats;
     private final CountDownLatch over = new CountDownLatch(1);
     private Optional<ReportFolds> report = Optional.empty();
-    private Map<String, FleetHistory.Told> toldBefore = Map.of(); // a track period ago, by boat
+    private Map<String, FleetHistory.Report> reportedBefore = Map.of(); // a track period ago, by boat
     private Optional<RunOutcome> ended = Optional.empty();
     private boolean isThere;
     private volatile boolean stopAsked;
@@ -183,18 +183,18 @@ final class ConnectedFleet implements RunFleet {
 
     @Override
     public void track(long nowMillis) {
-        Map<String, FleetHistory.Told> now = new HashMap<>();
+        Map<String, FleetHistory.Report> now = new HashMap<>();
         List<BoatState> there = boats();
         FleetHistory history = session.fleet().history();
-        there.forEach(boat -> history.last(boat.id()).ifPresent(told -> now.put(boat.id(), told)));
+        there.forEach(boat -> history.last(boat.id()).ifPresent(reported -> now.put(boat.id(), reported)));
         for (TrackRecorder.Noted noted : report.orElseThrow().tracks().look(nowMillis, there)) {
             BoatState boat = noted.boat();
-            FleetHistory.Told told = (noted.atMillis() < nowMillis ? toldBefore : now).get(boat.id());
-            if (told != null) {
-                session.telemetry().pose(noted.atMillis(), boat.id(), told, boat.distanceM());
+            FleetHistory.Report reported = (noted.atMillis() < nowMillis ? reportedBefore : now).get(boat.id());
+            if (reported != null) {
+                session.telemetry().pose(noted.atMillis(), boat.id(), reported, boat.distanceM());
             }
         }
-        toldBefore = now;
+        reportedBefore = now;
     }
 
     @Override
@@ -211,7 +211,7 @@ final class ConnectedFleet implements RunFleet {
             session.fleet()
                     .history()
                     .last(boat.id())
-                    .ifPresent(told -> session.telemetry().pose(atMillis, boat.id(), told, boat.distanceM()));
+                    .ifPresent(reported -> session.telemetry().pose(atMillis, boat.id(), reported, boat.distanceM()));
         }
         session.telemetry().flush();
     }

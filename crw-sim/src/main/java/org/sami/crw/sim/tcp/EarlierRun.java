@@ -30,7 +30,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
     private final List<String> leftOut;
     private Optional<RunArea> area = Optional.empty();
 
-    private record Pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {}
+    private record Pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {}
 
     private record Visit(long atMillis, String boat, GeoPoint location) {}
 
@@ -53,7 +53,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
     /** Where each boat was first, as far as that is known. */
     List<GeoPoint> firstPositions() {
         Map<String, GeoPoint> first = new TreeMap<>();
-        poses.forEach(pose -> first.putIfAbsent(pose.boat, pose.told.position()));
+        poses.forEach(pose -> first.putIfAbsent(pose.boat, pose.report.position()));
         return List.copyOf(first.values());
     }
 
@@ -72,7 +72,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
      */
     void feed(ReportFolds folds, RunBoats boats) {
         for (Pose pose : poses) {
-            status.restored(pose.boat, pose.told, pose.distanceM);
+            status.restored(pose.boat, pose.report, pose.distanceM);
             boats.find(pose.boat).ifPresent(boat -> folds.pose(pose.atMillis, boat));
         }
         for (Visit visit : visits) {
@@ -90,7 +90,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
 
     @Override
     public void begun() {
-        status.begunAnew();
+        status.processBegan();
     }
 
     @Override
@@ -99,8 +99,8 @@ final class EarlierRun implements SessionTelemetry.Reader {
     }
 
     @Override
-    public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-        poses.add(new Pose(atMillis, boat, told, distanceM));
+    public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
+        poses.add(new Pose(atMillis, boat, report, distanceM));
     }
 
     @Override

@@ -33,16 +33,16 @@ final class RunBoats {
     }
 
     private BoatState state(FleetHistory.Boat boat) {
-        double latDeg = boat.told().position().latDeg();
-        double lonDeg = boat.told().position().lonDeg();
+        double latDeg = boat.report().position().latDeg();
+        double lonDeg = boat.report().position().lonDeg();
         return new BoatState(
                 boat.id(),
                 plane.eastM(latDeg, lonDeg),
                 plane.northM(latDeg, lonDeg),
                 latDeg,
                 lonDeg,
-                boat.told().speedMps(),
-                boat.told().batteryPercent(),
+                boat.report().speedMps(),
+                boat.report().batteryPercent(),
                 boat.distanceM(),
                 boat.recharges());
     }

@@ -233,7 +233,7 @@ class SessionResumeTest {
     private static GeoPoint awaitPosition(Session session, String boat, Predicate<GeoPoint> wanted) {
         Await.until(
                 boat + " is there",
-                () -> session.fleet().history().last(boat).map(FleetHistory.Told::position).stream()
+                () -> session.fleet().history().last(boat).map(FleetHistory.Report::position).stream()
                         .anyMatch(wanted));
         return session.fleet().history().last(boat).orElseThrow().position();
     }
@@ -280,8 +280,8 @@ class SessionResumeTest {
         try (SessionJournal read = SessionJournal.open(journal)) {
             SessionTelemetry.read(read.earlier(), new SessionTelemetry.Reader() {
                 @Override
-                public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
-                    track.add(told.position());
+                public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
+                    track.add(report.position());
                 }
             });
         }

@@ -87,7 +87,7 @@ public final class StateDecoder {
             state.memory.putAll(in.values()); // before, there was none
         }
         for (int i = in.integer(); i > 0; i--) {
-            state.unwanted.put(in.text(), in.number());
+            state.discardedNews.put(in.text(), in.number());
         }
         for (int i = in.integer(); i > 0; i--) {
             mission();
@@ -116,7 +116,7 @@ public final class StateDecoder {
     }
 
     /** Whether unused returns of static instances still have to be posted: before version 3 one's value replaced the one before. */
-    public boolean leavesReturnsUntold() {
+    public boolean omitsUsedReturns() {
         return version < 3;
     }
 

@@ -56,8 +56,8 @@ public final class StateEncoder {
         out.texts(s.proxies);
         out.values(s.globals);
         out.values(s.memory);
-        out.integer(s.unwanted.size());
-        s.unwanted.forEach((type, n) -> {
+        out.integer(s.discardedNews.size());
+        s.discardedNews.forEach((type, n) -> {
             out.text(type);
             out.number(n);
         });

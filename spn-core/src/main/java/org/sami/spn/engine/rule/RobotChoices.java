@@ -55,7 +55,7 @@ public final class RobotChoices {
                             open.mission.id,
                             "Nobody is left for the interrupt '" + open.subject + "': " + who);
                 } else {
-                    askAnew(open, new Question.ChooseProxies(left, choice.min(), choice.max()), who);
+                    askAgain(open, new Question.ChooseProxies(left, choice.min(), choice.max()), who);
                 }
             }
         }
@@ -91,14 +91,14 @@ public final class RobotChoices {
 
     private void askAll(OpenDecision open, List<String> all, String why) {
         Question.ChooseProxies choice = (Question.ChooseProxies) open.decision.question();
-        askAnew(open, new Question.ChooseProxies(all, choice.min(), choice.max()), why);
+        askAgain(open, new Question.ChooseProxies(all, choice.min(), choice.max()), why);
         rules.note(
                 NoteKind.GONE,
                 open.mission.id,
                 "The filter of '" + open.decision.prompt() + "' leaves too few (" + why + "): all are offered again");
     }
 
-    private void askAnew(OpenDecision open, Question.ChooseProxies question, String why) {
+    private void askAgain(OpenDecision open, Question.ChooseProxies question, String why) {
         Decision before = open.decision;
         OptionalLong deadline = open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();
         rules.decisions.close(open);

@@ -87,7 +87,7 @@ public final class Routing {
             }
         }
         if (!fate.received) {
-            unwanted(o, sent, fate);
+            discarded(o, sent, fate);
         } else if (!fate.gone.isEmpty()) {
             rules.note(
                     NoteKind.GONE,
@@ -287,10 +287,10 @@ public final class Routing {
         return false;
     }
 
-    private void unwanted(Occurrence o, SentActivation sent, Fate fate) {
+    private void discarded(Occurrence o, SentActivation sent, Fate fate) {
         EventType type = rules.project().vocabulary.event(o.type()).orElse(null);
         if (type != null && type.flags().contains(EventFlag.COALESCE)) {
-            rules.state.unwanted.merge(type.name(), 1L, Long::sum);
+            rules.state.discardedNews.merge(type.name(), 1L, Long::sum);
             return;
         }
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();

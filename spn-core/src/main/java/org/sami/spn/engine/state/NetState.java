@@ -39,8 +39,8 @@ public final class NetState {
     public final Map<String, Value> globals = new LinkedHashMap<>();
     /** What handlers remember for the session, whatever missions run. */
     public final Map<String, Value> memory = new LinkedHashMap<>();
-    /** How many unwanted occurrences of coalesced types were counted instead of noted. */
-    public final Map<String, Long> unwanted = new LinkedHashMap<>();
+    /** How many occurrences of coalesced types that nothing waited for were counted instead of noted. */
+    public final Map<String, Long> discardedNews = new LinkedHashMap<>();
 
     private CompiledProject newest;
 

@@ -48,7 +48,7 @@ public final class StateCopy {
         to.globals.clear();
         to.globals.putAll(from.globals);
         to.memory.putAll(from.memory);
-        to.unwanted.putAll(from.unwanted);
+        to.discardedNews.putAll(from.discardedNews);
         from.missions.values().forEach(this::copy); // a parent stands before its children
         from.decisions.values().forEach(this::copy);
         from.timers.forEach(this::copy);

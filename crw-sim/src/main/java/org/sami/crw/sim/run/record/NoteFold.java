@@ -7,15 +7,15 @@ import org.sami.crw.session.archive.SessionNote;
 
 /** The messages to the operator. Safe for use by several threads. */
 public final class NoteFold implements ReportFold {
-    private final List<NoteResult> told = new ArrayList<>();
+    private final List<NoteResult> recorded = new ArrayList<>();
 
     @Override
     public synchronized void onNote(SessionNote note) {
-        told.add(new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()));
+        recorded.add(new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()));
     }
 
     @Override
     public synchronized void addTo(ReportDraft report) {
-        report.note(told);
+        report.note(recorded);
     }
 }

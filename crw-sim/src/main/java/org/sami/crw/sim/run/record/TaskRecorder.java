@@ -20,7 +20,7 @@ import org.sami.spn.value.Value;
 /** Notes down what becomes of tasks, for the report. For the engine's thread. */
 final class TaskRecorder implements ReportFold {
     private final Project project;
-    private final Map<TaskId, Told> tasks = new LinkedHashMap<>();
+    private final Map<TaskId, Progress> tasks = new LinkedHashMap<>();
 
     TaskRecorder(Project project) {
         this.project = project;
@@ -32,23 +32,23 @@ final class TaskRecorder implements ReportFold {
             if (effect instanceof Effect.MissionStarted started) {
                 project.plan(started.plan())
                         .ifPresent(plan ->
-                                plan.tasks().forEach(task -> told(new TaskId(started.mission(), task.name()), view)));
+                                plan.tasks().forEach(task -> progressOf(new TaskId(started.mission(), task.name()), view)));
             } else if (effect instanceof Effect.Fired fired) {
-                fired.used().forEach(used -> used.tasks().forEach(task -> told(task, view)));
+                fired.used().forEach(used -> used.tasks().forEach(task -> progressOf(task, view)));
             } else if (effect instanceof Effect.TasksAllocated allocated) {
                 allocated(allocated, view);
             }
         }
         TaskQueues.remembered(input)
                 .flatMap(queue -> queue.getValue().current())
-                .flatMap(task -> told(task, view))
-                .ifPresent(told -> told.started(atMillis));
+                .flatMap(task -> progressOf(task, view))
+                .ifPresent(progress -> progress.started(atMillis));
         if (input instanceof Input.Received received
                 && received.occurrence().type().equals(EventNames.TASK_COMPLETED)) {
             received.occurrence()
                     .tasks()
-                    .forEach(task -> told(task, view)
-                            .ifPresent(told -> told.completed(
+                    .forEach(task -> progressOf(task, view)
+                            .ifPresent(progress -> progress.completed(
                                     atMillis, received.occurrence().proxies())));
         }
     }
@@ -56,19 +56,19 @@ final class TaskRecorder implements ReportFold {
     private void allocated(Effect.TasksAllocated allocated, EngineView view) {
         allocated
                 .robots()
-                .forEach((task, robot) -> told(task, view)
-                        .ifPresent(told -> told.allocated(
+                .forEach((task, robot) -> progressOf(task, view)
+                        .ifPresent(progress -> progress.allocated(
                                 robot, Optional.ofNullable(allocated.before().get(task)))));
     }
 
     /** An event of a task, under its owner's name for it; none for a task whose mission ended unobserved. */
-    private Optional<Told> told(TaskId name, EngineView view) {
+    private Optional<Progress> progressOf(TaskId name, EngineView view) {
         if (tasks.containsKey(name)) {
             return Optional.of(tasks.get(name));
         }
         return view.namesOf(name).stream()
                 .findFirst()
-                .map(task -> tasks.computeIfAbsent(task, fresh -> new Told(location(fresh, view))));
+                .map(task -> tasks.computeIfAbsent(task, fresh -> new Progress(location(fresh, view))));
     }
 
     private static Optional<TaskResult.Place> location(TaskId task, EngineView view) {
@@ -86,25 +86,25 @@ final class TaskRecorder implements ReportFold {
     /** The tasks in the order in which they were first heard of. */
     private List<TaskResult> results() {
         List<TaskResult> results = new ArrayList<>();
-        tasks.forEach((task, told) -> results.add(new TaskResult(
+        tasks.forEach((task, progress) -> results.add(new TaskResult(
                 task.mission(),
                 task.name(),
-                told.location,
-                told.boat,
-                told.allocations,
-                told.startedAtMillis,
-                told.completedAtMillis)));
+                progress.location,
+                progress.boat,
+                progress.allocations,
+                progress.startedAtMillis,
+                progress.completedAtMillis)));
         return results;
     }
 
-    private static final class Told {
+    private static final class Progress {
         private final Optional<TaskResult.Place> location;
         private String boat = "";
         private int allocations;
         private OptionalLong startedAtMillis = OptionalLong.empty();
         private OptionalLong completedAtMillis = OptionalLong.empty();
 
-        Told(Optional<TaskResult.Place> location) {
+        Progress(Optional<TaskResult.Place> location) {
             this.location = location;
         }
 

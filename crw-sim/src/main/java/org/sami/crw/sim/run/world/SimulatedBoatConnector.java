@@ -107,15 +107,15 @@ public final class SimulatedBoatConnector implements FleetConnector {
     }
 
     @Override
-    public void connect(Wanted wanted, Consumer<String> found) {
-        String server = wanted.server().strip().toLowerCase(Locale.ROOT);
+    public void connect(Request request, Consumer<String> found) {
+        String server = request.server().strip().toLowerCase(Locale.ROOT);
         if (server.isEmpty()) {
             throw new IllegalArgumentException("\"server\" is empty: there is no address to connect to");
         }
         String known = boatOfServer.get(server);
         if (known == null) {
             SimulatedFleet fleet = fleet();
-            known = unused(wanted.name());
+            known = unused(request.name());
             join(known, fleet.boats().size() * SimulatedFleet.SPACING_M, 0);
             boatOfServer.put(server, known);
         }

@@ -15,7 +15,7 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.vocabulary.EventRole;
 
 /** A transition asks for more tokens than there can be: of the robots that are listed, of the plan's tasks, of its generic tokens. */
-final class TooManyWanted implements PlanCheck {
+final class TooManyRequired implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (InEdge edge : plan.plan().inEdges()) {
