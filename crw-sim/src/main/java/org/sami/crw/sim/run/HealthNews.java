@@ -14,8 +14,8 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.spn.host.Registration;
 
 /**
- * Tells the faults of the session itself, of its engine, journal, disk, memory and threads, and of missions that cannot go on, as they begin, become worse
- * and are over. Those of boats are reported elsewhere. On the models' thread.
+ * Prints faults of the session itself (engine, journal, disk, memory, threads) and missions that cannot go on: when they begin, become worse and end.
+ * Faults of boats are reported elsewhere. Called on the models' thread.
  */
 public final class HealthNews implements AutoCloseable {
     private static final Set<HealthKind> SESSION_KINDS = EnumSet.of(
@@ -30,7 +30,7 @@ public final class HealthNews implements AutoCloseable {
     private final Map<Long, HealthEntry> shown = new HashMap<>(); // by number
     private final Registration registration;
 
-    /** Tells what is wrong from now on. */
+    /** Prints faults that begin from now on. */
     public HealthNews(OperatorModels models, Consumer<String> out) {
         this.out = Objects.requireNonNull(out, "out");
         registration = models.health().addListener(this::show);
@@ -55,7 +55,7 @@ public final class HealthNews implements AutoCloseable {
         boolean stopped = !health.of(HealthKind.ENGINE).isEmpty();
         shown.values().removeIf(entry -> {
             boolean over = !now.contains(entry.number());
-            if (over && !stopped) { // else nothing is well again
+            if (over && !stopped) { // the engine has stopped: no fault is over
                 out.accept("over: " + entry.fault().text());
             }
             return over;

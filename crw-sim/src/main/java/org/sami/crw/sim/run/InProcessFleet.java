@@ -22,8 +22,8 @@ import org.sami.crw.sim.run.world.SimulatedWater;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Simulated boats in the run's one thread, on a virtual clock: drives the clock, keeps its pace, and marks the journal. A run that is taken up is
- * gone through again from its start, held against its journal.
+ * Simulated boats in the run's only thread, on a virtual clock: drives the clock, keeps its pace and writes marks into the journal. A resumed run is
+ * repeated from its start and compared with its journal.
  */
 final class InProcessFleet implements RunFleet {
     private static final String LINK = "in-process";
@@ -65,17 +65,17 @@ final class InProcessFleet implements RunFleet {
                         : Optional.of(water::reportedBoats));
     }
 
-    /** Keeps the time of the run; not asked while the run only catches up with its journal. */
+    /** Keeps the pace of the run; not called while the run repeats its journal. */
     void pacedBy(Pacer keeper) {
         pacer = keeper;
     }
 
-    /** Lets it run to its time also when nothing can happen in the mission any longer. */
+    /** The run goes on until its time limit even if nothing can happen in the mission any longer. */
     void goOnWhenStuck() {
         endsWhenStuck = false;
     }
 
-    /** Has so many threads help to tick the boats. */
+    /** Sets the number of threads that help to tick the boats. */
     void useHelpers(int count) {
         helpers = count;
     }

@@ -24,11 +24,12 @@ import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 
 /**
- * One mission on simulated boats, all in one thread: engine, handlers, links, boats and operator; boats of large fleets are ticked by helpers as well
- * (docs/decisions, 0315). A function of its plan and its settings; of the speed and of helpers depends only how long it takes. Used once, by one thread.
+ * One mission on simulated boats, all in one thread: engine, handlers, links, boats and operator; helper threads tick the boats of large fleets
+ * (docs/decisions, 0315). The result is a function of plan and settings; speed and helpers change only how long the run takes. Used once, by one
+ * thread.
  */
 public final class InProcessRun {
-    private static final int BOATS_FOR_HELPERS = 50; // fewer are ticked sooner than a helper has heard of it
+    private static final int BOATS_FOR_HELPERS = 50; // a smaller fleet is ticked before a helper has woken up
     private static final int MOST_HELPERS = 3;
 
     private final RunSettings settings;
@@ -41,7 +42,7 @@ public final class InProcessRun {
     private final RunHarness harness;
 
     /**
-     * Puts the world together; nothing happens in it yet.
+     * Puts the world together; nothing has happened in it yet.
      *
      * @param answers the rules of the simulated operator's answers
      * @throws IllegalArgumentException naming the parameter or the interrupt, if a given one does not fit the plan
@@ -76,7 +77,7 @@ public final class InProcessRun {
     }
 
     /**
-     * Runs it to its end, to the set time, or until somebody wants it to stop.
+     * Runs until its end, until the time limit, or until the observer stops it.
      *
      * @param pacer keeps its time; not asked while the run only catches up with its journal
      */
@@ -91,36 +92,36 @@ public final class InProcessRun {
         return session;
     }
 
-    /** Lets it run to its time also when nothing can happen in the mission any longer. To be called before it runs. */
+    /** The run goes on until its time limit even if nothing can happen in the mission any longer. Call it before the run. */
     public void goOnWhenStuck() {
         fleet.goOnWhenStuck();
     }
 
     /**
-     * Has the boats of large fleets ticked on all cores of the machine: for who makes one run at a time. It changes only how long a run takes. To be called
-     * before it runs.
+     * Ticks the boats of large fleets on all cores of the machine: for callers that make one run at a time. Changes only how long a run takes. Call
+     * it before the run.
      */
     public void useAllCores() {
         boolean isWorthIt = settings.speed().isMax() && settings.fleet().boats() >= BOATS_FOR_HELPERS;
         useHelpers(isWorthIt ? Math.min(MOST_HELPERS, Runtime.getRuntime().availableProcessors() - 1) : 0);
     }
 
-    /** Has so many threads help to tick the boats. To be called before it runs. */
+    /** Sets the number of threads that help to tick the boats. Call it before the run. */
     void useHelpers(int count) {
         fleet.useHelpers(count);
     }
 
-    /** Somebody else watches the engine. To be called before it runs. */
+    /** Adds a listener to the engine. Call it before the run. */
     public void addListener(HostListener listener) {
         session.addListener(listener);
     }
 
-    /** Asks the engine's state, between or after runs. */
+    /** Reads the engine's state, between or after runs. */
     public <T> T ask(Function<EngineView, T> question) {
         return session.host().ask(question);
     }
 
-    /** What the simulated operator could not answer, in words, oldest first. */
+    /** Decisions that the simulated operator could not answer, in words, oldest first. */
     public List<String> operatorTroubles() {
         return harness.records().operator().troubles();
     }
@@ -135,12 +136,12 @@ public final class InProcessRun {
         return session.host();
     }
 
-    /** What lies before the operator of this run, for tests. */
+    /** The models of this run's operator, for tests. */
     OperatorModels models() {
         return session.models();
     }
 
-    /** Lets the world go on without the mission: what boats do when nobody wants anything of them any more. */
+    /** Continues the world without the mission: shows what boats do once they have no commands. */
     void coast(long millis) {
         long until = clock.nowMs() + millis;
         for (long next = clock.nowMs(); next <= until; next = clock.nextTimeMs().orElse(Long.MAX_VALUE)) {

@@ -6,8 +6,8 @@ import java.util.Objects;
 import java.util.concurrent.Executor;
 
 /**
- * Work that waits for the run's one thread: engine and handlers share it, and all of it is done before simulated time
- * goes on. First in, first out, so that what handlers post keeps the order of their activations.
+ * Tasks of the run's only thread, shared by engine and handlers; all are done before simulated time advances. First in, first out: what handlers post
+ * keeps the order of their activations.
  */
 final class LoopExecutor implements Executor {
     private final Deque<Runnable> waiting = new ArrayDeque<>();
@@ -17,7 +17,7 @@ final class LoopExecutor implements Executor {
         waiting.add(Objects.requireNonNull(command, "command"));
     }
 
-    /** Does everything that waits, and what that gives rise to. */
+    /** Runs all waiting tasks and those that they add. */
     void drain() {
         for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {
             next.run();

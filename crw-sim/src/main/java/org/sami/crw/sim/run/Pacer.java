@@ -1,6 +1,6 @@
 package org.sami.crw.sim.run;
 
-/** Keeps the simulated time from running ahead of the wall clock. The only place of a run that may wait. */
+/** Keeps simulated time from running ahead of the wall clock. The only part of a run that may wait. */
 public interface Pacer {
     /** Never waits. */
     Pacer UNPACED = new Pacer() {
@@ -11,13 +11,13 @@ public interface Pacer {
 
         @Override
         public void awaitTurn(long virtualMillis) {
-            // It is always time.
+            // Never late.
         }
     };
 
-    /** From now on time is paced; it is this moment in the simulated world. */
+    /** Starts pacing at this moment of simulated time. */
     void start(long virtualMillis);
 
-    /** Waits until the wall clock has come to a moment of the simulated world; returns early when interrupted. */
+    /** Waits until the wall clock reaches a moment of simulated time; returns early when interrupted. */
     void awaitTurn(long virtualMillis);
 }

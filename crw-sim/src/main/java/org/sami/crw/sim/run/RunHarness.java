@@ -18,8 +18,8 @@ import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 
 /**
- * One run on a fleet of either kind: has the simulated operator answer and interrupts pressed, starts the mission, feeds the report, knows when
- * and how the run is over, and reports. The fleet says how time passes. Used once; for the engine's thread, unless stated otherwise.
+ * One run on a fleet of either kind: starts the missions, lets the simulated operator answer and interrupts be pressed, feeds the report and
+ * determines when and how the run is over. The fleet says how time passes. Used once; for the engine's thread, unless stated otherwise.
  */
 public final class RunHarness implements FleetRun {
     private static final long POLL_MILLIS = 200;
@@ -35,7 +35,7 @@ public final class RunHarness implements FleetRun {
     private final RunLifecycle lifecycle;
 
     /**
-     * A run on a session in which nothing has happened yet, in this process.
+     * A run on a session in which nothing has happened in this process.
      *
      * @param notes hear the session from its beginning
      * @throws IllegalArgumentException naming the interrupt, if one does not fit the plan or the boats
@@ -68,7 +68,7 @@ public final class RunHarness implements FleetRun {
         return lifecycle;
     }
 
-    /** The time of operator and interrupts: that of earlier processes, until {@link #connect}. */
+    /** The clock of operator and interrupts: shows the time of earlier processes until {@link #connect}. */
     public CatchUpScheduler clock() {
         return clock;
     }
@@ -111,7 +111,7 @@ public final class RunHarness implements FleetRun {
     }
 
     /**
-     * Runs it to its end, to the set time, or until its observer wants it to stop, and reports. On the caller's thread.
+     * Runs until the end, until the time limit or until the observer stops it, and reports. On the caller's thread.
      *
      * @param beganNanos when this process began with it, on the machine's monotonic clock
      * @param resumedFrom gives at the end the index of the last input that was taken from a journal
@@ -139,7 +139,7 @@ public final class RunHarness implements FleetRun {
                 : lifecycle.outcome().map(outcome -> report(outcome, endMillis(), 0, resumedFrom));
     }
 
-    /** When the run was over, in ms since its start; now if nothing but its process ends. */
+    /** The end of the run in ms since its start; the present time if only this process ends. */
     private long endMillis() {
         return records.mission().endedAtMillis().orElseGet(this::now);
     }

@@ -6,26 +6,23 @@ import java.util.function.Supplier;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.NoJournal;
 
-/**
- * What a run in process writes down as it goes: the engine's inputs, and marks by which its world is known again. For the
- * thread of the run.
- */
+/** The journal of a run in process: the engine's inputs, and marks with which a resumed run is compared. For the run's thread. */
 public interface RunJournal {
-    /** Where the engine's host writes its inputs. */
+    /** Takes the inputs of the engine's host. */
     InputJournal inputs();
 
     /**
-     * The world at a moment: after the last input, at a time.
+     * Marks a moment of the world: after the last input, at a time.
      *
      * @param fingerprint gives a hash of the boats' true state
      * @throws IOException where it cannot be written, or is not what was written before
      */
     void mark(long atMillis, Supplier<String> fingerprint) throws IOException;
 
-    /** The run stops here before its mission is over; a resume knows how far it came. */
+    /** The run stops before its mission is over; a resume needs to know the time. */
     void stopped(long atMillis) throws IOException;
 
-    /** Whether the run is still where an earlier process has been already. */
+    /** Whether the run still repeats what an earlier process did. */
     boolean isCatchingUp();
 
     /** Index of the last entry that an earlier process wrote; empty for a run from its start. */
@@ -38,7 +35,7 @@ public interface RunJournal {
      */
     void over() throws IOException;
 
-    /** A journal that nobody reads again. */
+    /** A journal that nobody reads. */
     static RunJournal none() {
         return new RunJournal() {
             private final InputJournal inputs = new NoJournal();

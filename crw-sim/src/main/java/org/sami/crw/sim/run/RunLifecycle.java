@@ -15,8 +15,8 @@ import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
 
 /**
- * Starts the missions of a run, the first when its boats are there, and says whether and how the run is over: by its mission, by a fault, or since
- * nothing can happen any longer. For the engine's thread.
+ * Starts the missions of a run, the first one when its boats have joined, and decides whether and how the run is over: with its missions, by a fault,
+ * or because nothing can happen any longer. For the engine's thread.
  */
 public final class RunLifecycle {
     private final RunInput input;
@@ -24,7 +24,7 @@ public final class RunLifecycle {
     private final RunMission mission;
     private final StallDetector stall;
     private Optional<String> fault = Optional.empty();
-    private int started; // how many missions were
+    private int started; // number of missions
 
     /**
      * For one run, which has not begun.
@@ -36,7 +36,7 @@ public final class RunLifecycle {
         stall = new StallDetector(input.missions().size(), session, records);
     }
 
-    /** What the recorder has heard happened in earlier processes: the mission may run already. */
+    /** Takes over what earlier processes did: the mission may be running already. */
     public void caughtUp() {
         started = mission.started();
     }
@@ -53,7 +53,7 @@ public final class RunLifecycle {
         }
     }
 
-    /** Starts those whose time has come since the first has started. */
+    /** Starts missions that are due, counted from the start of the first. */
     private void startLaterOnes() {
         while (started < input.missions().size()
                 && mission.startedAtMillis().isPresent()
@@ -69,7 +69,7 @@ public final class RunLifecycle {
         session.host().post(new Input.StartMission(next.plan().id(), next.name(), next.parameters()));
     }
 
-    /** Whether and how it is over; asked again and again. */
+    /** Whether and how the run is over; called repeatedly. */
     public Optional<RunOutcome> outcome() {
         HostStatus status = session.host().status();
         if (status.kind() == HostStatus.Kind.FAILED) {
@@ -90,21 +90,21 @@ public final class RunLifecycle {
         return fault.isPresent() ? Optional.of(RunOutcome.FAILED) : Optional.empty();
     }
 
-    /** Ends the run for a fault; the first one counts. */
+    /** Ends the run with a fault; the first fault counts. */
     public void fail(String reason) {
         if (fault.isEmpty()) {
             fault = Optional.of(reason);
         }
     }
 
-    /** Why the run failed, in one sentence; empty as long as it did not. */
+    /** The reason of the failure in one sentence; empty while there is none. */
     public Optional<String> fault() {
         return fault;
     }
 
     /**
-     * Looks whether anything can happen any longer; the run fails where nothing can. Looks a little later, when the fleet's thread has
-     * reported which boats have commands: on a busy machine a new command may not have reached them yet.
+     * Checks whether anything can still happen, and fails the run if nothing can. Waits until the fleet's thread has reported which boats have
+     * commands: on a busy machine a new command may not have reached its boat yet.
      *
      * @param boats as they are then
      */
@@ -114,13 +114,13 @@ public final class RunLifecycle {
 
     private void lookForStall(List<BoatState> boats, Set<String> wanted) {
         if (session.isComputing()) {
-            return; // what boats are to do is still to come
+            return; // commands may follow
         }
         long now = session.scheduler().nowMs();
         if (!input.settings().isConnected()) {
             stall.look(now, boats, wanted::contains).ifPresent(this::fail);
         } else if (wanted.stream()
-                .noneMatch(boat -> canMove(boat, boats))) { // else a link or its operator may come back
+                .noneMatch(boat -> canMove(boat, boats))) { // otherwise a link or its operator may come back
             stall.look(now, boats, boat -> false).ifPresent(this::fail);
         }
     }

@@ -6,24 +6,24 @@ import java.util.function.Consumer;
 import org.sami.crw.sim.run.record.RunProgress;
 
 /**
- * Who watches a run, on its thread.
+ * Watches a run, on the run's thread.
  *
  * @param progress receives the progress, often; must be quick
  * @param stop asked often: whether the user wants it to stop
  * @param news receives decisions and messages of the operator
  */
 public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, News news) {
-    /** Nobody. */
+    /** Watches nothing. */
     public static final RunObserver NONE = stopping(() -> false);
 
     /**
-     * What a person follows of a run.
+     * The news of a run that a person reads.
      *
      * @param lines is given it line by line; must be quick
      * @param isDetailed whether descriptions, long answers and repeated messages are included
      */
     public record News(Consumer<String> lines, boolean isDetailed) {
-        /** Nobody follows. */
+        /** No news. */
         public static final News NONE = new News(line -> {}, false);
 
         public News {
@@ -47,17 +47,17 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
         Objects.requireNonNull(news, "news");
     }
 
-    /** Somebody who does not look how far it is, and may want it to stop. */
+    /** An observer that ignores the progress but may stop the run. */
     public static RunObserver stopping(BooleanSupplier stop) {
         return new RunObserver(Nobody.LOOKS, stop);
     }
 
-    /** Whether anybody wants to know how far it is. */
+    /** Whether the progress is used. */
     boolean isWatched() {
         return progress != Nobody.LOOKS;
     }
 
-    /** Somebody who only wants to know how far it is. */
+    /** An observer of the progress alone. */
     public RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop) {
         this(progress, stop, News.NONE);
     }

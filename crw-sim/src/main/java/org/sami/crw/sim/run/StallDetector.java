@@ -22,17 +22,20 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 
 /**
- * Detects that a run is stuck: no timer runs, no answer is under way, no interrupt is due, and no boat executes a command of a
- * mission. Boats without a command may drift. Without it a stuck mission would end only with the run's time.
+ * Detects that a run is stuck: no timer runs, no answer is pending, no interrupt is due, and no boat executes a command of a mission. Boats without a
+ * command may drift. A stuck mission would otherwise end only at the run's time limit.
  */
 final class StallDetector {
-    /** After this time without an input no answer of a service or sensor is expected either. */
+    /** After this time without an input, no answer of a service or sensor is expected either. */
     private static final long QUIET_MILLIS = 300_000;
 
-    /** A run is stuck when no boat with a command has made progress for this long; a path without headway is given up after half of it (docs/command-line.md). */
+    /**
+     * A run is stuck when no boat with a command has made progress for this long; a path without headway is given up after half of it
+     * (docs/command-line.md).
+     */
     private static final long STUCK_MILLIS = 600_000;
 
-    /** Progress of a boat, in metres: more than the drift of one that keeps a station or waits. */
+    /** Movement that counts as progress, in metres: more than a boat drifts that keeps a station or waits. */
     private static final double PROGRESS_M = 15;
 
     /** Within this time all questions and messages that follow from an input have been posted. */
@@ -47,11 +50,11 @@ final class StallDetector {
     private final InterruptScheduler interrupts;
     private final RunMission mission;
     private final int missions;
-    private final Map<String, BoatState> places = new HashMap<>(); // of boats, where they last were somewhere else
+    private final Map<String, BoatState> places = new HashMap<>(); // position of each boat when it last made progress
     private long lastSomewhereMillis;
 
     /**
-     * A watch over one run.
+     * A detector for one run.
      *
      * @param missions how many it starts
      */
@@ -66,7 +69,7 @@ final class StallDetector {
     }
 
     /**
-     * Why nothing can happen; empty while something can.
+     * The reason why nothing can happen; empty while something can.
      *
      * @param hasWork whether a mission wants something of a boat, by its name
      */
@@ -93,7 +96,7 @@ final class StallDetector {
                 : Optional.empty();
     }
 
-    /** Notes when a boat that a mission wants, and that can drive, last got somewhere. */
+    /** Records when a boat that has work and charge last made progress. */
     private void follow(long nowMillis, List<BoatState> boats, Predicate<String> hasWork) {
         for (BoatState boat : boats) {
             BoatState before = places.putIfAbsent(boat.id(), boat);

@@ -3,9 +3,9 @@ package org.sami.crw.sim.run;
 import java.util.concurrent.locks.LockSupport;
 import org.sami.crw.sim.run.settings.Speed;
 
-/** Paces against the machine's monotonic clock. Time that a slow machine lost is caught up, as far as it can. */
+/** Paces against the machine's monotonic clock, and catches up with time that a slow machine lost. */
 public final class WallPacer implements Pacer {
-    /** Shorter waits are left out: the next one makes up for them. */
+    /** Shorter waits are skipped; the next one includes them. */
     private static final long LEAST_WAIT_NANOS = 1_000_000;
 
     private static final long LONGEST_WAIT_NANOS = 100_000_000;

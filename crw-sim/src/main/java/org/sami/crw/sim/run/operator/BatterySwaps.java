@@ -8,21 +8,23 @@ import org.sami.crw.sim.hull.Quay;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Whether somebody at the quay is still busy with batteries, as a person there sees it and as boats tell it, over TCP too: a boat lies near
- * the quay and its charge is not that of a new battery yet. For one thread.
+ * Whether a person at the quay is still changing batteries, judged from what boats report (also over TCP): a boat lies near the quay, and its charge
+ * is not that of a new battery yet. For one thread.
  */
 final class BatterySwaps {
-    /** A boat that has come no farther than from its berth to its place in the line has a new battery. */
+    /** A boat that has driven no farther than from its berth to its place in the line already has a new battery. */
     private static final double NEW_PERCENT = 99;
 
-    /** After so long nobody swaps the battery of a boat that lies there: it was only launched. Long enough for one that wind and current move. */
+    /**
+     * After this time nobody changes the battery of a boat that lies there: it was only launched. Long enough for a boat that wind and current move.
+     */
     private static final long TIMEOUT_MILLIS = 60_000;
 
     private final FleetHistory boats;
     private final GeoPoint quay;
 
     /**
-     * Looks after the boats of a quay.
+     * Watches the boats of a quay.
      *
      * @param quay the middle of the line in which they lie
      */
@@ -31,7 +33,7 @@ final class BatterySwaps {
         this.quay = quay;
     }
 
-    /** Whether one of the boats is still to get its battery, so long after somebody was asked to see to them. */
+    /** Whether a boat is still waiting for its battery, this long after the request. */
     boolean areUnderWay(Collection<String> some, long afterMillis) {
         return afterMillis < TIMEOUT_MILLIS && some.stream().anyMatch(this::waits);
     }

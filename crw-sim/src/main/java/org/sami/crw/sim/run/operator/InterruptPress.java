@@ -7,23 +7,23 @@ import org.sami.crw.sim.run.settings.PlannedInterrupt;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 
-/** One interrupt that is pressed until somebody takes it, and how that stands. */
+/** One interrupt that is pressed until a transition takes it, and its state. */
 final class InterruptPress {
-    /** How it stands with a press. */
+    /** The state of a press. */
     enum State {
-        /** Its time has not come. */
+        /** Not due yet. */
         AHEAD,
-        /** Posted; the engine has not looked at it. */
+        /** Posted; the engine has not processed it. */
         POSTED,
-        /** The operator is asked which boats it is for. */
+        /** The operator is asked for which boats it is. */
         ASKED,
-        /** Nobody took it; it is pressed again when something has changed. */
+        /** No transition took it; it is pressed again after something has changed. */
         REFUSED,
-        /** It is about to be pressed again. */
+        /** Due to be pressed again. */
         DUE_AGAIN,
         /** A transition fired with it. */
         TAKEN,
-        /** It is no longer needed: the boat's battery has recovered. */
+        /** Not needed any longer: the boat's battery has recovered. */
         GIVEN_UP
     }
 
@@ -41,7 +41,7 @@ final class InterruptPress {
         this.boats = boats;
     }
 
-    /** What is posted; for a robot that the operator is to choose, each time without one. */
+    /** The input to post; without a robot where the operator chooses it, at each press. */
     Input.Interrupt input() {
         return new Input.Interrupt(
                 Ids.NONE, plan.name(), plan.boat().isPresent() || plan.isForBattery() ? boats : List.of());
@@ -68,7 +68,7 @@ final class InterruptPress {
         return lastMillis;
     }
 
-    /** Whether it is for this boat, and not under way. */
+    /** Whether it is for this boat and not pending. */
     boolean isWaitingFor(String boat) {
         return boats.contains(boat) && (state == State.AHEAD || state == State.REFUSED || state == State.DUE_AGAIN);
     }

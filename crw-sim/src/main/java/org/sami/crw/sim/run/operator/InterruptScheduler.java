@@ -24,12 +24,11 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.vocabulary.Reserved;
 
 /**
- * Presses a run's interrupts (thesis 7.0.2, 7.1.1): at their times, counted from the start of the first mission, or when a
- * boat turns critical. A press that nobody can take is repeated until somebody does or all missions have ended: not before
- * something has happened in a mission, since until then the answer would be the same, and at most once a second.
+ * Presses a run's interrupts (thesis 7.0.2, 7.1.1): at their times, counted from the start of the first mission, or when a boat's battery turns
+ * critical. A press that no transition takes is repeated until one does or all missions have ended, at most once a second, and only after something
+ * has happened in a mission; until then the answer would be the same.
  *
- * <p>It knows the host and a clock, nothing else of the world. The host's listeners and the clock's actions run on one
- * thread.
+ * <p>It needs a host and a clock. The host's listeners and the clock's actions run on one thread.
  */
 public final class InterruptScheduler implements HostListener {
     private static final long AGAIN_MILLIS = 1000;
@@ -40,12 +39,12 @@ public final class InterruptScheduler implements HostListener {
     private final Scheduler clock;
     private final List<InterruptPress> presses = new ArrayList<>();
     private final Set<String> critical = new LinkedHashSet<>();
-    private Consumer<Input> door = input -> {}; // while the past of a run is gone through, it was pressed already
-    private final Set<Long> missions = new HashSet<>(); // root missions that go on
+    private Consumer<Input> door = input -> {}; // does nothing while the past of a run is repeated: the presses are in it
+    private final Set<Long> missions = new HashSet<>(); // running root missions
     private boolean begun;
     private boolean over;
 
-    /** A station that will press these. */
+    /** A scheduler for these interrupts. */
     public InterruptScheduler(List<PlannedInterrupt> planned, Scheduler clock) {
         this.planned = List.copyOf(planned);
         this.clock = clock;
@@ -57,8 +56,7 @@ public final class InterruptScheduler implements HostListener {
     }
 
     /**
-     * Tells it where the buttons are; before the mission starts, or when the past of the run has been gone through. What should have
-     * been pressed there and was not is pressed then.
+     * Connects it to a host: before the mission starts, or after the past of the run has been repeated. Presses that are missing there are made now.
      */
     public void connect(EngineHost pressed) {
         door = pressed::post;
@@ -122,7 +120,7 @@ public final class InterruptScheduler implements HostListener {
         }
     }
 
-    /** What became of presses: of one that was taken in with this step, and of those whose boats were chosen. */
+    /** Records the results of presses: of one that this step took in, and of those whose boats were chosen. */
     private void judge(long atMillis, Input input, List<Effect> effects) {
         if (input instanceof Input.Interrupt) {
             presses.stream()
@@ -197,17 +195,17 @@ public final class InterruptScheduler implements HostListener {
         }
     }
 
-    /** Whether a time is still to come at which it presses, whatever happens until then. */
+    /** Whether a press is due in the future at a fixed time. */
     public boolean hasPlans() {
         return !over && presses.stream().anyMatch(p -> p.state == State.AHEAD);
     }
 
-    /** Whether it presses as soon as the battery of a boat turns critical that is not yet. */
+    /** Whether it presses as soon as another boat's battery turns critical. */
     public boolean waitForBatteries() {
         return !over && planned.stream().anyMatch(PlannedInterrupt::isForBattery);
     }
 
-    /** How it went with each, in the order in which they were planned, then in which boats turned critical. */
+    /** The result of each press, in the order of planning, then in the order in which boats turned critical. */
     public List<InterruptResult> results() {
         return presses.stream().map(InterruptPress::result).toList();
     }

@@ -22,20 +22,19 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then. Of
- * several whose time has come it answers the first in the order of the queue: by priority, then by age (docs/answers-file.md).
- * For the engine's thread.
+ * Lets the simulated operator answer a session's decisions, each after a delay, as the operator's models show them then. If several are due it
+ * answers the first one of the queue: by priority, then by age (docs/answers-file.md). For the engine's thread.
  */
 public final class SimulatedOperatorDriver implements SessionOperator {
     public static final String NAME = "simulated operator";
 
-    /** A decision that is asked and not shown yet is shown within this. */
+    /** A decision that was asked appears in the models within this time. */
     private static final long NOT_SHOWN_MILLIS = 20;
 
-    /** Asks for work, of which some is done on boats. */
+    /** Asks for manual work, partly on boats. */
     private static final String WORK = "OperatorBackgroundAction";
 
-    /** How often somebody who works looks whether it is done. */
+    /** Interval at which an operator who works checks whether the work is done. */
     private static final long POLL_MILLIS = 500;
 
     private static final Comparator<Asked> IN_TURN = DecisionQueue.order(Asked::decision, Asked::atMillis);
@@ -48,10 +47,10 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     private final List<NoteResult> troubles = new ArrayList<>();
     private final Map<Long, Long> thinkingUntil = new HashMap<>();
     private Optional<Session> session =
-            Optional.empty(); // none while the past of a run is gone through: it was answered
+            Optional.empty(); // none while the past of a run is repeated: its answers are in it
 
     /**
-     * An operator who has not been asked yet.
+     * An operator without questions yet.
      *
      * @param answerAfterMillis delay of each answer, in ms; manual work such as a battery swap adds its own duration, and a swap ends when the batteries are in
      * @param quay where they are
@@ -64,8 +63,8 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     }
 
     /**
-     * Connects it to the session; before the first decision, or when the past of the run has been gone through. What was answered there
-     * and is open all the same is answered once more.
+     * Connects it to the session: before the first decision, or after the past of the run has been repeated. Decisions that are still open there are
+     * answered again.
      */
     public void connect(Session answered) {
         session = Optional.of(answered);
@@ -99,7 +98,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
         clock.after(millis, this::answerNext);
     }
 
-    /** Answers one decision of those that it has thought about long enough: the first in the order of the operator's queue. */
+    /** Answers one decision that is due: the first one in the operator's queue. */
     private void answerNext() {
         thinkingUntil.keySet().retainAll(open.keySet());
         List<Asked> ready = open.values().stream()
@@ -120,14 +119,14 @@ public final class SimulatedOperatorDriver implements SessionOperator {
         }
     }
 
-    /** The plan that asks, once its decision is shown; it knows its own quay and area, whatever is proposed. */
+    /** The asking plan, once its decision is shown; its own quay and area take precedence over what is proposed. */
     private Optional<String> plan(Asked asked) {
         return session.isEmpty()
                 ? Optional.of(asked.plan())
                 : session.get().models().decisions().find(asked.decision().id()).map(PendingDecision::plan);
     }
 
-    /** Whether what it does on boats, such as a swap of batteries, is not done yet. */
+    /** Whether work on boats, such as changing batteries, is not done yet. */
     private boolean isStillAtWork(Asked asked) {
         Decision decision = asked.decision();
         return session.isPresent()

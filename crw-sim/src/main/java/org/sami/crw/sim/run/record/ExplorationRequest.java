@@ -15,9 +15,9 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
-/** An area that boats were to explore from a time on: measured are the tracks that they were given, that they reported and that they truly drove. */
+/** An area that boats explored from a time on. Its coverage is measured for the planned, the reported and the true tracks. */
 final class ExplorationRequest {
-    /** Smaller pieces are left out of the map; their sum is not. */
+    /** Smaller pieces are left out of the map, not of the sum. */
     private static final double NEGLIGIBLE_AREA_M2 = 1;
 
     private final long askedAtMillis;
@@ -39,7 +39,7 @@ final class ExplorationRequest {
         coverage = AreaCoverage.of(area, spacingM, avoided, within);
     }
 
-    /** Takes down how the area was divided, if an input says so: the first division, as later ones are of what is left. */
+    /** Records how the area was divided, if an input says so: the first division, since later ones divide the rest. */
     void hear(Input input) {
         if (planned.isEmpty()) {
             planned = ExplorationShares.of(input, area, spacingM).map(shares -> shares.values());
@@ -47,7 +47,7 @@ final class ExplorationRequest {
     }
 
     /**
-     * What became of it.
+     * The result of the exploration.
      *
      * @param piece makes an area of the map of what is left somewhere
      */
@@ -77,7 +77,7 @@ final class ExplorationRequest {
                 uncovered);
     }
 
-    /** What sets of tracks leave, computed side by side: each takes as long as some hundred simulated seconds. */
+    /** The coverage of sets of tracks, computed in parallel: each takes as long as some hundred simulated seconds. */
     private List<Optional<AreaCoverage.Left>> left(List<Optional<List<List<GeoPoint>>>> sets) {
         return sets.parallelStream().map(set -> set.map(coverage::left)).toList();
     }

@@ -8,8 +8,8 @@ import org.sami.crw.report.NoteResult;
 import org.sami.spn.protocol.Ids;
 
 /**
- * Takes down each alarm that a boat is, or is sent, where it may not: the report's other alarms stand in it by themselves. Told on the
- * models' thread, read on any.
+ * Records alarms about the fence: a boat is, or is sent, outside. Other alarms are in the report by their own folds. Called on the models' thread,
+ * read on any.
  */
 public final class FenceNotes implements ReportFold {
     private static final int MOST = 100;
@@ -30,7 +30,7 @@ public final class FenceNotes implements ReportFold {
         }
     }
 
-    /** Those about the fence that were raised after an alarm of that number, oldest first. */
+    /** Alarms about the fence with a higher number than that one, oldest first. */
     public static List<Alarm> raised(List<Alarm> now, long after) {
         return now.stream()
                 .filter(alarm -> alarm.number() > after)

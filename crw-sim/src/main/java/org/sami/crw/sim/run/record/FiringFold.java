@@ -15,7 +15,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
 
-/** Every transition that fired, in order; most of them lie in a file. */
+/** All firings in order; most of them are kept in a file. */
 final class FiringFold implements ReportFold {
     private final Project project;
     private final Map<Long, String> planOfMission = new HashMap<>();
@@ -33,7 +33,7 @@ final class FiringFold implements ReportFold {
             } else if (effect instanceof Effect.Fired fired) {
                 firings.add(firing(index, atMillis, fired));
             } else if (effect instanceof Effect.MissionEnded ended && ended.outcome() != Outcome.HALTED) {
-                planOfMission.remove(ended.mission()); // it never fires again
+                planOfMission.remove(ended.mission()); // a transition that never fires again
             }
         }
     }

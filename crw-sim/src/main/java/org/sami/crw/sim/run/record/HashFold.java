@@ -5,7 +5,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 
-/** The hash of the run. */
+/** The run's hash. */
 final class HashFold implements ReportFold {
     private final RunHash hash = new RunHash();
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.sami.crw.report.BoatResult;
 
 /**
- * Where boats were in a run: by what they reported and, of simulated ones, truly.
+ * The tracks of a run's boats: as reported and, for simulated boats, true.
  *
  * @param truly empty where nobody knows, as behind TCP
  */
@@ -16,12 +16,12 @@ record KnownTracks(List<BoatResult> reported, Optional<List<BoatResult>> truly) 
         Objects.requireNonNull(truly, "truly");
     }
 
-    /** Tracks of boats of which only that is known what they say. */
+    /** Tracks of boats whose reports are all that is known. */
     static KnownTracks reported(List<BoatResult> boats) {
         return new KnownTracks(boats, Optional.empty());
     }
 
-    /** The best that is known. */
+    /** The true tracks where they are known, otherwise the reported ones. */
     List<BoatResult> best() {
         return truly.orElse(reported);
     }

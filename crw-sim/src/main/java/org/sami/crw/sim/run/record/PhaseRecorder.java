@@ -16,9 +16,9 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Follows missions on the phase charts of their plans, for the report. Missions of plans without a chart are left out. */
+/** Follows the missions on the phase charts of their plans, for the report. Plans without a chart are left out. */
 final class PhaseRecorder implements ReportFold {
-    /** A report with more would not be read. */
+    /** Most missions of a report; nobody would read more. */
     private static final int MOST_MISSIONS = 1000;
 
     private final Vocabulary vocabulary;
@@ -26,7 +26,7 @@ final class PhaseRecorder implements ReportFold {
 
     private record Followed(String plan, PhaseChart chart, PhaseProgress progress) {}
 
-    /** Follows missions of plans in one vocabulary. */
+    /** For plans in one vocabulary. */
     PhaseRecorder(Vocabulary vocabulary) {
         this.vocabulary = vocabulary;
     }
@@ -53,7 +53,7 @@ final class PhaseRecorder implements ReportFold {
         report.add(new PhasesPart(results()));
     }
 
-    /** How the actions of all charts stand now. */
+    /** The present state of the actions of all charts. */
     private List<PhaseResult> results() {
         List<PhaseResult> results = new ArrayList<>();
         missions.forEach((id, mission) -> {

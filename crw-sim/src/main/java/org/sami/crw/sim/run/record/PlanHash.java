@@ -11,8 +11,8 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 
 /**
- * Names a plan by its content: SHA-256 of the canonical text of the plan, of those that it runs, and of the project's variables. Equal
- * plans have equal hashes, whatever file they come from, how it was laid out, and what other plans are in it.
+ * Identifies a plan by its content: SHA-256 of the canonical text of the plan, of its sub-mission plans and of the project's variables. Equal plans
+ * have equal hashes, whatever their file, layout and the other plans in the file are.
  */
 final class PlanHash {
     private PlanHash() {}

@@ -33,11 +33,11 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
 /**
- * Records the areas and points that the plan's output events name, the project's no-go areas, and where boats were commanded to
- * gather: what the map of the run shows. A list of places for each boat is what a service made of others, and is left out.
+ * Records what the map of the run shows: areas and points in the plan's output events, the project's no-go areas, and where boats were commanded to
+ * gather. Lists of places for each boat are left out: services computed them from others.
  */
 final class PlanMap implements ReportFold {
-    /** A map with more points, or more areas, would show nothing. */
+    /** A map with more points or areas would be unreadable. */
     private static final int MOST = 2000;
 
     private static final int MOST_EXPLORATIONS = 100;
@@ -171,7 +171,7 @@ final class PlanMap implements ReportFold {
                 plane.northM(at.latDeg(), at.lonDeg()));
     }
 
-    /** Looks at tracks, locations and what was announced: comes after all of them. */
+    /** Uses tracks, locations and the announced depth, and so comes after their folds. */
     @Override
     public void addTo(ReportDraft report) {
         report.map(map(report.tracks(), report.locations(), report.announcedM()));
@@ -188,7 +188,7 @@ final class PlanMap implements ReportFold {
      * @param locations are shown as such, and not as points of the plan
      */
     private RunMap map(KnownTracks tracks, List<LocationResult> locations, OptionalDouble announcedM) {
-        // takes a while for large fleets; what was left uncovered is computed meanwhile
+        // takes long for large fleets; uncovered areas are computed meanwhile
         CompletableFuture<ClosestApproach> closest =
                 CompletableFuture.supplyAsync(() -> ClosestApproach.of(tracks.best()));
         List<MapSpot> spots = new ArrayList<>(assembly.values());

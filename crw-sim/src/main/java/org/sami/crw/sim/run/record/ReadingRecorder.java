@@ -8,18 +8,18 @@ import org.sami.crw.report.SpooledList;
 import org.sami.crw.session.archive.SensorValue;
 
 /**
- * Records the readings of the boats' sensors that the base receives: the first {@link #MOST}, in a file. Readings are
- * no input of the engine. Safe for use by several threads.
+ * Records sensor readings that the base receives: the first {@link #MOST}, in a file. Readings are not inputs of the engine. Safe for use by several
+ * threads.
  */
 public final class ReadingRecorder implements ReportFold {
-    /** So many readings are kept. */
+    /** Number of readings that are kept. */
     public static final int MOST = 5_000_000;
 
     private final int most;
     private final SpooledList<ReadingResult> readings = new SpooledList<>(RowFormats.READING);
     private long dropped;
 
-    /** A recorder that has noted nothing. */
+    /** A recorder without readings. */
     public ReadingRecorder() {
         this(MOST);
     }
@@ -28,7 +28,7 @@ public final class ReadingRecorder implements ReportFold {
         this.most = most;
     }
 
-    /** Notes a reading, also one of an earlier process. */
+    /** Records a reading, also one of an earlier process. */
     @Override
     public synchronized void onReading(SensorValue reading) {
         if (readings.size() >= most) {
@@ -52,12 +52,12 @@ public final class ReadingRecorder implements ReportFold {
         report.note(notes(report.end().atMillis()));
     }
 
-    /** What was noted so far, in order; unmodifiable. */
+    /** All readings so far, in order; unmodifiable. */
     public synchronized List<ReadingResult> readings() {
         return readings.soFar();
     }
 
-    /** Says at a time that some are missing, if some are. */
+    /** A note at this time if readings are missing. */
     public synchronized List<NoteResult> notes(long atMillis) {
         return dropped == 0
                 ? List.of()

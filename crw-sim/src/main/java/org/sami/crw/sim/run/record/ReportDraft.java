@@ -20,7 +20,7 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.report.RunResult;
 import org.sami.crw.report.TaskResult;
 
-/** A report while its folds put their parts into it. A part that no fold puts there is empty. For one thread. */
+/** A report while its folds add their parts. A part that no fold adds is empty. For one thread. */
 public final class ReportDraft {
     private static final int HASH_DIGITS = 64;
 
@@ -44,12 +44,12 @@ public final class ReportDraft {
         this.end = end;
     }
 
-    /** How the run stood at its end. */
+    /** The state of the run at its end. */
     ReportEnd end() {
         return end;
     }
 
-    /** Adds what was noted; of one moment the report has it in the order of the folds. */
+    /** Adds notes; notes of the same moment keep the order of the folds. */
     public void note(List<NoteResult> more) {
         notes.addAll(more);
     }
@@ -78,7 +78,7 @@ public final class ReportDraft {
         return locations;
     }
 
-    /** How deep boats might come into avoided areas at most, as announced to the operator, in metres. */
+    /** Depth to which boats might enter avoided areas at most, as announced to the operator, in metres. */
     void announcedM(OptionalDouble mostM) {
         announcedM = mostM;
     }
@@ -87,7 +87,7 @@ public final class ReportDraft {
         return announcedM;
     }
 
-    /** How it went with the interrupts of the run. */
+    /** The results of the run's interrupts. */
     public void interrupts(List<InterruptResult> all) {
         interrupts = all;
     }
@@ -100,12 +100,12 @@ public final class ReportDraft {
         tasks = all;
     }
 
-    /** Where the mission stands and what it waits for. */
+    /** The state of the mission and what it waits for. */
     public void waits(List<Wait> all) {
         waits = all;
     }
 
-    /** Adds a further part; the report has them in the order in which they are added. */
+    /** Adds a further part; the report keeps the order in which parts are added. */
     public void add(ReportPart part) {
         parts.add(part);
     }
@@ -122,7 +122,7 @@ public final class ReportDraft {
         map = Optional.of(of);
     }
 
-    /** The report as far as it is put together. */
+    /** The report of the parts so far. */
     RunReport report(RunHeader header) {
         List<BoatResult> boats = tracks.best();
         notes.sort(Comparator.comparingLong(NoteResult::atMillis)); // stable

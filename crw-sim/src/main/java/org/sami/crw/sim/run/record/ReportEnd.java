@@ -8,7 +8,7 @@ import org.sami.crw.report.LinkResult;
 import org.sami.crw.report.RunOutcome;
 
 /**
- * How a run stood when its report was made.
+ * The state of a run when its report was made.
  *
  * @param reason one sentence where the outcome needs one, else empty
  * @param wallSeconds what this process took for it

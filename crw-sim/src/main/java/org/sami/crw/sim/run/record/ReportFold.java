@@ -10,26 +10,26 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Follows a run and owns one part of its report: a fold over the journal's entries and telemetry. The caller that reads them feeds
- * it, a run as they are made or a reader of a journal; a fold does not know which. Entries come in order, telemetry of each kind in order of time.
+ * Follows a run and makes one part of its report: a fold over the journal's entries and telemetry. The caller feeds it, as a run goes on or from a
+ * journal; a fold does not know which. Entries come in order, and telemetry of each kind in order of time.
  */
 public interface ReportFold extends HostListener {
-    /** An entry of the journal, with what followed from it. */
+    /** Takes an entry of the journal and its effects. */
     @Override
     default void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {}
 
-    /** A message to the operator. */
+    /** Takes a message to the operator. */
     default void onNote(SessionNote note) {}
 
-    /** A boat measured something. */
+    /** Takes a measurement of a boat. */
     default void onReading(SensorValue reading) {}
 
-    /** A boat says that it was at a point. */
+    /** Takes a boat's report that it visited a point. */
     default void onVisit(String boat, GeoPoint point, long atMillis) {}
 
-    /** Where a boat was; each boat's points come in order of time. */
+    /** Takes a boat's position; each boat's positions come in order of time. */
     default void onPose(long atMillis, BoatState boat) {}
 
-    /** Puts its part into the report; what folds before it in the list have put there can be read. */
+    /** Adds its part to the report; parts of folds before it in the list are there already. */
     void addTo(ReportDraft report);
 }

@@ -13,9 +13,9 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * The report of a run as a function of its journal and telemetry: a list of folds, each of which owns one part. Runs in process and over TCP, runs
- * that are resumed and exports of journals feed the same list. A new figure of the report is one more fold here. For the engine's
- * thread, but where a fold says otherwise.
+ * The report of a run as a function of its journal and telemetry: a list of folds, each of which makes one part. Runs in process and over TCP,
+ * resumed runs and exports of journals feed the same list. A new figure of the report is one more fold here. For the engine's thread, unless a fold
+ * says otherwise.
  */
 public final class ReportFolds {
     private final RunMission mission;
@@ -25,7 +25,7 @@ public final class ReportFolds {
     private final List<ReportFold> folds = new ArrayList<>();
 
     /**
-     * Folds that have been fed nothing.
+     * Folds without data.
      *
      * @param missions how many root missions the run starts; 1 where nobody knows
      * @param plane around the area's centre
@@ -50,29 +50,29 @@ public final class ReportFolds {
                 map)); // the last: it looks at tracks and locations
     }
 
-    /** Follows also what only some runs know, such as where boats truly were; before anything is fed. */
+    /** Adds a fold that only some runs have, such as true positions; before anything is fed. */
     public void add(ReportFold more) {
         folds.add(folds.size() - 1, more);
     }
 
-    /** Who hears of every step of the engine, in this order. */
+    /** The listeners to the engine's steps, in this order. */
     public List<HostListener> listeners() {
         List<HostListener> listeners = new ArrayList<>(folds);
         listeners.add(0, mission);
         return listeners;
     }
 
-    /** How far the missions of the run are. */
+    /** The progress of the run's missions. */
     public RunMission mission() {
         return mission;
     }
 
-    /** Which locations boats came to, by what they report. */
+    /** The locations that boats have reported as visited. */
     public VisitRecorder visits() {
         return visits.visits();
     }
 
-    /** Where boats were. */
+    /** The boats' tracks. */
     public TrackRecorder tracks() {
         return tracks;
     }
@@ -82,27 +82,27 @@ public final class ReportFolds {
         return map.hasExplorations();
     }
 
-    /** A message to the operator. */
+    /** Feeds a message to the operator. */
     public void note(SessionNote note) {
         folds.forEach(fold -> fold.onNote(note));
     }
 
-    /** A boat measured something; from any thread. */
+    /** Feeds a measurement; from any thread. */
     public void reading(SensorValue reading) {
         folds.forEach(fold -> fold.onReading(reading));
     }
 
-    /** A boat says that it was at a point. */
+    /** Feeds a boat's report that it visited a point. */
     public void visit(String boat, GeoPoint point, long atMillis) {
         folds.forEach(fold -> fold.onVisit(boat, point, atMillis));
     }
 
-    /** Where a boat was. */
+    /** Feeds a boat's position. */
     public void pose(long atMillis, BoatState boat) {
         folds.forEach(fold -> fold.onPose(atMillis, boat));
     }
 
-    /** The report of what was fed. */
+    /** The report of everything that was fed. */
     public RunReport report(RunHeader header, ReportEnd end) {
         ReportDraft draft = new ReportDraft(end);
         folds.forEach(fold -> fold.addTo(draft));

@@ -8,9 +8,8 @@ import java.util.List;
 import org.sami.spn.protocol.Effect;
 
 /**
- * SHA-256 over a run: every firing and activation with its ids, values and simulated time, and at the end the boats'
- * true positions to the millimetre. Runs are equal if and only if their hashes are, whatever their speed and however
- * often they were killed and taken up again.
+ * SHA-256 over a run: every firing and activation with its ids, values and simulated time, and the boats' true final positions to the millimetre. Two
+ * runs are equal if and only if their hashes are, whatever their speed and however often they were killed and resumed.
  */
 public final class RunHash {
     private final MessageDigest digest = sha256();
@@ -23,7 +22,7 @@ public final class RunHash {
         }
     }
 
-    /** Takes in what followed from one input. */
+    /** Adds the effects of one input. */
     void add(long atMillis, List<Effect> effects) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.Fired || effect instanceof Effect.Activated) {
@@ -32,7 +31,7 @@ public final class RunHash {
         }
     }
 
-    /** The hash of everything so far and of these positions; what is added later does not change it. */
+    /** The hash of everything so far and of these positions; later additions do not change it. */
     String with(List<BoatState> boats) {
         try {
             MessageDigest end = (MessageDigest) digest.clone();

@@ -10,14 +10,14 @@ import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 
-/** What a report says of what was run. */
+/** Headers of reports: what was run. */
 public final class RunHeaders {
     private static final int HASH_DIGITS = 64;
 
     private RunHeaders() {}
 
     /**
-     * Of a run of one plan.
+     * The header of a run of one plan.
      *
      * @param plane around the area's centre
      */
@@ -38,7 +38,7 @@ public final class RunHeaders {
     }
 
     /**
-     * Of a session, in which people started missions.
+     * The header of a session, in which people started missions.
      *
      * @param plane around the area's centre
      */

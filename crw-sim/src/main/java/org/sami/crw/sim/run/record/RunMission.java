@@ -15,10 +15,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 
-/**
- * How far the missions of a run are: of the root missions the first ones are the run's, as many as it starts. A function of the journal's
- * entries.
- */
+/** The progress of a run's missions. The first root missions, as many as the run starts, belong to the run. A function of the journal's entries. */
 public final class RunMission implements HostListener {
     private final int count;
     private final Map<Long, Optional<Outcome>> roots = new LinkedHashMap<>();
@@ -80,7 +77,7 @@ public final class RunMission implements HostListener {
         return roots.size() == count && roots.values().stream().allMatch(Optional::isPresent);
     }
 
-    /** How the run's missions ended, of several the worst; empty while one goes on or is still to start. */
+    /** The worst outcome of the run's missions; empty until all have ended. */
     public Optional<RunOutcome> result() {
         if (!isOver()) {
             return Optional.empty();
@@ -92,32 +89,32 @@ public final class RunMission implements HostListener {
                         : ends.contains(Outcome.ABORTED) ? RunOutcome.ABORTED : RunOutcome.ENDED);
     }
 
-    /** When the last of the run's missions ended; empty while one goes on or is still to start. */
+    /** The end of the run's last mission; empty until all have ended. */
     public OptionalLong endedAtMillis() {
         return isOver() ? lastEndedAtMillis : OptionalLong.empty();
     }
 
-    /** Why the run cannot go on, in one sentence; empty while it can. */
+    /** The reason why the run cannot go on, in one sentence; empty while it can. */
     public Optional<String> failure() {
         return failure;
     }
 
-    /** How many of the run's missions have started. */
+    /** Number of missions of the run that have started. */
     public int started() {
         return roots.size();
     }
 
-    /** When the first mission started; empty before. */
+    /** The start of the first mission; empty before. */
     public OptionalLong startedAtMillis() {
         return startedAtMillis;
     }
 
-    /** When the engine last took something in. */
+    /** Time of the engine's last input. */
     public long lastInputMillis() {
         return lastInputMillis;
     }
 
-    /** How many boats the engine has got to know. */
+    /** Number of boats that the engine knows. */
     public int boatsJoined() {
         return boatsJoined;
     }

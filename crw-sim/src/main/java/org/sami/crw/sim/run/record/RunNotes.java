@@ -5,13 +5,13 @@ import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.archive.SessionNote;
 import org.sami.crw.sim.run.RunNews;
 
-/** Passes the messages to the operator to the run's report, and shows those about boats and links at once. Safe for several threads. */
+/** Passes messages to the operator on to the run's report, and shows those about boats and links at once. Safe for several threads. */
 public final class RunNotes implements SessionListener {
     private final NoteFold fold = new NoteFold();
     private final Consumer<String> shown;
     private volatile boolean messagesAreNews;
 
-    /** Notes of which those are shown that must be. */
+    /** Notes; urgent ones are shown. */
     public RunNotes(Consumer<String> shown) {
         this.shown = shown;
     }
@@ -24,7 +24,7 @@ public final class RunNotes implements SessionListener {
         }
     }
 
-    /** From now on messages to the operator are shown by {@link RunNews}, and not here as well; or here again. */
+    /** Sets whether {@link RunNews} shows messages to the operator instead of this class. */
     public void leaveMessagesToNews(boolean leave) {
         messagesAreNews = leave;
     }
@@ -34,7 +34,7 @@ public final class RunNotes implements SessionListener {
         shown.accept(text);
     }
 
-    /** The report's part that keeps them, also those of earlier processes. */
+    /** The fold that keeps the messages, also those of earlier processes. */
     public NoteFold fold() {
         return fold;
     }

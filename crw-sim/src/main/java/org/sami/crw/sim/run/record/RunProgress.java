@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.Objects;
 
 /**
- * How far a run is.
+ * The progress of a run.
  *
  * @param phase a word: {@code running}, or {@code catching up} while a journal is gone through again
  * @param leastBatteryPercent of the boat with the least charge
@@ -16,7 +16,7 @@ public record RunProgress(
         int openDecisions,
         long firings,
         double leastBatteryPercent) {
-    /** The phase of a run that does not go through its journal again. */
+    /** The phase of a run that does not repeat its journal. */
     public static final String RUNNING = "running";
 
     public RunProgress {

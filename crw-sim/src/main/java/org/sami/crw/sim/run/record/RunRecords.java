@@ -19,9 +19,8 @@ import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.spn.host.HostListener;
 
 /**
- * What a run writes down while it goes, and its report: feeds the report's folds from its session, and adds those parts that no journal
- * holds, such as alarms at the fence. What is so now, such as open decisions, is read from the operator's models. For the
- * engine's thread.
+ * The records of a run and its report: feeds the report's folds from the session, and adds parts that no journal has, such as alarms at the fence.
+ * The present state, such as open decisions, is read from the operator's models. For the engine's thread.
  */
 public final class RunRecords {
     private final RunInput input;
@@ -84,7 +83,7 @@ public final class RunRecords {
                                 .ask(view -> BlockedPlaces.of(input.plan().vocabulary(), view))));
     }
 
-    /** Who must hear of every step of the engine, in this order. */
+    /** The listeners to the engine's steps, in this order. */
     public List<HostListener> listeners() {
         List<HostListener> listeners = new ArrayList<>(folds.listeners());
         listeners.add(interrupts);
@@ -96,32 +95,32 @@ public final class RunRecords {
         return folds;
     }
 
-    /** How far the missions of the run are. */
+    /** The progress of the run's missions. */
     public RunMission mission() {
         return folds.mission();
     }
 
-    /** Which locations boats came to, by what they report. */
+    /** The locations that boats have reported as visited. */
     public VisitRecorder visits() {
         return folds.visits();
     }
 
-    /** Where boats were. */
+    /** The boats' tracks. */
     public TrackRecorder tracks() {
         return folds.tracks();
     }
 
-    /** Who answers the run's decisions. */
+    /** Answers the run's decisions. */
     public SimulatedOperatorDriver operator() {
         return operator;
     }
 
-    /** Who presses the run's interrupts. */
+    /** Presses the run's interrupts. */
     public InterruptScheduler interrupts() {
         return interrupts;
     }
 
-    /** How far the run is, by the operator's models. */
+    /** The progress of the run, from the operator's models. */
     public RunProgress progress(String phase) {
         OperatorModels models = session.models();
         double least = models.fleet().snapshot().stream()

@@ -11,7 +11,7 @@ import org.sami.crw.operator.health.HealthEntry;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.report.NoteResult;
 
-/** Takes down when a mission could not go on by itself, why, and when it went on. Told on the models' thread, read on any. */
+/** Records when a mission was stuck, why, and when it went on. Called on the models' thread, read on any. */
 final class StuckNotes implements ReportFold {
     private static final int MOST = 100;
 

@@ -17,7 +17,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
-/** Notes down what becomes of tasks, for the report. For the engine's thread. */
+/** Records the results of tasks for the report. For the engine's thread. */
 final class TaskRecorder implements ReportFold {
     private final Project project;
     private final Map<TaskId, Progress> tasks = new LinkedHashMap<>();
@@ -61,7 +61,7 @@ final class TaskRecorder implements ReportFold {
                                 robot, Optional.ofNullable(allocated.before().get(task)))));
     }
 
-    /** An event of a task, under its owner's name for it; none for a task whose mission ended unobserved. */
+    /** The progress of a task, under its owner's name for it; empty for a task whose mission ended unobserved. */
     private Optional<Progress> progressOf(TaskId name, EngineView view) {
         if (tasks.containsKey(name)) {
             return Optional.of(tasks.get(name));
@@ -83,7 +83,7 @@ final class TaskRecorder implements ReportFold {
         report.tasks(results());
     }
 
-    /** The tasks in the order in which they were first heard of. */
+    /** The tasks in the order in which they became known. */
     private List<TaskResult> results() {
         List<TaskResult> results = new ArrayList<>();
         tasks.forEach((task, progress) -> results.add(new TaskResult(

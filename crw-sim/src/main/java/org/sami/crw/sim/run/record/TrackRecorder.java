@@ -18,14 +18,14 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 
 /**
- * Notes down where boats are: a point a second while they move, none while they lie still. A boat that goes on a straight line
- * at a steady speed from each point to the next is, at every moment, within 0.2 m of where it was.
+ * Records where boats are: a point a second while they move, none while they lie still. A boat that goes from each point to the next in a straight
+ * line at a steady speed is at every moment within 0.2 m of its true position.
  *
- * <p>Memory does not grow with the length of a run: where tracks have more than {@link #MOST} points together, points of the longest
- * ones are left out, that the rest describes well enough ({@link TrackThinning}); a note says how exact they still are.
+ * <p>Memory does not grow with the length of a run: where tracks have more than {@link #MOST} points together, points of the longest ones that the
+ * rest describes well enough are left out ({@link TrackThinning}); a note says how exact the tracks still are.
  */
 public final class TrackRecorder implements ReportFold {
-    /** So many points of all boats together are kept, about 15 MB. */
+    /** Points kept for all boats together, about 15 MB. */
     static final int MOST = 200_000;
 
     private static final double REST_DISTANCE_M = 0.2;
@@ -38,9 +38,9 @@ public final class TrackRecorder implements ReportFold {
 
     private static final class Track {
         private List<TrackPoint> points = new ArrayList<>();
-        private Optional<Noted> lay = Optional.empty(); // where it was seen last, if nothing was noted down then
+        private Optional<Noted> lay = Optional.empty(); // the last position, if no point was recorded for it
         private double toleranceM;
-        private double offM; // the sum of the tolerances by which points were left out
+        private double offM; // sum of the tolerances of all thinnings
 
         private boolean isEmpty() {
             return points.isEmpty();
@@ -51,10 +51,10 @@ public final class TrackRecorder implements ReportFold {
         }
     }
 
-    /** Where a boat was at a moment, as it was noted down. */
+    /** A recorded position of a boat. */
     public record Noted(long atMillis, BoatState boat) {}
 
-    /** A recorder that has seen nothing yet. */
+    /** A recorder without positions. */
     public TrackRecorder() {
         this(MOST);
     }
@@ -80,7 +80,7 @@ public final class TrackRecorder implements ReportFold {
         report.note(notes(end.atMillis()));
     }
 
-    /** Looks where the boats are; to be called once a second. Returns what was noted down. */
+    /** Records the boats' positions; called once a second. Returns the points that were recorded. */
     public List<Noted> look(long nowMillis, List<BoatState> boats) {
         List<Noted> noted = new ArrayList<>();
         for (BoatState boat : boats) {
@@ -98,7 +98,7 @@ public final class TrackRecorder implements ReportFold {
         return noted;
     }
 
-    /** Notes down where a boat was, as somebody noted it down before; each boat's points come in the order of their times. */
+    /** Records a position from telemetry; each boat's points come in order of time. */
     public void add(Noted noted) {
         Track track = track(noted.boat);
         track.points.add(point(noted.atMillis, noted.boat));
@@ -108,7 +108,7 @@ public final class TrackRecorder implements ReportFold {
         }
     }
 
-    /** Leaves out so many points that there is room for as many again. */
+    /** Leaves out points until there is room for as many again. */
     private static void thin(Track track, int enough) {
         double toleranceM = Math.max(FIRST_TOLERANCE_M, track.toleranceM);
         List<TrackPoint> thinned = TrackThinning.within(toleranceM, track.points);
@@ -125,7 +125,7 @@ public final class TrackRecorder implements ReportFold {
         return tracks.computeIfAbsent(boat.id(), id -> new Track());
     }
 
-    /** Names the boats whose points were left out, if any, and the tolerance of their tracks. */
+    /** A note on the boats whose tracks were thinned, if any, with their tolerance. */
     public List<NoteResult> notes(long atMillis) {
         double worst = tracks.values().stream().mapToDouble(t -> t.offM).max().orElse(0);
         long thinned = tracks.values().stream().filter(t -> t.toleranceM > 0).count();
@@ -161,7 +161,7 @@ public final class TrackRecorder implements ReportFold {
     }
 
     /**
-     * What the boats did, each with its track to where it is now.
+     * The results of the boats, each with its track up to its present position.
      *
      * @param links gives each boat's link
      */

@@ -9,15 +9,15 @@ import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.report.TrackPoint;
 
 /**
- * Leaves points out of a track. Whoever goes on a straight line at a steady speed between two points that stay is at every moment at
- * most a tolerance from where the boat was: Douglas and Peucker's algorithm with distances at equal times.
+ * Leaves points out of a track. A boat that goes in a straight line at a steady speed between two kept points is at every moment within a tolerance
+ * of its true position: the algorithm of Douglas and Peucker with distances at equal times.
  */
 final class TrackThinning {
     private TrackThinning() {}
 
     private record Span(int from, int to) {}
 
-    /** The points that stay, in order, the first and the last among them. */
+    /** The kept points in order, with the first and the last. */
     static List<TrackPoint> within(double toleranceM, List<TrackPoint> track) {
         if (track.size() < 3) {
             return new ArrayList<>(track);
@@ -41,7 +41,7 @@ final class TrackThinning {
         return points;
     }
 
-    /** The point of a span that is farthest from the steady way between its ends; -1 where all are within the tolerance. */
+    /** The point of a span that is farthest from steady motion between its ends; -1 where all are within the tolerance. */
     private static int farthest(List<TrackPoint> track, Span span, double toleranceM) {
         TrackPoint from = track.get(span.from);
         TrackPoint to = track.get(span.to);

@@ -6,15 +6,15 @@ import java.util.function.Supplier;
 import org.sami.crw.report.BoatResult;
 
 /**
- * Of simulated boats the tracks are how they truly went. What they reported is something else where their positions are not exact, and is
- * taken down where they explore: what was covered is judged by both.
+ * The true tracks of simulated boats. Their reports differ where positions are not exact, and are recorded while boats explore: coverage is judged by
+ * both.
  */
 public final class TrueTracks implements ReportFold {
     private final TrackRecorder reported = new TrackRecorder();
     private final Optional<Supplier<List<BoatState>>> reporting;
 
     /**
-     * A fold for the list in which the tracks of the boats are.
+     * A fold for the list that has the boats' tracks.
      *
      * @param reporting gives the boats where they say that they are; empty where positions are exact
      */
@@ -22,7 +22,7 @@ public final class TrueTracks implements ReportFold {
         this.reporting = reporting;
     }
 
-    /** Looks where boats say that they are; to be called once a second while there is something to explore. */
+    /** Records the reported positions; called once a second while there is something to explore. */
     public void look(long nowMillis) {
         reporting.ifPresent(boats -> reported.look(nowMillis, boats.get()));
     }

@@ -12,11 +12,11 @@ import org.sami.crw.report.LocationResult.Truth;
 import org.sami.crw.report.LocationResult.Visit;
 
 /**
- * Watches how near simulated boats truly come to the locations of a run, whatever they take for their positions. Between two looks a boat
- * is taken to have gone straight on. For the thread of the run.
+ * Measures how near simulated boats truly come to the locations of a run, whatever they report. Between two looks a boat is assumed to go straight.
+ * For the run's thread.
  */
 public final class TrueVisits implements ReportFold {
-    /** Boats that are farther away are not measured, in metres. */
+    /** Boats farther away are not measured, in metres. */
     static final double REACH_M = 25;
 
     private final VisitRecorder reported;
@@ -24,7 +24,7 @@ public final class TrueVisits implements ReportFold {
     private final Map<Long, List<Nearest>> cells = new HashMap<>();
     private final Map<String, Place> before = new HashMap<>();
 
-    /** A location, and how near boats came. */
+    /** A location, and the nearest approach of boats. */
     private static final class Nearest {
         private final double eastM;
         private final double northM;
@@ -60,7 +60,7 @@ public final class TrueVisits implements ReportFold {
         }
     }
 
-    /** Where a boat was at the last look, with the locations around. */
+    /** A boat's position at the last look, with the locations around it. */
     private static final class Place {
         private double eastM;
         private double northM;
@@ -78,7 +78,7 @@ public final class TrueVisits implements ReportFold {
         this.reported = reported;
     }
 
-    /** Looks where the boats truly are; often, for they go straight on in between only for moments. */
+    /** Records the true positions; called often, as boats go straight only for moments. */
     public void look(long nowMillis, List<BoatState> boats) {
         List<LocationResult> given = reported.locationsFrom(locations.size());
         for (LocationResult location : given) {

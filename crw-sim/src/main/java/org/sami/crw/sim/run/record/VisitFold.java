@@ -13,8 +13,8 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 
 /**
- * The locations that the operator gives, and which of them boats report to have visited. Locations are the points of lists and paths in
- * answers and in what a mission starts with. A point by itself is a place to gather at or to return to, not one to visit.
+ * The locations that the operator gives, and the reported visits. Locations are the points of lists and paths in answers and in the parameters of a
+ * mission. A single point is a place to gather or to return to, not a location to visit.
  */
 final class VisitFold implements ReportFold {
     private final VisitRecorder visits = new VisitRecorder();

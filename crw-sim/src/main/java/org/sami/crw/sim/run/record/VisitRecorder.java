@@ -8,9 +8,8 @@ import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.LocationResult.Visit;
 
 /**
- * Takes down which locations boats report to have visited: by their word that they were there, or, behind TCP, by their reported position
- * within {@link #RADIUS_M}, which is what they call arrived (3 m) and what they drive between two looks. Where simulated boats truly were
- * is known to {@link TrueVisits}.
+ * Records which locations boats report as visited: by their message or, behind TCP, by a reported position within {@link #RADIUS_M} (the 3 m within
+ * which they have arrived, and what they drive between two looks). {@link TrueVisits} has the true positions of simulated boats.
  */
 public final class VisitRecorder {
     public static final double RADIUS_M = SharedDefaults.ARRIVAL_RADIUS_M + 0.5;
@@ -18,7 +17,7 @@ public final class VisitRecorder {
     private final List<LocationResult> locations = new ArrayList<>();
     private int visited;
 
-    /** Adds a location; a second one at the same point is the same. */
+    /** Adds a location; a second one at the same point is the same location. */
     public void add(double latDeg, double lonDeg, double eastM, double northM) {
         boolean known = locations.stream().anyMatch(l -> l.latDeg() == latDeg && l.lonDeg() == lonDeg);
         if (!known) {
@@ -26,12 +25,12 @@ public final class VisitRecorder {
         }
     }
 
-    /** Whether nobody has been at some of the locations yet. */
+    /** Whether some locations have not been visited. */
     public boolean isLookingOut() {
         return visited < locations.size();
     }
 
-    /** Looks where the boats say that they are. Returns the locations that were visited just now. */
+    /** Checks the reported positions. Returns the locations that were visited now. */
     public List<LocationResult> look(long nowMillis, List<BoatState> boats) {
         if (!isLookingOut()) {
             return List.of();
@@ -60,8 +59,8 @@ public final class VisitRecorder {
     }
 
     /**
-     * Takes a boat's word that it was at a location; a point that is none of the locations changes nothing. The earliest visit
-     * counts, in whatever order visits become known.
+     * Takes a boat's report of a visit; a point that is no location changes nothing. The earliest visit counts, in whatever order visits become
+     * known.
      */
     public void visited(double latDeg, double lonDeg, long atMillis, String boatId) {
         for (int i = 0; i < locations.size(); i++) {
@@ -89,17 +88,17 @@ public final class VisitRecorder {
         return now;
     }
 
-    /** How many locations have been visited by what boats report. */
+    /** Number of locations reported as visited. */
     public int visited() {
         return visited;
     }
 
-    /** How many locations there are. */
+    /** Number of locations. */
     public int count() {
         return locations.size();
     }
 
-    /** The locations that were given after the first so many, in order. */
+    /** The locations after the first {@code count}, in order. */
     List<LocationResult> locationsFrom(int count) {
         return locations.subList(count, locations.size());
     }
