@@ -260,7 +260,7 @@ public final class MapModel extends Model<MapSnapshot> {
 
     /** Which data are wanted may have changed as well. */
     private void changed() {
-        fields.want(layers.wanted(inForce(), boats.keySet()));
+        fields.want(layers.requests(inForce(), boats.keySet()));
         change();
     }
 
