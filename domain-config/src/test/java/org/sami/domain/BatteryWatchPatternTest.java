@@ -2,6 +2,7 @@ package org.sami.domain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -20,7 +21,6 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
-import java.util.HashSet;
 
 /** Battery watch around this: a boat with a low battery leaves and comes back. */
 class BatteryWatchPatternTest extends DrawnPattern {

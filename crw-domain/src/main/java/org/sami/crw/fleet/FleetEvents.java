@@ -63,7 +63,9 @@ public final class FleetEvents implements BaseListener {
 
     private void publish(FleetEvent event, ListenerList<Consumer<? super FleetEvent>> to) {
         to.each(listener -> listener.accept(event), (listener, fault) -> {
-            if (!(event instanceof FleetEvent.ListenerFault)) { // a listener that fails at faults as well causes no further one
+            if (!(event
+                    instanceof
+                    FleetEvent.ListenerFault)) { // a listener that fails at faults as well causes no further one
                 publish(new FleetEvent.ListenerFault(listener.getClass().getName(), fault));
             }
         });

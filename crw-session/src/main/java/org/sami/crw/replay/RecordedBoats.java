@@ -149,7 +149,8 @@ final class RecordedBoats implements SessionTelemetry.Reader {
     @Override
     public void pose(long atMillis, String id, FleetHistory.Report report, double distanceM) {
         Recorded boat = of(id);
-        boat.pose = Optional.of(new BoatPose(report.position(), report.headingRad(), report.speedMps(), report.boatTimeMs()));
+        boat.pose = Optional.of(
+                new BoatPose(report.position(), report.headingRad(), report.speedMps(), report.boatTimeMs()));
         boat.poseAtMillis = atMillis;
         boat.percent = report.batteryPercent();
         seen(id, boat);

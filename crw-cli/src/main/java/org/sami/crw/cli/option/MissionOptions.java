@@ -183,8 +183,7 @@ public final class MissionOptions {
             return PlanSource.find(name, library);
         }
         if (script == null) {
-            throw new UsageFault(
-                    "Missing required parameter: 'PLAN|FILE'; a script (--script) can stand in its place");
+            throw new UsageFault("Missing required parameter: 'PLAN|FILE'; a script (--script) can stand in its place");
         }
         return PlanSource.all(library);
     }
@@ -201,15 +200,16 @@ public final class MissionOptions {
         Optional<RunScript> played = script(folder);
         if (played.isPresent()) {
             if (!wanted.isEmpty() || !parameters.isEmpty() || !also.isEmpty() || !interrupts.isEmpty()) {
-                throw new UsageFault("--script: the script says which missions start, with which values and interrupts; "
-                        + "leave out --plan, --set, --also and --interrupt");
+                throw new UsageFault(
+                        "--script: the script says which missions start, with which values and interrupts; "
+                                + "leave out --plan, --set, --also and --interrupt");
             }
             return played.get().plans(vocabulary, project);
         }
         List<Plan> plans = new ArrayList<>(List.of(source.choose(wanted)));
         try {
-            also.forEach(more -> plans.add(
-                    PlannedMission.parse(more, vocabulary, project).plan()));
+            also.forEach(more ->
+                    plans.add(PlannedMission.parse(more, vocabulary, project).plan()));
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--also: " + e.getMessage());
         }

@@ -104,8 +104,7 @@ public final class RunCommand implements Callable<Integer> {
                 concerning.stream().filter(f -> f.code().equals(DISABLED)).toList());
         err.flush();
         RunSettings settings = options.settings(plan.id(), plan.title());
-        options.checkScript(
-                new RunPlan(library.vocabulary(), source.project().get(), plan), settings);
+        options.checkScript(new RunPlan(library.vocabulary(), source.project().get(), plan), settings);
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {
             FindingsText.print(err, options.answersFile(), answers.findings());

@@ -58,7 +58,8 @@ class ScriptedRunTest {
 
         assertThat(scripted.exitCode()).as(scripted.err()).isEqualTo(options.exitCode());
         JsonNode report = JSON.readTree(scripted.out());
-        assertThat(report.path("runHash")).isEqualTo(JSON.readTree(options.out()).path("runHash"));
+        assertThat(report.path("runHash"))
+                .isEqualTo(JSON.readTree(options.out()).path("runHash"));
         assertThat(report.path("interrupts")).hasSize(2);
     }
 

@@ -122,7 +122,8 @@ public final class CommandDriver {
     /** Takes a command; its turn comes when {@link #settle} is called. */
     public void submit(BoatCommand command) {
         queue.submit(command)
-                .forEach((displaced, why) -> announcements.add(new FleetEvent.CommandWithdrawn(boatId, displaced, why)));
+                .forEach(
+                        (displaced, why) -> announcements.add(new FleetEvent.CommandWithdrawn(boatId, displaced, why)));
     }
 
     /** Whether the boat holds its place, since its path was given up and nobody wants anything of it. */
@@ -306,9 +307,7 @@ public final class CommandDriver {
 
     private boolean isRunCurrent() {
         Optional<QueuedCommand> task = task();
-        return run.isPresent()
-                && task.isPresent()
-                && task.get() == run.get().queued();
+        return run.isPresent() && task.isPresent() && task.get() == run.get().queued();
     }
 
     /** Sends again what is due; gives up a command that stays unanswered, but never a stop. */

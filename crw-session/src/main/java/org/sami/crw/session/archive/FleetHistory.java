@@ -25,7 +25,8 @@ public final class FleetHistory {
      *
      * @param boatTimeMs the boat's clock
      */
-    public record Report(GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
+    public record Report(
+            GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
 
     /**
      * The last state of a boat.

@@ -69,7 +69,8 @@ final class TelemetryForms {
         }
 
         FleetHistory.Report report() {
-            return new FleetHistory.Report(GeoPoint.of(latDeg, lonDeg), headingRad, speedMps, batteryPercent, boatTimeMs);
+            return new FleetHistory.Report(
+                    GeoPoint.of(latDeg, lonDeg), headingRad, speedMps, batteryPercent, boatTimeMs);
         }
     }
 

@@ -49,9 +49,8 @@ public final class RunHarness implements FleetRun {
                 clock,
                 input.settings().answerAfterMillis(),
                 fleet.operatorDefaults().quay());
-        interrupts = new InterruptScheduler(
-                input.interrupts().read(input.settings().interrupts(), fleet.names()),
-                clock);
+        interrupts =
+                new InterruptScheduler(input.interrupts().read(input.settings().interrupts(), fleet.names()), clock);
         records = new RunRecords(input, session, fleet.plane(), notes, operator, interrupts);
         fleet.addTo(records.folds());
         lifecycle = new RunLifecycle(input, session, records);

@@ -31,7 +31,8 @@ public final class RunNews implements AutoCloseable {
     private final RunObserver.News news;
     private final LongSupplier nowMillis;
     private final List<Registration> registrations;
-    private final Map<String, Shown> lastShown = new HashMap<>(); // by a message's keyword; by its text where it has none
+    private final Map<String, Shown> lastShown =
+            new HashMap<>(); // by a message's keyword; by its text where it has none
     private long lastMessage;
     private final HealthNews health;
     private long lastAlarm;

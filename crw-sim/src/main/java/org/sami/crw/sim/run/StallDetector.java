@@ -83,8 +83,8 @@ final class StallDetector {
                 || host.ask(EngineView::nextDueMillis).isPresent()) {
             return Optional.empty();
         }
-        boolean nobodyMoves = boats.stream()
-                .allMatch(boat -> !hasWork.test(boat.id()) || Math.abs(boat.speedMps()) < REST_SPEED_MPS);
+        boolean nobodyMoves =
+                boats.stream().allMatch(boat -> !hasWork.test(boat.id()) || Math.abs(boat.speedMps()) < REST_SPEED_MPS);
         boolean noBoatHasWork = boats.stream().noneMatch(boat -> hasWork.test(boat.id()));
         boolean atOnce = noBoatHasWork
                 && !interrupts.waitForBatteries()

@@ -39,7 +39,8 @@ public final class InterruptScheduler implements HostListener {
     private final Scheduler clock;
     private final List<InterruptPress> presses = new ArrayList<>();
     private final Set<String> critical = new LinkedHashSet<>();
-    private Consumer<Input> door = input -> {}; // does nothing while the past of a run is repeated: the presses are in it
+    private Consumer<Input> door =
+            input -> {}; // does nothing while the past of a run is repeated: the presses are in it
     private final Set<Long> missions = new HashSet<>(); // running root missions
     private boolean begun;
     private boolean over;

@@ -31,8 +31,8 @@ final class TaskRecorder implements ReportFold {
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted started) {
                 project.plan(started.plan())
-                        .ifPresent(plan ->
-                                plan.tasks().forEach(task -> progressOf(new TaskId(started.mission(), task.name()), view)));
+                        .ifPresent(plan -> plan.tasks()
+                                .forEach(task -> progressOf(new TaskId(started.mission(), task.name()), view)));
             } else if (effect instanceof Effect.Fired fired) {
                 fired.used().forEach(used -> used.tasks().forEach(task -> progressOf(task, view)));
             } else if (effect instanceof Effect.TasksAllocated allocated) {

@@ -29,7 +29,8 @@ public final class SimulatedWater {
     private final SimulatedFleet fleet;
 
     /** Water with boats in a line from west to east, whose middle is the quay. */
-    public SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, Consumer<FleetEvent>> listeners) {
+    public SimulatedWater(
+            VirtualClock clock, RunSettings.Fleet settings, Function<String, Consumer<FleetEvent>> listeners) {
         this.clock = clock;
         GeoPoint centre = settings.site().centreInProcess();
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
