@@ -342,8 +342,8 @@ class BoatProcessTest {
                 onStatus(reported.status());
             } else if (event instanceof FleetEvent.LinkChanged link) {
                 onLinkChange(link.status());
-            } else if (event instanceof FleetEvent.Restarted restarted) {
-                onRestarted(restarted.status());
+            } else if (event instanceof FleetEvent.Restarted) {
+                onRestarted();
             }
         }
 
@@ -355,7 +355,7 @@ class BoatProcessTest {
             status.set(news);
         }
 
-        private void onRestarted(BoatStatus news) {
+        private void onRestarted() {
             restarts.incrementAndGet();
         }
     }

@@ -170,32 +170,32 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         questions.withdraw(mission, List.of(boat));
         boats.find(boat)
                 .ifPresent(proxy ->
-                        proxy.commands().withdraw(mission).forEach(command -> onFailed(boat, command, reason)));
+                        proxy.commands().withdraw(mission).forEach(command -> onFailed(command, reason)));
     }
 
     @Override
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.Progressed progressed) {
-            onProgress(progressed.boat(), progressed.command(), progressed.visited());
+            onProgress(progressed.command(), progressed.visited());
         } else if (event instanceof FleetEvent.PanoramaTaken panorama) {
-            onPanorama(panorama.boat(), panorama.command(), panorama.pictures(), panorama.from());
+            onPanorama(panorama.command(), panorama.pictures(), panorama.from());
         } else if (event instanceof FleetEvent.CommandCompleted done) {
-            onCompleted(done.boat(), done.command());
+            onCompleted(done.command());
         } else if (event instanceof FleetEvent.CommandFailed failed) {
-            onFailed(failed.boat(), failed.command(), failed.reason());
+            onFailed(failed.command(), failed.reason());
         } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
-            onWithdrawn(withdrawn.boat(), withdrawn.command(), withdrawn.why());
+            onWithdrawn(withdrawn.command(), withdrawn.why());
         }
     }
 
-    private void onProgress(String boatId, BoatCommand command, int visitedCount) {
+    private void onProgress(BoatCommand command, int visitedCount) {
         SentCommand one = sent.get(command.commandId());
         if (one != null) {
             one.post(one.progress(visitedCount));
         }
     }
 
-    private void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
+    private void onPanorama(BoatCommand command, int pictures, GeoPoint from) {
         SentCommand one = sent.get(command.commandId());
         if (one != null) {
             one.post(one.result(
@@ -203,7 +203,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         }
     }
 
-    private void onCompleted(String boatId, BoatCommand command) {
+    private void onCompleted(BoatCommand command) {
         SentCommand one = sent.remove(command.commandId());
         if (one != null) {
             one.post(one.completed());
@@ -211,7 +211,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         tellAgain(command, SentCommand::completed);
     }
 
-    private void onFailed(String boatId, BoatCommand command, String reason) {
+    private void onFailed(BoatCommand command, String reason) {
         SentCommand one = sent.remove(command.commandId());
         if (one != null) {
             one.post(failed(one, reason));
@@ -220,7 +220,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     }
 
     /** A command that was displaced fails for whoever still waits for it. */
-    private void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+    private void onWithdrawn(BoatCommand command, Withdrawal why) {
         SentCommand one = sent.remove(command.commandId());
         String reason = why == Withdrawal.PREEMPTED
                 ? "a command of higher priority took the boat"
