@@ -48,9 +48,13 @@ class BoardMissionTest {
     private void launch(int number) throws Exception {
         HullKind kind = number == 4 ? HullKind.RUDDER : HullKind.DIFFERENTIAL;
         GeoPoint at = GeoPoint.of(45.7, 10.72 + number * 0.00015);
+        launch(number, BoardSettings.at(at, number + 1).with(kind).on(WATER));
+    }
+
+    private void launch(int number, BoardSettings settings) throws Exception {
         BoardFaults cable = new BoardFaults(0.02, 0.02, 0, 0);
         BoardOnTcp board = new BoardOnTcp(
-                BoardSettings.at(at, number + 1).with(kind).on(WATER).failing(cable),
+                settings.failing(cable),
                 ANY_PORT,
                 ANY_PORT,
                 clock,
@@ -59,7 +63,7 @@ class BoardMissionTest {
         String name = NAMES.get(number);
         HullBoat boat = new HullBoat(
                 name,
-                HullSettings.of(kind).safeMaximum(0.8).motorsChecked(true).build(),
+                HullSettings.of(settings.kind()).safeMaximum(0.8).motorsChecked(true).build(),
                 new TcpPort("127.0.0.1", board.boardAddress().getPort()),
                 new TcpPort("127.0.0.1", board.gpsAddress().getPort()),
                 false,
@@ -131,6 +135,22 @@ class BoardMissionTest {
         assertThat(news)
                 .anyMatch(text -> text.startsWith(NAMES.get(pulled) + ": board ") && text.contains(" is gone ("))
                 .anyMatch(text -> text.startsWith(NAMES.get(pulled) + ": board ") && text.endsWith(" is back"));
+    }
+
+    @Test
+    void boatWithoutACompassFindsItsHeadingByItsCourse() throws Exception {
+        launch(0, BoardSettings.at(GeoPoint.of(45.7, 10.72), 1).on(WATER).withoutCompass());
+        String address = "127.0.0.1:" + boats.get(0).address().getPort();
+
+        CommandResult ran = CommandResult.crw(
+                "run", "clv", "--connect", address, "--area", "30", "--locations", "2", "--answer-after", "0.2",
+                "--for", "180", "--json");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        JsonNode report = new ObjectMapper().readTree(ran.out());
+        assertThat(report.path("outcome").asText()).isEqualTo("ended");
+        assertThat(report.path("locationsVisited").asInt()).isEqualTo(2);
+        assertThat(news).contains("anna: no compass: heading from course over ground");
     }
 
     /** A boat that drives; -1 while none does. */
