@@ -53,17 +53,15 @@ class BoardMissionTest {
 
     private void launch(int number, BoardSettings settings) throws Exception {
         BoardFaults cable = new BoardFaults(0.02, 0.02, 0, 0);
-        BoardOnTcp board = new BoardOnTcp(
-                settings.failing(cable),
-                ANY_PORT,
-                ANY_PORT,
-                clock,
-                text -> {});
+        BoardOnTcp board = new BoardOnTcp(settings.failing(cable), ANY_PORT, ANY_PORT, clock, text -> {});
         boards.add(board);
         String name = NAMES.get(number);
         HullBoat boat = new HullBoat(
                 name,
-                HullSettings.of(settings.kind()).safeMaximum(0.8).motorsChecked(true).build(),
+                HullSettings.of(settings.kind())
+                        .safeMaximum(0.8)
+                        .motorsChecked(true)
+                        .build(),
                 new TcpPort("127.0.0.1", board.boardAddress().getPort()),
                 new TcpPort("127.0.0.1", board.gpsAddress().getPort()),
                 false,
@@ -143,8 +141,19 @@ class BoardMissionTest {
         String address = "127.0.0.1:" + boats.get(0).address().getPort();
 
         CommandResult ran = CommandResult.crw(
-                "run", "clv", "--connect", address, "--area", "30", "--locations", "2", "--answer-after", "0.2",
-                "--for", "180", "--json");
+                "run",
+                "clv",
+                "--connect",
+                address,
+                "--area",
+                "30",
+                "--locations",
+                "2",
+                "--answer-after",
+                "0.2",
+                "--for",
+                "180",
+                "--json");
 
         assertThat(ran.exitCode()).as(ran.err()).isZero();
         JsonNode report = new ObjectMapper().readTree(ran.out());

@@ -60,10 +60,13 @@ class GpsSourceTest {
             source.openFirst();
             source.start();
             try (Socket client = server.accept()) {
-                BufferedReader in = new BufferedReader(
-                        new InputStreamReader(client.getInputStream(), StandardCharsets.US_ASCII));
+                BufferedReader in =
+                        new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.US_ASCII));
                 assertThat(in.readLine() + "\n").isEqualTo(GpsdReader.WATCH);
-                send(client, "{\"class\":\"SKY\",\"satellites\":[" + "{},".repeat(9000) + "{}]}\n"); // longer than a line may be
+                send(
+                        client,
+                        "{\"class\":\"SKY\",\"satellites\":[" + "{},".repeat(9000)
+                                + "{}]}\n"); // longer than a line may be
                 send(client, "{\"class\":\"TPV\",\"mode\":3,\"lat\":45.4,\"lon\":10.9}\n");
 
                 Await.until("the position is known", () -> isAt(45.4));
