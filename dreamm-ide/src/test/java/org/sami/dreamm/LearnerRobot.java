@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.start.AuthorDirectory;
@@ -67,6 +68,11 @@ final class LearnerRobot implements AutoCloseable {
         return WindowRobot.ask(session::window);
     }
 
+    /** What the window that is open now works with. */
+    DreammContext context() {
+        return session.window().context();
+    }
+
     /** The document of the window that is open now. */
     ProjectDocument document() {
         return session.window().context().document();
@@ -106,10 +112,15 @@ final class LearnerRobot implements AutoCloseable {
 
     /** Waits until a text says something. */
     void untilText(String name, String words) {
-        robot.until(name + " says " + words, () -> text(name).contains(words));
+        robot.until(name + " says " + words, () -> textNow(name).contains(words));
     }
 
-    private static String text(String name) {
+    /** What a text says. */
+    String text(String name) {
+        return WindowRobot.ask(() -> textNow(name));
+    }
+
+    private static String textNow(String name) {
         StringBuilder all = new StringBuilder();
         for (java.awt.Window window : java.awt.Window.getWindows()) {
             if (window.isShowing()) {

@@ -107,8 +107,11 @@ public final class WindowRobot {
         ask(() -> null);
     }
 
-    /** Asks something on the event thread. */
+    /** Asks something on the event thread; there, at once. */
     public static <T> T ask(Supplier<T> question) {
+        if (SwingUtilities.isEventDispatchThread()) {
+            return question.get();
+        }
         CompletableFuture<T> answer = new CompletableFuture<>();
         EventThread.later(() -> {
             try {
@@ -217,7 +220,11 @@ public final class WindowRobot {
 
     /** Clicks into the middle of a component that can be used; waits for it. */
     public void click(String name) {
-        Component component = find(Component.class, name, Component::isEnabled);
+        click(find(Component.class, name, Component::isEnabled));
+    }
+
+    /** Clicks into the middle of a component. */
+    public void click(Component component) {
         Dimension size = ask(component::getSize);
         clickAt(component, size.width / 2, size.height / 2);
     }
@@ -231,6 +238,12 @@ public final class WindowRobot {
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
             robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         });
+    }
+
+    /** Moves the pointer to a place of a component. */
+    public void moveTo(Component component, int x, int y) {
+        Point at = placeOf(component);
+        act(MouseEvent.MOUSE_MOVED, 0, () -> robot.mouseMove(at.x + x, at.y + y));
     }
 
     /** Clicks twice at a place of a component, as fast as a hand does that means one click. */
@@ -334,7 +347,8 @@ public final class WindowRobot {
         scrollTo(component, ask(() -> new Rectangle(component.getSize())));
     }
 
-    private void scrollTo(JComponent component, Rectangle part) {
+    /** Turns the wheel, over the scroll bar, until the middle of a part of a component is in sight. */
+    public void scrollTo(JComponent component, Rectangle part) {
         JScrollPane pane = (JScrollPane) ask(() -> SwingUtilities.getAncestorOfClass(JScrollPane.class, component));
         if (pane == null || !ask(() -> pane.getVerticalScrollBar().isShowing())) {
             return;
@@ -364,11 +378,15 @@ public final class WindowRobot {
 
     /** Chooses what a box says that opens when it is clicked. */
     public void choose(String box, String words) {
-        JComboBox<?> found = find(JComboBox.class, box);
-        scrollTo(found);
+        choose(find(JComboBox.class, box), words);
+    }
+
+    /** Chooses what a box says that opens when it is clicked. */
+    public void choose(JComboBox<?> box, String words) {
+        scrollTo(box);
         click(box);
         JList<?> list = find(JList.class, each -> "ComboBox.list".equals(each.getName()));
-        until(box + " offers " + words, () -> rowOf(list, words) >= 0);
+        until(box.getName() + " offers " + words, () -> rowOf(list, words) >= 0);
         ask(() -> {
             list.ensureIndexIsVisible(rowOf(list, words));
             return null;
