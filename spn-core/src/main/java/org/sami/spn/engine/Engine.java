@@ -177,9 +177,9 @@ public final class Engine {
         } else if (input instanceof Input.Remember remember) {
             refused = remember(rules, remember);
         } else if (input instanceof Input.AskOperator asked) {
-            rules.decisions.ask(asked);
+            rules.questions.ask(asked);
         } else if (input instanceof Input.WithdrawQuestion withdrawn) {
-            rules.decisions.withdraw(withdrawn);
+            rules.questions.withdraw(withdrawn);
         }
         if (refused.isPresent()) {
             rules.note(NoteKind.REJECTED_INPUT, mission, refused.get());

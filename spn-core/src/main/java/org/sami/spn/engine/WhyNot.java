@@ -11,7 +11,7 @@ import org.sami.spn.engine.rule.Combinations;
 import org.sami.spn.engine.rule.FiringScope;
 import org.sami.spn.engine.rule.RelevantTokens;
 import org.sami.spn.engine.rule.Rules;
-import org.sami.spn.engine.rule.SubMissions;
+import org.sami.spn.engine.rule.TokenWords;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.NetState;
@@ -102,7 +102,7 @@ final class WhyNot {
             addMissing(t, reasons);
         }
         if (reasons.isEmpty() && t.transition.inputs.length > 1) {
-            if (new Combinations(rules).find(t) == null) {
+            if (new Combinations(rules.enabling).find(t) == null) {
                 reasons.add("The events that it has received do not name the same robots or tasks.");
             }
         }
@@ -140,7 +140,7 @@ final class WhyNot {
                 missing.add(n.token);
             }
         }
-        return SubMissions.words(missing);
+        return TokenWords.of(missing);
     }
 
     private void addMissing(TransitionState t, List<String> reasons) {
@@ -157,7 +157,7 @@ final class WhyNot {
             }
         }
         if (!silent.isEmpty()) {
-            reasons.add("It waits for all; not yet reported: " + SubMissions.words(silent) + ".");
+            reasons.add("It waits for all; not yet reported: " + TokenWords.of(silent) + ".");
         } else if (t.barrier.isEmpty()) {
             reasons.add("It waits for all, and nobody is there.");
         }

@@ -81,7 +81,7 @@ class SpoiltEngineTest {
                 arguments(
                         "R-OUT-6",
                         "an edge adds a token at each requirement",
-                        "Selection.java",
+                        "Selected.java",
                         "e.addedBy = edge;",
                         "e.addedBy = 0;"),
                 arguments(
@@ -129,7 +129,7 @@ class SpoiltEngineTest {
                 arguments(
                         "R-SUB-7",
                         "a child's own tasks return",
-                        "SubMissions.java",
+                        "ChildTokens.java",
                         "own.original == null ? null : new Token.Task(own.original.id)",
                         "own.original == null ? token : new Token.Task(own.original.id)"),
                 arguments(
@@ -142,7 +142,7 @@ class SpoiltEngineTest {
                         "R-VIS-6",
                         "a robot's timer goes on when it leaves",
                         "Timers.java",
-                        "sent.timers.removeIf(t -> t.token().equals(token) && rules.state.timers.remove(t));",
+                        "sent.timers.removeIf(t -> t.token().equals(token) && step.state.timers.remove(t));",
                         ";"),
                 arguments(
                         "R-SUB-10",
@@ -252,7 +252,7 @@ class SpoiltEngineTest {
                         "RobotChoices.java",
                         "open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();",
                         "open.deadline == null ? OptionalLong.empty()"
-                                + " : OptionalLong.of(rules.state.now + open.sent.output.timeoutMillis);"),
+                                + " : OptionalLong.of(step.state.now + open.sent.output.timeoutMillis);"),
                 arguments(
                         "R-DEC-8",
                         "a deadline that has passed is set again",
@@ -322,9 +322,9 @@ class SpoiltEngineTest {
                 arguments(
                         "R-VIS-8",
                         "a firing tells moves that it does not make",
-                        "Selection.java",
-                        "result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));",
-                        "result.moves.add(new TokenMove(token, out.place().inMoves, out.place().inMoves));"),
+                        "Selected.java",
+                        "moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));",
+                        "moves.add(new TokenMove(token, out.place().inMoves, out.place().inMoves));"),
                 arguments(
                         "R-TOK-2",
                         "a root mission starts without its tasks",
@@ -352,7 +352,7 @@ class SpoiltEngineTest {
                 arguments(
                         "R-TASK-5",
                         "a mapped task keeps its parent's name",
-                        "SubMissions.java",
+                        "ChildTokens.java",
                         "if (own.original != null && own.original.id.equals(task.task())) {",
                         "if (own.original == null && own.id.equals(task.task())) {"));
     }

@@ -110,4 +110,14 @@ public final class CompiledProject {
         String type = inputTypeByRole.get(role);
         return type == null ? role.name() : type;
     }
+
+    /** The input event type with which the engine answers an output event in a role. */
+    public String answerType(CompiledOutput asked, EventRole role) {
+        for (String answer : asked.type.map(EventType::answers).orElse(List.of())) {
+            if (vocabulary.event(answer).filter(t -> t.role() == role).isPresent()) {
+                return answer;
+            }
+        }
+        return typeOf(role);
+    }
 }

@@ -18,7 +18,6 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
-import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Reserved;
 
 /**
@@ -27,9 +26,9 @@ import org.sami.spn.vocabulary.Reserved;
  * <p>Implements R-END-7, R-ACT-1, R-ACT-2, R-ACT-5.
  */
 final class Activating {
-    private final Rules rules;
+    private final MissionRules rules;
 
-    Activating(Rules rules) {
+    Activating(MissionRules rules) {
         this.rules = rules;
     }
 
@@ -161,7 +160,7 @@ final class Activating {
             }
             default -> {
                 if (sent.output.decision != null) {
-                    rules.decisions.open(sent);
+                    rules.questions.open(sent);
                 }
             }
         }
@@ -170,22 +169,8 @@ final class Activating {
     /** The engine's own answer to an activation: routed like any other, because a transition may still wait for tokens that have moved on. */
     void answer(SentActivation sent, EventRole role, List<String> proxies, List<TaskId> tasks) {
         if (!sent.mission().ended) {
-            rules.routing.route(Occurrence.answer(answerType(sent, role), sent.activation, proxies, tasks, Map.of()));
+            rules.routing.route(Occurrence.answer(
+                    rules.project().answerType(sent.output, role), sent.activation, proxies, tasks, Map.of()));
         }
-    }
-
-    /** The input event type with which the engine answers an activation in a role. */
-    String answerType(SentActivation sent, EventRole role) {
-        List<String> answers = sent.output.type.map(EventType::answers).orElse(List.of());
-        for (String answer : answers) {
-            if (rules.project()
-                    .vocabulary
-                    .event(answer)
-                    .filter(t -> t.role() == role)
-                    .isPresent()) {
-                return answer;
-            }
-        }
-        return rules.project().typeOf(role);
     }
 }

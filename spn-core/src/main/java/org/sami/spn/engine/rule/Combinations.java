@@ -16,10 +16,10 @@ public final class Combinations {
     /** Occurrences that enable a transition together. */
     public record Found(List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {}
 
-    private final Rules rules;
+    private final Enabling enabling;
 
-    public Combinations(Rules rules) {
-        this.rules = rules;
+    public Combinations(Enabling enabling) {
+        this.enabling = enabling;
     }
 
     /** The earliest combination that enables a transition; null where there is none. */
@@ -50,7 +50,7 @@ public final class Combinations {
 
     /** Whether the marking allows it, whatever occurrences it uses; returns that it checks bind it to other tokens. */
     private boolean isPossible(TransitionState t, FiringScope scope) {
-        return rules.enabling.isReady(t, scope) && rules.enabling.meetsPlain(t, scope);
+        return enabling.isReady(t, scope) && enabling.meetsPlain(t, scope);
     }
 
     private Found search(TransitionState t, List<PendingOccurrence> chosen, Reach reach) {
@@ -135,6 +135,6 @@ public final class Combinations {
     private Found attempt(TransitionState t, List<PendingOccurrence> used, Reach reach) {
         RelevantTokens relevant = RelevantTokens.of(used);
         FiringScope scope = FiringScope.of(reach, used);
-        return rules.enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;
+        return enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;
     }
 }

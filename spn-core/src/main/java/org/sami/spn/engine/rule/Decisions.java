@@ -4,23 +4,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
-import org.sami.spn.engine.net.CompiledOutput;
-import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.OpenDecision;
-import org.sami.spn.engine.state.SentActivation;
-import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
-import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
-import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
-import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.RecordValue;
@@ -33,164 +24,27 @@ import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.Reserved;
 
 /**
- * Questions to the operator: opened, answered once by the operator or by autonomy, closed.
+ * Answers to questions: one is taken of the operator or of autonomy, and the rest follows from it.
  *
- * <p>Implements R-INT-8, R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7, R-DEC-9.
+ * <p>Implements R-INT-8, R-DEC-1, R-DEC-2, R-DEC-5, R-DEC-6, R-DEC-9.
  */
 public final class Decisions {
-    private final Rules rules;
-    private final Questions questions;
+    private final RuleStep step;
+    private final MissionRules rules;
 
-    Decisions(Rules rules, Questions questions) {
+    Decisions(RuleStep step, MissionRules rules) {
+        this.step = step;
         this.rules = rules;
-        this.questions = questions;
-    }
-
-    /** An activation asks. */
-    public void open(SentActivation sent) {
-        Question question = questions.of(sent);
-        CompiledOutput output = sent.output;
-        OptionalLong deadline = output.trigger == CompiledOutput.Trigger.TIMER
-                ? OptionalLong.of(rules.state.now + output.timeoutMillis)
-                : OptionalLong.empty();
-        Decision decision = new Decision(
-                ++rules.state.lastDecision,
-                sent.activation.mission(),
-                sent.activation.id(),
-                output.typeName,
-                questions.prompt(sent),
-                question,
-                Questions.automatic(output, question),
-                deadline,
-                output.priority,
-                output.spec.markups());
-        OpenDecision open = new OpenDecision(
-                decision,
-                OpenDecision.Purpose.ACTIVATION,
-                sent.mission(),
-                sent,
-                null,
-                question instanceof Question.ChooseProxies && questions.offersStanding(sent)
-                        ? OpenDecision.STANDING
-                        : "");
-        sent.decision = open;
-        add(open);
-        if (output.trigger == CompiledOutput.Trigger.TIMER) {
-            open.deadline = rules.timers.deadline(open, output.timeoutMillis);
-        } else if (output.trigger == CompiledOutput.Trigger.IMMEDIATELY) {
-            rules.post(() -> byAutonomy(open));
-        }
-    }
-
-    /** A mission that starts asks for its parameters. */
-    public void openParameters(MissionState m, StartParameters parameters) {
-        List<Question.Item> items = parameters.items();
-        add(new OpenDecision(
-                own(m, "", "Parameters of " + m.name, new Question.FillIn(items), Questions.defaults(items)),
-                OpenDecision.Purpose.PARAMETERS,
-                m,
-                null,
-                null,
-                ""));
-    }
-
-    /** An interrupt was pressed without naming robots. */
-    public void openInterruptChoice(MissionState m, String interrupt, List<String> candidates) {
-        Question question = new Question.ChooseProxies(candidates, 1, Integer.MAX_VALUE);
-        add(new OpenDecision(
-                own(m, Decision.INTERRUPT + interrupt, "Whom is '" + interrupt + "' for?", question, Optional.empty()),
-                OpenDecision.Purpose.INTERRUPT_CHOICE,
-                m,
-                null,
-                null,
-                interrupt));
-    }
-
-    /** A child was aborted and no transition waits for that. */
-    public void openAborted(Instance instance, String robots) {
-        MissionState m = instance.place.mission;
-        String prompt = "The sub-mission on '" + instance.place.place + "' was aborted. Return " + robots
-                + " to the plan? Otherwise they stay there.";
-        add(new OpenDecision(
-                own(
-                        m,
-                        Decision.ABORTED + instance.place.place.id(),
-                        prompt,
-                        new Question.Approve(),
-                        Optional.of(new Answer.YesNo(true))),
-                OpenDecision.Purpose.ABORTED_CHILD,
-                m,
-                null,
-                instance,
-                ""));
-    }
-
-    /** The domain asks; nothing happens where it does already. */
-    public void ask(Input.AskOperator asked) {
-        if (open(asked.kind(), asked.about()).isPresent()) {
-            return;
-        }
-        Decision decision = new Decision(
-                ++rules.state.lastDecision,
-                Ids.NONE,
-                Ids.NONE,
-                asked.kind(),
-                asked.prompt(),
-                asked.proxies().isEmpty()
-                        ? new Question.Approve()
-                        : new Question.ChooseProxies(
-                                asked.proxies(), 0, asked.proxies().size()),
-                Optional.empty(),
-                OptionalLong.empty(),
-                asked.priority(),
-                List.of());
-        add(new OpenDecision(decision, OpenDecision.Purpose.DOMAIN, null, null, null, asked.about()));
-    }
-
-    /** The domain needs no answer any longer. */
-    public void withdraw(Input.WithdrawQuestion withdrawn) {
-        open(withdrawn.kind(), withdrawn.about()).ifPresent(this::close);
-    }
-
-    private Optional<OpenDecision> open(String kind, String about) {
-        return rules.state.decisions.values().stream()
-                .filter(open -> open.purpose == OpenDecision.Purpose.DOMAIN
-                        && open.decision.type().equals(kind)
-                        && open.subject.equals(about))
-                .findFirst();
-    }
-
-    private Decision own(MissionState m, String type, String prompt, Question question, Optional<Answer> automatic) {
-        return new Decision(
-                ++rules.state.lastDecision,
-                m.id,
-                Ids.NONE,
-                type,
-                prompt,
-                question,
-                automatic,
-                OptionalLong.empty(),
-                Priority.MEDIUM,
-                List.<MarkupSpec>of());
-    }
-
-    /** Opens a question that is put together. */
-    void add(OpenDecision open) {
-        rules.state.decisions.put(open.decision.id(), open);
-        if (open.mission != null) {
-            open.mission.addDecision(open);
-        }
-        rules.emit(new Effect.DecisionOpened(open.decision));
     }
 
     /** An answer arrives; why it is refused, empty where it is taken. */
     public Optional<String> answer(Input.AnswerDecision input) {
-        OpenDecision open = rules.state.decisions.get(input.decision());
+        OpenDecision open = step.state.decisions.get(input.decision());
         if (open == null) {
             return Optional.of("The decision " + input.decision() + " is not open");
         }
         if (namesNobody(open, input.answer())) {
-            rules.note(
+            step.note(
                     NoteKind.NAMES_NOBODY,
                     open.mission.id,
                     "The answer to '" + open.decision.prompt() + "' names nobody; the question stays open");
@@ -209,7 +63,7 @@ public final class Decisions {
 
     /** The operator stops the timer of a decision; why that is refused, empty where it is done. */
     public Optional<String> hold(long decision) {
-        OpenDecision open = rules.state.decisions.get(decision);
+        OpenDecision open = step.state.decisions.get(decision);
         if (open == null) {
             return Optional.of("The decision " + decision + " is not open");
         }
@@ -219,7 +73,7 @@ public final class Decisions {
         rules.timers.cancel(open.deadline);
         open.deadline = null;
         open.decision = open.decision.withoutDeadline();
-        rules.emit(new Effect.DecisionHeld(decision));
+        step.emit(new Effect.DecisionHeld(decision));
         return Optional.empty();
     }
 
@@ -229,7 +83,7 @@ public final class Decisions {
                         && open.purpose == OpenDecision.Purpose.ACTIVATION
                         && open.decision.question() instanceof Question.ChooseOption
                         && !typeOf(open).rejected().isEmpty());
-        return AnswerCheck.wrong(open.decision.question(), answer, mayReject, rules.project().vocabulary);
+        return AnswerCheck.wrong(open.decision.question(), answer, mayReject, step.project().vocabulary);
     }
 
     private static boolean namesNobody(OpenDecision open, Answer answer) {
@@ -249,7 +103,7 @@ public final class Decisions {
                         typeOf(open).names() == AnswerNames.CHOSEN)) {
             return false;
         }
-        rules.note(
+        step.note(
                 NoteKind.NAMES_NOBODY,
                 open.mission.id,
                 "Whom the answer to '" + open.decision.prompt() + "' names is gone; the question stays open");
@@ -275,12 +129,12 @@ public final class Decisions {
 
     /** Autonomy answers, if the question is still open and it has an answer. */
     void byAutonomy(OpenDecision open) {
-        if (!rules.state.decisions.containsKey(open.decision.id())) {
+        if (!step.state.decisions.containsKey(open.decision.id())) {
             return;
         }
         Optional<Answer> automatic = open.decision.automatic();
         if (automatic.isEmpty()) {
-            rules.note(
+            step.note(
                     NoteKind.NO_AUTOMATIC_ANSWER,
                     open.mission.id,
                     "Autonomy has no answer to '" + open.decision.prompt() + "'; the operator must decide");
@@ -292,8 +146,8 @@ public final class Decisions {
     }
 
     private void take(OpenDecision open, Answer answer, Answerer by) {
-        remove(open);
-        rules.emit(new Effect.DecisionClosed(open.decision.id(), Optional.of(answer), Optional.of(by)));
+        rules.questions.remove(open);
+        step.emit(new Effect.DecisionClosed(open.decision.id(), Optional.of(answer), Optional.of(by)));
         switch (open.purpose) {
             case ACTIVATION -> occur(open, answer);
             case PARAMETERS -> {
@@ -307,7 +161,7 @@ public final class Decisions {
                     rules.interrupts.chosen(open.mission, open.subject, chosen.proxies());
                 }
             }
-            case DOMAIN -> rules.emit(answered(open, answer));
+            case DOMAIN -> step.emit(answered(open, answer));
             case ABORTED_CHILD -> rules.subMissions.decided(open.instance, ((Answer.YesNo) answer).yes());
         }
     }
@@ -377,26 +231,5 @@ public final class Decisions {
             });
         }
         return values;
-    }
-
-    /** Nobody waits for the answer any longer. */
-    public void close(OpenDecision open) {
-        if (rules.state.decisions.containsKey(open.decision.id())) {
-            remove(open);
-            rules.emit(new Effect.DecisionClosed(open.decision.id(), Optional.empty(), Optional.empty()));
-        }
-    }
-
-    private void remove(OpenDecision open) {
-        rules.state.decisions.remove(open.decision.id());
-        if (open.mission != null) {
-            open.mission.decisions.remove(open.decision.id());
-        }
-        if (open.deadline != null) {
-            rules.timers.cancel(open.deadline);
-        }
-        if (open.sent != null && open.sent.decision == open) {
-            open.sent.decision = null;
-        }
     }
 }

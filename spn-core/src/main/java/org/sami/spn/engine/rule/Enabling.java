@@ -22,10 +22,12 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-IN-1, R-IN-2, R-IN-3, R-IN-4, R-IN-5, R-OCC-7, R-SUB-3, R-SUB-6.
  */
 public final class Enabling {
-    private final Rules rules;
+    private final RuleStep step;
+    private final TokenPool pool;
 
-    public Enabling(Rules rules) {
-        this.rules = rules;
+    Enabling(RuleStep step, TokenPool pool) {
+        this.step = step;
+        this.pool = pool;
     }
 
     public boolean isEnabled(TransitionState t, RelevantTokens relevant, FiringScope scope) {
@@ -138,7 +140,7 @@ public final class Enabling {
         for (NamedToken n : relevant.names) {
             boolean here = false;
             for (int i = 0; i < n.tokens.length && !here; i++) {
-                here = rules.pool.copies(state, n.tokens[i], scope) > 0;
+                here = pool.copies(state, n.tokens[i], scope) > 0;
             }
             if (!here) {
                 return false;
@@ -150,7 +152,6 @@ public final class Enabling {
     /** What a requirement counts: the pool where it wants tokens, everything that stands here where it inhibits. */
     public int count(PlaceState state, InRequirement r, RelevantTokens relevant, FiringScope scope) {
         FiringScope counted = r.match() == Match.AT_LEAST ? scope : FiringScope.of(Reach.ALL);
-        TokenPool pool = rules.pool;
         return switch (r.kind()) {
             case GENERIC -> pool.count(state, PlacedToken.GENERIC, counted);
             case ANY_PROXY -> pool.count(state, PlacedToken.PROXY, counted);
@@ -180,7 +181,7 @@ public final class Enabling {
             if (task.task().name().equals(nameOrClass)) {
                 return true;
             }
-            TaskState state = rules.task(task.task());
+            TaskState state = step.task(task.task());
             return state != null && state.taskClass.equals(nameOrClass);
         };
     }

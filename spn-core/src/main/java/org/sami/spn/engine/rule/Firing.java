@@ -31,14 +31,18 @@ import org.sami.spn.value.Value;
  * R-FIRE-2, R-FIRE-3, R-SHR-3.
  */
 public final class Firing {
-    private final Rules rules;
+    private final RuleStep step;
+    private final MissionRules rules;
+    private final Selection selection;
     private final Combinations combinations;
     /** Number of the present chain of firings without new input. */
     private long chain;
 
-    public Firing(Rules rules) {
+    Firing(RuleStep step, MissionRules rules) {
+        this.step = step;
         this.rules = rules;
-        this.combinations = new Combinations(rules);
+        this.selection = new Selection(step, rules.enabling, rules.pool);
+        this.combinations = new Combinations(rules.enabling);
     }
 
     public void newChain() {
@@ -71,7 +75,7 @@ public final class Firing {
             m.chainNumber = chain;
             m.chain = 0;
         }
-        if (m.chain >= rules.project().livelockLimit) {
+        if (m.chain >= step.project().livelockLimit) {
             rules.missionEnd.halt(
                     m, m.chain + " firings without new input, the next would be '" + t.transition + "': a livelock");
             return false;
@@ -81,27 +85,27 @@ public final class Firing {
     }
 
     /** Tokens that copy themselves would fill the memory long before their firings are counted as a livelock. */
-    private boolean addsTooMany(Selection.Selected selected) {
+    private boolean addsTooMany(Selected selected) {
         long added = 0;
         for (List<Token> one : selected.added) {
             added += one.size();
         }
-        return added > rules.project().mostTokensAdded();
+        return added > step.project().mostTokensAdded();
     }
 
     private void fire(TransitionState t, List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {
         MissionState m = t.mission;
         CompiledTransition ct = t.transition;
-        Selection.Selected selected = rules.selection.select(t, relevant, scope);
+        Selected selected = selection.select(t, relevant, scope);
         if (addsTooMany(selected)) {
             rules.missionEnd.halt(
                     m,
                     m.chain + " firings without new input: '" + t.transition + "' would add more than "
-                            + rules.project().mostTokensAdded() + " tokens at once");
+                            + step.project().mostTokensAdded() + " tokens at once");
             return;
         }
-        long before = rules.state.stamp;
-        rules.state.firings++;
+        long before = step.state.stamp;
+        step.state.firings++;
         m.firings++;
         List<Occurrence> occurrences = new ArrayList<>(used.size());
         for (PendingOccurrence p : used) {
@@ -109,9 +113,9 @@ public final class Firing {
             t.remove(p);
             rules.interrupts.taken(p);
         }
-        rules.emit(new Effect.Fired(rules.state.firings, m.id, ct.id(), occurrences, selected.moves));
+        step.emit(new Effect.Fired(step.state.firings, m.id, ct.id(), occurrences, selected.moves));
         for (String shortOf : selected.shortOf) {
-            rules.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
+            step.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
         }
         boolean ending = ends(m, ct);
         List<Visit> nobody = endingVisitsByNobody(m, ct, used, scope.reach);
@@ -176,7 +180,7 @@ public final class Firing {
     }
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
-    private List<Visit> move(MissionState m, CompiledTransition t, Selection.Selected selected) {
+    private List<Visit> move(MissionState m, CompiledTransition t, Selected selected) {
         rules.removal.remove(selected.removed);
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
@@ -190,9 +194,8 @@ public final class Firing {
     }
 
     /** Uses up completions and returns of sub-missions; the returns of static instances that it used, with what it used of them. */
-    private List<Return> useReturns(
-            MissionState m, CompiledTransition t, Selection.Selected selected, FiringScope scope) {
-        for (Selection.UsedReturn used : selected.usedReturns) {
+    private List<Return> useReturns(MissionState m, CompiledTransition t, Selected selected, FiringScope scope) {
+        for (Selected.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
         List<Return> result = new ArrayList<>(0);
@@ -225,14 +228,14 @@ public final class Firing {
             if (e.token instanceof Token.Proxy proxy) {
                 robots.add(proxy.proxy());
             } else if (e.token instanceof Token.Task task) {
-                TaskState state = rules.task(task.task());
+                TaskState state = step.task(task.task());
                 if (state != null && !state.proxy().isEmpty()) {
                     robots.add(state.proxy());
                 }
             }
         }
         if (!robots.isEmpty()) {
-            rules.emit(new Effect.CommandsWithdrawn(m.id, List.copyOf(robots)));
+            step.emit(new Effect.CommandsWithdrawn(m.id, List.copyOf(robots)));
         }
     }
 

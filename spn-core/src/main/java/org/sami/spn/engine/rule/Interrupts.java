@@ -31,11 +31,11 @@ import org.sami.spn.vocabulary.Reserved;
  * <p>Implements R-INT-1, R-INT-2, R-INT-3, R-INT-4, R-END-1.
  */
 public final class Interrupts {
-    private final Rules rules;
+    private final MissionRules rules;
     /** How many transitions a press has fired. */
     private int taken;
 
-    public Interrupts(Rules rules) {
+    public Interrupts(MissionRules rules) {
         this.rules = rules;
     }
 
@@ -128,7 +128,7 @@ public final class Interrupts {
             refused(m.id, "Nobody is there for the interrupt '" + name + "'");
             return false;
         }
-        rules.decisions.openInterruptChoice(m, name, candidates);
+        rules.questions.openInterruptChoice(m, name, candidates);
         return true;
     }
 
@@ -145,36 +145,9 @@ public final class Interrupts {
         EventRole role = sent.output.role == EventRole.PROXY_INTERRUPT
                 ? EventRole.PROXY_INTERRUPT_RECEIVED
                 : EventRole.GENERAL_INTERRUPT_RECEIVED;
-        String type = rules.activating.answerType(sent, role);
+        String type = rules.project().answerType(sent.output, role);
         Map<String, Value> values = Map.of(Reserved.INTERRUPT_NAME, new TextValue(nameOf(sent)));
         rules.routing.route(Occurrence.answer(type, sent.activation, proxies, List.of(), values));
-    }
-
-    /** No transition can take a press: it is not kept, and the operator is notified. */
-    public void untaken(Occurrence press) {
-        Value name = press.values().get(Reserved.INTERRUPT_NAME);
-        MissionState m = rules.state.missions.get(press.mission());
-        refused(
-                press.mission(),
-                "Nobody is there for the interrupt '" + (name == null ? press.type() : CompiledInput.text(name)) + "'"
-                        + (m == null ? "" : whereabouts(m, press.proxies())));
-    }
-
-    /** Where the named robots stand instead, in words. */
-    private static String whereabouts(MissionState m, List<String> proxies) {
-        StringBuilder words = new StringBuilder();
-        for (PlaceState place : m.places) {
-            for (String proxy : place == null ? List.<String>of() : proxies) {
-                if (place.find(new Token.Proxy(proxy)) != null) {
-                    words.append("; ")
-                            .append(proxy)
-                            .append(" is in '")
-                            .append(place.place)
-                            .append("'");
-                }
-            }
-        }
-        return words.toString();
     }
 
     private static List<SentActivation> openInterrupts(MissionState m, String name) {

@@ -16,9 +16,9 @@ import org.sami.spn.protocol.Outcome;
  * <p>Implements R-END-2, R-END-4, R-END-5, R-END-6, R-SUB-10.
  */
 final class MissionEnd {
-    private final Rules rules;
+    private final MissionRules rules;
 
-    MissionEnd(Rules rules) {
+    MissionEnd(MissionRules rules) {
         this.rules = rules;
     }
 
@@ -81,7 +81,7 @@ final class MissionEnd {
         }
         m.ended = true;
         for (OpenDecision d : List.copyOf(m.decisions.values())) {
-            rules.decisions.close(d);
+            rules.questions.close(d);
         }
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
             rules.visits.close(v);

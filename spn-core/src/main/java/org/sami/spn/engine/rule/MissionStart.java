@@ -30,9 +30,9 @@ import org.sami.spn.value.Value;
  * <p>Implements R-TOK-2, R-ACT-3.
  */
 public final class MissionStart {
-    private final Rules rules;
+    private final MissionRules rules;
 
-    public MissionStart(Rules rules) {
+    public MissionStart(MissionRules rules) {
         this.rules = rules;
     }
 
@@ -54,7 +54,7 @@ public final class MissionStart {
         if (plan.start == null) {
             return Optional.of("The plan '" + plan.plan.name() + "' has no start place");
         }
-        StartParameters parameters = new StartParameters(rules, plan);
+        StartParameters parameters = new StartParameters(rules.step, rules.variables, plan);
         Optional<String> wrong = parameters.read(input.parameters());
         if (wrong.isPresent()) {
             return wrong;
@@ -120,7 +120,7 @@ public final class MissionStart {
     public void ask(MissionState m, StartParameters parameters) {
         m.parameters = parameters.given();
         if (parameters.mustAsk()) {
-            rules.decisions.openParameters(m, parameters);
+            rules.questions.openParameters(m, parameters.items());
         } else {
             begin(m);
         }
@@ -190,7 +190,7 @@ public final class MissionStart {
 
     /** Parameters of an instance: what has to be asked of the operator when it is made. */
     public StartParameters parametersOf(CompiledPlan plan) {
-        StartParameters parameters = new StartParameters(rules, plan);
+        StartParameters parameters = new StartParameters(rules.step, rules.variables, plan);
         parameters.read(new LinkedHashMap<>());
         return parameters;
     }

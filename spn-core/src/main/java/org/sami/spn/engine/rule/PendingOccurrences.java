@@ -34,10 +34,14 @@ import org.sami.spn.vocabulary.Reserved;
  */
 public final class PendingOccurrences {
     private static final NamedToken[] NOBODY = {};
-    private final Rules rules;
+    private final RuleStep step;
+    private final Enabling enabling;
+    private final WorkList work;
 
-    public PendingOccurrences(Rules rules) {
-        this.rules = rules;
+    PendingOccurrences(RuleStep step, Enabling enabling, WorkList work) {
+        this.step = step;
+        this.enabling = enabling;
+        this.work = work;
     }
 
     /** What an occurrence names: its tasks; where it has none, its robots. Of an aborted child, all. */
@@ -136,7 +140,7 @@ public final class PendingOccurrences {
             replaceOlder(t, p);
         }
         t.add(p);
-        rules.work.add(t);
+        work.add(t);
     }
 
     /** Tells all transitions that check it the value of a return: one occurrence for all of them. */
@@ -158,7 +162,7 @@ public final class PendingOccurrences {
 
     /** Tells all unused returns of static instances again. */
     public void tellUnused() {
-        for (MissionState m : rules.state.missions.values()) {
+        for (MissionState m : step.state.missions.values()) {
             for (PlaceState place : m.places) {
                 for (SharedRun run : place == null ? new SharedRun[0] : place.shared) {
                     run.returns.forEach(this::tell);
@@ -192,7 +196,7 @@ public final class PendingOccurrences {
             result.add(name);
             for (Token token : answered.activation.tokens()) {
                 if (token instanceof Token.Task task) {
-                    TaskState state = rules.task(task.task());
+                    TaskState state = step.task(task.task());
                     if (state != null && state.proxy().equals(proxy.proxy())) {
                         addOnce(result, token);
                     }
@@ -314,7 +318,7 @@ public final class PendingOccurrences {
     private boolean stands(NamedToken n, TransitionState t) {
         Visit visit = n.pending.visit();
         for (Token token : n.tokens) {
-            if (visit != null && rules.enabling.wantsAbsence(t.transition, visit.place.place, token, true)) {
+            if (visit != null && enabling.wantsAbsence(t.transition, visit.place.place, token, true)) {
                 continue;
             }
             if (visit != null && !visit.ended && visit.has(token)) {
@@ -325,7 +329,7 @@ public final class PendingOccurrences {
                 if (state != null
                         && (visit == null || state != visit.place)
                         && state.find(token) != null
-                        && !rules.enabling.wantsAbsence(t.transition, place, token, true)) {
+                        && !enabling.wantsAbsence(t.transition, place, token, true)) {
                     return true;
                 }
             }
@@ -374,7 +378,7 @@ public final class PendingOccurrences {
     }
 
     private void discarded(TransitionState t, PendingOccurrence p) {
-        rules.note(
+        step.note(
                 NoteKind.DISCARDED,
                 t.mission.id,
                 p.occurrence.type() + " at '" + t.transition

@@ -26,15 +26,15 @@ import org.sami.spn.value.ValueType;
  * <p>Implements R-LOAD-1, R-LOAD-2 and R-LOAD-3.
  */
 public final class ProjectLoading {
-    private final Rules rules;
+    private final RuleStep step;
 
-    public ProjectLoading(Rules rules) {
-        this.rules = rules;
+    ProjectLoading(RuleStep step) {
+        this.step = step;
     }
 
     /** Loads a project; a reason where it cannot, and then nothing has changed. */
     public Optional<String> load(Input.LoadProject input) {
-        CompiledProject before = rules.state.newest();
+        CompiledProject before = step.state.newest();
         Reading<Project> reading = new ProjectReader(before.vocabulary).read(input.document());
         if (reading.result().isEmpty()) {
             return Optional.of("The project cannot be loaded: "
@@ -42,7 +42,7 @@ public final class ProjectLoading {
         }
         Project project = reading.result().get();
         if (project.equals(before.project)) {
-            rules.emit(new Effect.ProjectLoaded(before.version, before.project));
+            step.emit(new Effect.ProjectLoaded(before.version, before.project));
             return Optional.empty();
         }
         Optional<String> conflict = project.globals().stream()
@@ -57,7 +57,7 @@ public final class ProjectLoading {
 
     /** Running missions go on reading and writing their globals: none may become of another type under them. */
     private Optional<String> conflict(VariableSpec declared) {
-        for (MissionState m : rules.state.missions.values()) {
+        for (MissionState m : step.state.missions.values()) {
             VariableSpec running = m.plan.project.globals.get(declared.name());
             if (running != null && !running.type().equals(declared.type())) {
                 return Optional.of("The project cannot be loaded while mission " + m.root.id + " ("
@@ -71,15 +71,15 @@ public final class ProjectLoading {
     }
 
     private void load(CompiledProject before, CompiledProject loaded) {
-        Set<CompiledProject> earlier = new LinkedHashSet<>(rules.state.running());
+        Set<CompiledProject> earlier = new LinkedHashSet<>(step.state.running());
         earlier.add(before);
         for (VariableSpec declared : loaded.project.globals()) {
             if (!hasType(earlier, declared.name(), declared.type())) {
-                rules.state.globals.remove(declared.name());
+                step.state.globals.remove(declared.name());
             }
         }
-        rules.state.load(loaded);
-        rules.emit(new Effect.ProjectLoaded(loaded.version, loaded.project));
+        step.state.load(loaded);
+        step.emit(new Effect.ProjectLoaded(loaded.version, loaded.project));
         loaded.project.globals().forEach(declared -> begin(declared, before.globals.get(declared.name())));
     }
 
@@ -95,13 +95,13 @@ public final class ProjectLoading {
             return;
         }
         Value initial = declared.initial().get();
-        Value value = rules.state.globals.get(declared.name());
+        Value value = step.state.globals.get(declared.name());
         if (value == null) {
-            rules.state.globals.put(declared.name(), initial);
-            rules.emit(new Effect.VariableWritten(Ids.NONE, declared.name(), initial));
+            step.state.globals.put(declared.name(), initial);
+            step.emit(new Effect.VariableWritten(Ids.NONE, declared.name(), initial));
         } else if (!value.equals(initial)
                 && (before == null || !before.initial().equals(declared.initial()))) {
-            rules.note(
+            step.note(
                     NoteKind.GLOBAL_KEPT,
                     Ids.NONE,
                     "The global " + declared.name() + " keeps its value " + value

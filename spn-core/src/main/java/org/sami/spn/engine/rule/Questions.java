@@ -35,10 +35,14 @@ import org.sami.spn.vocabulary.Reserved;
  * <p>Implements R-DEC-4, R-DEC-10, R-DEC-11.
  */
 final class Questions {
-    private final Rules rules;
+    private final RuleStep step;
+    private final PendingOccurrences pendings;
+    private final Variables variables;
 
-    Questions(Rules rules) {
-        this.rules = rules;
+    Questions(RuleStep step, PendingOccurrences pendings, Variables variables) {
+        this.step = step;
+        this.pendings = pendings;
+        this.variables = variables;
     }
 
     String prompt(SentActivation sent) {
@@ -80,7 +84,7 @@ final class Questions {
 
     /** The other names of a robot that the session remembers. */
     private String called(String robot) {
-        return rules.state.memory.get(Reserved.DESCRIPTION_KEY + robot) instanceof TextValue text ? text.value() : "";
+        return step.state.memory.get(Reserved.DESCRIPTION_KEY + robot) instanceof TextValue text ? text.value() : "";
     }
 
     /** The robots that entered; where none did, those that stand in the place; else all known ones. */
@@ -90,7 +94,7 @@ final class Questions {
             return entered;
         }
         Set<String> standing = standing(sent);
-        return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
+        return standing.isEmpty() ? List.copyOf(step.state.proxies) : List.copyOf(standing);
     }
 
     private static Set<String> standing(SentActivation sent) {
@@ -112,7 +116,7 @@ final class Questions {
         if (open.purpose != OpenDecision.Purpose.ACTIVATION) {
             return List.of();
         }
-        List<String> all = List.copyOf(rules.state.proxies);
+        List<String> all = List.copyOf(step.state.proxies);
         if (!sent.activation.proxies().isEmpty()) {
             all = sent.activation.proxies().stream()
                     .filter(robot -> isIn(sent, new Token.Proxy(robot)))
@@ -125,7 +129,7 @@ final class Questions {
 
     /** Whether a robot, or a task that it has, is still in the visit that asked. */
     private boolean isIn(SentActivation sent, Token robot) {
-        for (Token token : rules.pendings.tokensOf(robot, sent)) {
+        for (Token token : pendings.tokensOf(robot, sent)) {
             if (sent.visit.has(token)) {
                 return true;
             }
@@ -144,7 +148,7 @@ final class Questions {
                 .flatMap(type -> type.field(field))
                 .map(FieldType::type)
                 .filter(ValueType.ListOf.class::isInstance)
-                .map(list -> rules.variables.valuesInScope(sent.mission(), ((ValueType.ListOf) list).element()))
+                .map(list -> variables.valuesInScope(sent.mission(), ((ValueType.ListOf) list).element()))
                 .orElse(List.of());
     }
 
@@ -152,7 +156,7 @@ final class Questions {
         Value named = sent.activation.values().get(Reserved.VARIABLE_CLASS);
         return Optional.ofNullable(named)
                 .flatMap(value -> TypeNames.parse(CompiledInput.text(value)))
-                .map(type -> rules.variables.namesInScope(sent.mission(), type).stream()
+                .map(type -> variables.namesInScope(sent.mission(), type).stream()
                         .<Value>map(VariableReference::new)
                         .toList())
                 .orElse(List.of());
@@ -160,7 +164,7 @@ final class Questions {
 
     private List<Question.Item> fieldsOf(String inputEvent) {
         List<Question.Item> items = new ArrayList<>();
-        for (FieldType f : rules.project()
+        for (FieldType f : step.project()
                 .vocabulary
                 .event(inputEvent)
                 .map(EventType::fields)
@@ -188,8 +192,8 @@ final class Questions {
     }
 
     private Question.Item item(SentActivation sent, String name) {
-        VariableSpec declared = rules.variables.declaration(sent.mission(), name);
-        Optional<Value> current = Optional.ofNullable(rules.variables.read(sent.mission(), name));
+        VariableSpec declared = variables.declaration(sent.mission(), name);
+        Optional<Value> current = Optional.ofNullable(variables.read(sent.mission(), name));
         ValueType type = declared == null ? ValueType.Simple.ANY : declared.type();
         return new Question.Item(name, type, "", current, true, "New value of " + name);
     }

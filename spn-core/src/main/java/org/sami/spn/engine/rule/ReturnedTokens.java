@@ -20,28 +20,29 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-SUB-4.
  */
 final class ReturnedTokens {
-    private final Rules rules;
+    private final TokenPool pool;
     private final TransitionState t;
     private final CompiledTransition.Out out;
     private final OutRequirement requirement;
-    private final Selection.Selected result;
+    private final Selected result;
     private final List<Token> added;
     private final long firing;
     private final long edge;
     private final long pick;
-    private final List<Selection.UsedReturn> used = new ArrayList<>(0);
+    private final List<Selected.UsedReturn> used = new ArrayList<>(0);
     private int left;
 
     ReturnedTokens(
-            Rules rules,
+            RuleStep step,
+            TokenPool pool,
             TransitionState t,
             CompiledTransition.Out out,
             OutRequirement requirement,
-            Selection.Selected result,
+            Selected result,
             List<Token> added,
             long firing,
             long edge) {
-        this.rules = rules;
+        this.pool = pool;
         this.t = t;
         this.out = out;
         this.requirement = requirement;
@@ -49,7 +50,7 @@ final class ReturnedTokens {
         this.added = added;
         this.firing = firing;
         this.edge = edge;
-        this.pick = ++rules.state.stamp;
+        this.pick = ++step.state.stamp;
         this.left = requirement.takesAll() ? Integer.MAX_VALUE : requirement.n();
     }
 
@@ -58,7 +59,7 @@ final class ReturnedTokens {
             PlaceState state = t.mission.places[place.index];
             if (state != null) {
                 PairedReturns paired = PairedReturns.in(state, scope);
-                List<PlacedToken> returned = rules.pool.returned(state, scope, paired);
+                List<PlacedToken> returned = pool.returned(state, scope, paired);
                 if (paired != null && paired.limit()) {
                     selectReturned(paired, returned);
                 }
@@ -113,19 +114,19 @@ final class ReturnedTokens {
         left--;
         if (standing != null) {
             standing.pickedBy = pick;
-            Selection.use(standing, requirement.action(), out, result, added, firing, edge);
+            result.use(standing, requirement.action(), out, added, firing, edge);
             return;
         }
         if (requirement.action() != Action.ADD) {
-            useUp(new Selection.UsedReturn(instance, token));
+            useUp(new Selected.UsedReturn(instance, token));
         }
         if (requirement.action() != Action.CONSUME && (token.equals(Token.GENERIC) || !added.contains(token))) {
-            Selection.make(token, out, result, added);
+            result.make(token, out, added);
         }
     }
 
     /** Each requirement selects from the same tokens: what several select is used up once. */
-    private void useUp(Selection.UsedReturn token) {
+    private void useUp(Selected.UsedReturn token) {
         used.add(token);
         if (Collections.frequency(result.usedReturns, token) < Collections.frequency(used, token)) {
             result.usedReturns.add(token);

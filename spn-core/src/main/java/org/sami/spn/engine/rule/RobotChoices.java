@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.state.MissionState;
@@ -19,12 +20,24 @@ import org.sami.spn.protocol.Question;
  * <p>Implements R-DEC-8, R-DEC-10.
  */
 public final class RobotChoices {
-    private final Rules rules;
+    private final RuleStep step;
     private final Questions questions;
+    private final OpenQuestions asked;
+    private final Timers timers;
+    private final Consumer<OpenDecision> autonomy;
 
-    RobotChoices(Rules rules, Questions questions) {
-        this.rules = rules;
+    /**
+     * The choices of a state.
+     *
+     * @param autonomy answers a question that is not left to the operator
+     */
+    RobotChoices(
+            RuleStep step, Questions questions, OpenQuestions asked, Timers timers, Consumer<OpenDecision> autonomy) {
+        this.step = step;
         this.questions = questions;
+        this.asked = asked;
+        this.timers = timers;
+        this.autonomy = autonomy;
     }
 
     /**
@@ -34,7 +47,7 @@ public final class RobotChoices {
      * @param how what became of them, as the end of a sentence: {@code dropped}
      */
     void gone(Map<MissionState, Set<String>> gone, String how) {
-        for (OpenDecision open : List.copyOf(rules.state.decisions.values())) {
+        for (OpenDecision open : List.copyOf(step.state.decisions.values())) {
             Set<String> without = gone.getOrDefault(open.mission, Set.of());
             if (open.decision.question() instanceof Question.ChooseProxies choice
                     && choice.proxies().stream().anyMatch(without::contains)) {
@@ -49,8 +62,8 @@ public final class RobotChoices {
                 if (tooFew(left, choice) && filtered(open) && all.size() > left.size()) {
                     askAll(open, all, who);
                 } else if (left.isEmpty() && open.purpose == OpenDecision.Purpose.INTERRUPT_CHOICE) {
-                    rules.decisions.close(open);
-                    rules.note(
+                    asked.close(open);
+                    step.note(
                             NoteKind.INTERRUPT_REFUSED,
                             open.mission.id,
                             "Nobody is left for the interrupt '" + open.subject + "': " + who);
@@ -92,7 +105,7 @@ public final class RobotChoices {
     private void askAll(OpenDecision open, List<String> all, String why) {
         Question.ChooseProxies choice = (Question.ChooseProxies) open.decision.question();
         askAgain(open, new Question.ChooseProxies(all, choice.min(), choice.max()), why);
-        rules.note(
+        step.note(
                 NoteKind.GONE,
                 open.mission.id,
                 "The filter of '" + open.decision.prompt() + "' leaves too few (" + why + "): all are offered again");
@@ -101,9 +114,9 @@ public final class RobotChoices {
     private void askAgain(OpenDecision open, Question.ChooseProxies question, String why) {
         Decision before = open.decision;
         OptionalLong deadline = open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();
-        rules.decisions.close(open);
+        asked.close(open);
         Decision decision = new Decision(
-                ++rules.state.lastDecision,
+                ++step.state.lastDecision,
                 before.mission(),
                 before.activation(),
                 before.type(),
@@ -118,17 +131,17 @@ public final class RobotChoices {
         if (open.sent != null) {
             open.sent.decision = again;
         }
-        rules.decisions.add(again);
-        deadline.ifPresent(at -> again.deadline = rules.timers.deadline(again, at - rules.state.now));
+        asked.add(again);
+        deadline.ifPresent(at -> again.deadline = timers.deadline(again, at - step.state.now));
         if (question.proxies().isEmpty()) {
-            rules.note(
+            step.note(
                     NoteKind.NAMES_NOBODY,
                     open.mission.id,
                     "Nobody is left to choose for '" + before.prompt() + "': " + why);
         } else if (open.sent != null
                 && open.sent.output.trigger == CompiledOutput.Trigger.IMMEDIATELY
                 && decision.automatic().isPresent()) {
-            rules.post(() -> rules.decisions.byAutonomy(again)); // it had not come to answer the one before
+            step.post(() -> autonomy.accept(again)); // it had not come to answer the one before
         }
     }
 }

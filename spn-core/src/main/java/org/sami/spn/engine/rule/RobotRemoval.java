@@ -26,11 +26,11 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-TOK-5, R-TOK-6, R-TOK-7.
  */
 public final class RobotRemoval {
-    private final Rules rules;
+    private final MissionRules rules;
     /** Robots that instances have lost, by mission; their choices are to be asked again. */
     private final Map<MissionState, Set<String>> withdrawn = new LinkedHashMap<>();
 
-    public RobotRemoval(Rules rules) {
+    public RobotRemoval(MissionRules rules) {
         this.rules = rules;
     }
 

@@ -53,10 +53,14 @@ public final class Routing {
         }
     }
 
-    private final Rules rules;
+    private final RuleStep step;
+    private final Enabling enabling;
+    private final PendingOccurrences pendings;
 
-    public Routing(Rules rules) {
-        this.rules = rules;
+    Routing(RuleStep step, Enabling enabling, PendingOccurrences pendings) {
+        this.step = step;
+        this.enabling = enabling;
+        this.pendings = pendings;
     }
 
     /** Brings an occurrence to the transitions that it is for, or notes why there is none; returns whether there is one. */
@@ -70,8 +74,8 @@ public final class Routing {
      * @param offered robots that the choice offered because they stood in its place
      */
     boolean route(Occurrence o, List<String> offered) {
-        int type = rules.project().knownTypeId(o.type());
-        SentActivation sent = o.activation() == Ids.NONE ? null : rules.state.sent.get(o.activation());
+        int type = step.project().knownTypeId(o.type());
+        SentActivation sent = o.activation() == Ids.NONE ? null : step.state.sent.get(o.activation());
         Fate fate = new Fate(offered);
         if (type >= 0) {
             if (o.activation() == Ids.NONE) {
@@ -89,10 +93,10 @@ public final class Routing {
         if (!fate.received) {
             discarded(o, sent, fate);
         } else if (!fate.gone.isEmpty()) {
-            rules.note(
+            step.note(
                     NoteKind.GONE,
                     sent.activation.mission(),
-                    o.type() + " is taken without " + SubMissions.words(List.copyOf(fate.gone)) + ", who is gone");
+                    o.type() + " is taken without " + TokenWords.of(List.copyOf(fate.gone)) + ", who is gone");
         }
         return fate.received;
     }
@@ -104,15 +108,15 @@ public final class Routing {
      * @param isChoice whether an answer that names nobody is none, whatever transitions ask for (R-DEC-5)
      */
     boolean namesOnlyGone(Occurrence o, SentActivation sent, List<String> offered, boolean isChoice) {
-        int type = rules.project().knownTypeId(o.type());
+        int type = step.project().knownTypeId(o.type());
         boolean onlyGone = false;
         for (CompiledTransition t : sent.visit.place.place.outTransitions) {
             for (CompiledInput input : t.inputs) {
                 if (input.typeId == type && !input.isPress() && o.namesSomebody()) {
                     TransitionState state = sent.mission().transition(t.index);
                     List<Token> names = PendingOccurrences.names(o, input.role);
-                    PendingOccurrence p = rules.pendings.make(state, input, o, names, sent, null);
-                    rules.pendings.strikeGone(state, p, offered);
+                    PendingOccurrence p = pendings.make(state, input, o, names, sent, null);
+                    pendings.strikeGone(state, p, offered);
                     if (p.names.length > 0 || !(isChoice || asksForNames(t, o))) {
                         return false;
                     }
@@ -140,13 +144,13 @@ public final class Routing {
     /** News to one mission or to all, in order of their ids; an answer in the mission that asked. */
     private void news(Occurrence o, int type, SentActivation asked, Fate fate) {
         if (o.mission() != Ids.NONE) {
-            MissionState m = rules.state.missions.get(o.mission());
+            MissionState m = step.state.missions.get(o.mission());
             if (m != null) {
                 newsIn(m, o, type, fate);
             }
             return;
         }
-        for (MissionState m : rules.state.attentive(type).values()) {
+        for (MissionState m : step.state.attentive(type).values()) {
             if (asked != null && m == asked.mission()) {
                 answer(o, type, asked, fate);
             } else {
@@ -176,9 +180,8 @@ public final class Routing {
         }
         TransitionState state = m.transition(t.index);
         List<Token> names = PendingOccurrences.names(o, input.role);
-        PendingOccurrence p = rules.pendings.make(state, input, o, names, sent, null);
-        List<Token> gone =
-                sent == null || input.isPress() ? List.of() : rules.pendings.strikeGone(state, p, fate.offered);
+        PendingOccurrence p = pendings.make(state, input, o, names, sent, null);
+        List<Token> gone = sent == null || input.isPress() ? List.of() : pendings.strikeGone(state, p, fate.offered);
         if (sent != null && p.names.length == 0 && !input.isPress() && asksForNames(t, o)) {
             fate.namesNobody |= !sent.visit.ended; // else there is no question that stays open: it is late
             fate.onlyGone.addAll(gone);
@@ -190,7 +193,7 @@ public final class Routing {
         if (t.mustHaveRelevant && (t.inputs.length == 1 || p.names.length > 0) && !anyHere(m, t, p)) {
             return;
         }
-        rules.pendings.add(state, p);
+        pendings.add(state, p);
         fate.received = true;
         fate.gone.addAll(gone);
     }
@@ -215,7 +218,7 @@ public final class Routing {
     }
 
     private boolean needsTokens(Occurrence o) {
-        return rules.project()
+        return step.project()
                 .vocabulary
                 .event(o.type())
                 .map(EventType::tokens)
@@ -264,7 +267,7 @@ public final class Routing {
             return true;
         }
         for (PlacedToken e = visit.first; e != null; e = e.nextOfVisit) {
-            if (!rules.enabling.wantsAbsence(t, visit.place.place, e.token, false)) {
+            if (!enabling.wantsAbsence(t, visit.place.place, e.token, false)) {
                 return true;
             }
         }
@@ -276,9 +279,7 @@ public final class Routing {
             for (Token token : n.tokens) {
                 for (CompiledPlace place : t.inPlaces) {
                     PlaceState state = m.places[place.index];
-                    if (state != null
-                            && state.find(token) != null
-                            && !rules.enabling.wantsAbsence(t, place, token, true)) {
+                    if (state != null && state.find(token) != null && !enabling.wantsAbsence(t, place, token, true)) {
                         return true;
                     }
                 }
@@ -288,30 +289,29 @@ public final class Routing {
     }
 
     private void discarded(Occurrence o, SentActivation sent, Fate fate) {
-        EventType type = rules.project().vocabulary.event(o.type()).orElse(null);
+        EventType type = step.project().vocabulary.event(o.type()).orElse(null);
         if (type != null && type.flags().contains(EventFlag.COALESCE)) {
-            rules.state.discardedNews.merge(type.name(), 1L, Long::sum);
+            step.state.discardedNews.merge(type.name(), 1L, Long::sum);
             return;
         }
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();
         if (type != null && type.role().isInterrupt()) {
-            rules.interrupts.untaken(o);
+            new UntakenPresses(step).note(o);
         } else if (fate.namesNobody && !fate.onlyGone.isEmpty()) {
-            String who = SubMissions.words(List.copyOf(fate.onlyGone));
-            rules.note(
+            String who = TokenWords.of(List.copyOf(fate.onlyGone));
+            step.note(
                     NoteKind.DISCARDED,
                     mission,
                     o.type() + " is discarded: it names nobody but " + who + ", who is gone");
         } else if (fate.namesNobody) {
-            rules.note(
-                    NoteKind.NAMES_NOBODY, mission, o.type() + " names nobody though robots or tasks were asked for");
+            step.note(NoteKind.NAMES_NOBODY, mission, o.type() + " names nobody though robots or tasks were asked for");
         } else if (o.activation() != Ids.NONE && (sent == null || !sent.open)) {
-            rules.note(
+            step.note(
                     NoteKind.LATE,
                     mission,
                     o.type() + " answers activation " + o.activation() + ", whose visit has ended");
         } else {
-            rules.note(NoteKind.DISCARDED, mission, "No transition waits for " + o.type() + named(o));
+            step.note(NoteKind.DISCARDED, mission, "No transition waits for " + o.type() + named(o));
         }
     }
 

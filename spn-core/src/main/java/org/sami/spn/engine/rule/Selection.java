@@ -3,10 +3,8 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
@@ -15,43 +13,31 @@ import org.sami.spn.model.Action;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Token;
-import org.sami.spn.protocol.TokenMove;
 
 /**
  * Which tokens a firing removes and adds: every out requirement selects on its own from one pool, before anything
  * moves (thesis 4.1.3).
  *
- * <p>Implements R-TOK-3, R-OUT-1, R-OUT-3, R-OUT-4, R-OUT-5, R-OUT-6.
+ * <p>Implements R-TOK-3, R-OUT-1, R-OUT-3, R-OUT-4, R-OUT-5.
  */
 final class Selection {
-    /** A returned token that a firing uses though no token of the parent stands for it. */
-    record UsedReturn(Instance instance, Token token) {}
-
-    /** What a firing will do. */
-    static final class Selected {
-        final List<PlacedToken> removed = new ArrayList<>(4);
-        final List<List<Token>> added = new ArrayList<>(4);
-        final List<TokenMove> moves = new ArrayList<>(4);
-        /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
-        final List<Token> made = new ArrayList<>(0);
-
-        final List<UsedReturn> usedReturns = new ArrayList<>(0);
-        final List<String> shortOf = new ArrayList<>(0);
-    }
-
-    private final Rules rules;
+    private final RuleStep step;
+    private final Enabling enabling;
+    private final TokenPool pool;
     private final List<PlacedToken> picked = new ArrayList<>();
 
-    Selection(Rules rules) {
-        this.rules = rules;
+    Selection(RuleStep step, Enabling enabling, TokenPool pool) {
+        this.step = step;
+        this.enabling = enabling;
+        this.pool = pool;
     }
 
     Selected select(TransitionState t, RelevantTokens relevant, FiringScope scope) {
         Selected result = new Selected();
-        long firing = ++rules.state.stamp;
+        long firing = ++step.state.stamp;
         for (CompiledTransition.Out out : t.transition.outs) {
             List<Token> added = new ArrayList<>(2);
-            long edge = ++rules.state.stamp;
+            long edge = ++step.state.stamp;
             result.made.clear();
             for (OutRequirement r : out.requirements()) {
                 select(t, out, r, relevant, scope, result, added, firing, edge);
@@ -77,7 +63,7 @@ final class Selection {
         }
         if (adds && r.kind() == TokenKind.GENERIC && !r.takesAll()) {
             for (int i = 0; i < r.n(); i++) {
-                make(Token.GENERIC, out, result, added);
+                result.make(Token.GENERIC, out, added);
             }
             return;
         }
@@ -86,7 +72,7 @@ final class Selection {
             return;
         }
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
-            new ReturnedTokens(rules, t, out, r, result, added, firing, edge).select(scope);
+            new ReturnedTokens(step, pool, t, out, r, result, added, firing, edge).select(scope);
             return;
         }
         picked.clear();
@@ -96,43 +82,9 @@ final class Selection {
             pick(t, r, scope, result);
         }
         for (PlacedToken e : picked) {
-            use(e, r.action(), out, result, added, firing, edge);
+            result.use(e, r.action(), out, added, firing, edge);
         }
         picked.clear();
-    }
-
-    /** Applies an action to one selected token of the pool. */
-    static void use(
-            PlacedToken e,
-            Action action,
-            CompiledTransition.Out out,
-            Selected result,
-            List<Token> added,
-            long firing,
-            long edge) {
-        Optional<String> from = Optional.empty();
-        if (action != Action.ADD && e.removedBy != firing) {
-            e.removedBy = firing;
-            result.removed.add(e);
-            from = e.place.place.inMoves;
-        }
-        Optional<String> to = Optional.empty();
-        if (action != Action.CONSUME && e.addedBy != edge && !result.made.contains(e.token)) {
-            e.addedBy = edge;
-            added.add(e.token);
-            to = out.place().inMoves;
-        }
-        if (from.isPresent() || to.isPresent()) {
-            result.moves.add(new TokenMove(e.token, from, to));
-        }
-    }
-
-    static void make(Token token, CompiledTransition.Out out, Selected result, List<Token> added) {
-        added.add(token);
-        if (token != Token.GENERIC) {
-            result.made.add(token);
-        }
-        result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));
     }
 
     private void pick(TransitionState t, OutRequirement r, FiringScope scope, Selected result) {
@@ -150,12 +102,11 @@ final class Selection {
     }
 
     private int pickIn(PlaceState state, OutRequirement r, int limit, FiringScope scope) {
-        TokenPool pool = rules.pool;
         return switch (r.kind()) {
             case GENERIC -> pool.collect(state, PlacedToken.GENERIC, limit, scope, null, picked);
             case ANY_PROXY -> pool.collect(state, PlacedToken.PROXY, limit, scope, null, picked);
             case ANY_TASK -> pool.collect(state, PlacedToken.TASK, limit, scope, null, picked);
-            case TASK -> pool.collect(state, PlacedToken.TASK, limit, scope, rules.enabling.isTask(r.task()), picked);
+            case TASK -> pool.collect(state, PlacedToken.TASK, limit, scope, enabling.isTask(r.task()), picked);
             default -> pool.collectAny(state, limit, scope, picked);
         };
     }
@@ -169,7 +120,7 @@ final class Selection {
             if (chosen.size() < wanted && !chosen.contains(n.token)) {
                 chosen.add(n.token);
                 if (!added.contains(n.token)) {
-                    make(n.token, out, result, added);
+                    result.make(n.token, out, added);
                 }
             }
         }
@@ -185,7 +136,7 @@ final class Selection {
             for (CompiledPlace place : places) {
                 PlaceState state = t.mission.places[place.index];
                 if (state != null) {
-                    rules.pool.collectCopies(state, token, scope, picked);
+                    pool.collectCopies(state, token, scope, picked);
                 }
             }
         }

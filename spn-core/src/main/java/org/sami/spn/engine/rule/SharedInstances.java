@@ -21,9 +21,9 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-SHR-1, R-SHR-2, R-SHR-5, R-SHR-7, R-SHR-8.
  */
 final class SharedInstances {
-    private final Rules rules;
+    private final MissionRules rules;
 
-    SharedInstances(Rules rules) {
+    SharedInstances(MissionRules rules) {
         this.rules = rules;
     }
 
@@ -64,7 +64,7 @@ final class SharedInstances {
         }
         run.instance.starting.addAll(v.entered);
         List<Token> tokens = new ArrayList<>();
-        v.entered.forEach(token -> tokens.add(SubMissions.toChild(child, token)));
+        v.entered.forEach(token -> tokens.add(ChildTokens.toChild(child, token)));
         if (child.status == MissionStatus.WAITING) {
             child.addWaiting(tokens);
         } else if (child.runs()) {
@@ -78,7 +78,7 @@ final class SharedInstances {
             rules.note(
                     NoteKind.NOT_RETURNED,
                     place.mission.id,
-                    "'" + place.place + "' was entered by " + SubMissions.words(v.entered)
+                    "'" + place.place + "' was entered by " + TokenWords.of(v.entered)
                             + " when its shared sub-mission '"
                             + place.place.shared.get(instance.specIndex).plan()
                             + "' was over: nothing comes back from it; an interrupt or an abort takes them out");
@@ -96,7 +96,7 @@ final class SharedInstances {
         rules.removal.remove(entries);
         for (PlacedToken e : entries) {
             rules.removal.left(e, before, false);
-            Token token = SubMissions.toParent(child, e.token);
+            Token token = ChildTokens.toParent(child, e.token);
             if (token != null) {
                 tokens.add(token);
             }
@@ -175,7 +175,7 @@ final class SharedInstances {
         forget(run, token);
         MissionState child = run.instance.child;
         if (child != null) {
-            rules.robotRemoval.takeOut(child, SubMissions.toChild(child, token));
+            rules.robotRemoval.takeOut(child, ChildTokens.toChild(child, token));
         }
     }
 
@@ -194,7 +194,7 @@ final class SharedInstances {
                 rules.note(
                         NoteKind.DISCARDED,
                         run.instance.place.mission.id,
-                        "The unused return of " + SubMissions.words(List.of(token)) + " from the sub-mission on '"
+                        "The unused return of " + TokenWords.of(List.of(token)) + " from the sub-mission on '"
                                 + run.instance.place.place + "' is void: it was taken out of that place");
                 if (r.tokens.isEmpty()) {
                     over(r);

@@ -19,13 +19,15 @@ import org.sami.spn.vocabulary.FieldType;
  * <p>Implements R-ACT-4.
  */
 final class StartParameters {
-    private final Rules rules;
+    private final RuleStep step;
+    private final Variables declarations;
     private final CompiledPlan plan;
     private final Map<String, Value> given = new LinkedHashMap<>();
     private final Map<String, Value> variables = new LinkedHashMap<>();
 
-    StartParameters(Rules rules, CompiledPlan plan) {
-        this.rules = rules;
+    StartParameters(RuleStep step, Variables declarations, CompiledPlan plan) {
+        this.step = step;
+        this.declarations = declarations;
         this.plan = plan;
     }
 
@@ -55,7 +57,7 @@ final class StartParameters {
         if (declared == null) {
             return Optional.of("The plan '" + plan.plan.name() + "' knows no variable " + name);
         }
-        if (!rules.variables.fits(declared, value)) {
+        if (!declarations.fits(declared, value)) {
             return Optional.of("The variable " + name + " cannot be " + value + ": it is of another type");
         }
         variables.put(name, value);
@@ -79,7 +81,7 @@ final class StartParameters {
         if (!f.source().editable()) {
             return Optional.of("The parameter '" + key + "' is locked");
         }
-        if (!TypeCheck.accepts(typeOf(f), value, rules.project().vocabulary.types())) {
+        if (!TypeCheck.accepts(typeOf(f), value, step.project().vocabulary.types())) {
             return Optional.of("The parameter '" + key + "' cannot be " + value + ": it is of another type");
         }
         given.put(f.key(), value);

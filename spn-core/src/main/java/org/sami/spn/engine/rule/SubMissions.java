@@ -30,25 +30,16 @@ import org.sami.spn.vocabulary.EventRole;
 /**
  * Starts dynamic instances, takes robots out of them, and brings their ends to the parent.
  *
- * <p>Implements R-LOOK-10, R-INT-7, R-TASK-5, R-SUB-1, R-SUB-5, R-SUB-7, R-SUB-8, R-SUB-9.
+ * <p>Implements R-LOOK-10, R-INT-7, R-SUB-1, R-SUB-5, R-SUB-8, R-SUB-9.
  */
 public final class SubMissions {
     /** Instances within instances that are allowed; a plan that starts itself would go on forever. */
     private static final int DEEPEST = 100;
 
-    private final Rules rules;
+    private final MissionRules rules;
 
-    public SubMissions(Rules rules) {
+    public SubMissions(MissionRules rules) {
         this.rules = rules;
-    }
-
-    /** The specification by which a mission runs in its parent, null for a root. */
-    public static SubMissionSpec specOf(MissionState m) {
-        if (m.instance == null) {
-            return null;
-        }
-        CompiledPlace place = m.instance.place.place;
-        return (m.instance.isShared() ? place.shared : place.dynamic).get(m.instance.specIndex);
     }
 
     /** Tokens, or nobody, entered a place: dynamic instances start, static ones are joined. */
@@ -78,7 +69,7 @@ public final class SubMissions {
             MissionState child = make(instance, specs.get(instance.specIndex));
             if (child != null) {
                 List<Token> tokens = new ArrayList<>();
-                v.entered.forEach(token -> tokens.add(toChild(child, token)));
+                v.entered.forEach(token -> tokens.add(ChildTokens.toChild(child, token)));
                 child.tasks.values().stream()
                         .filter(t -> t.original == null && !isMapped(child, t))
                         .forEach(t -> tokens.add(new Token.Task(t.id)));
@@ -127,28 +118,7 @@ public final class SubMissions {
     }
 
     private static boolean isMapped(MissionState child, TaskState task) {
-        return specOf(child).tasks().containsValue(task.id.name());
-    }
-
-    /** A parent's token as its child names it. */
-    public static Token toChild(MissionState child, Token token) {
-        if (token instanceof Token.Task task) {
-            for (TaskState own : child.tasks.values()) {
-                if (own.original != null && own.original.id.equals(task.task())) {
-                    return new Token.Task(own.id);
-                }
-            }
-        }
-        return token;
-    }
-
-    /** A child's token as its parent names it; null for a task of the child's own. */
-    public static Token toParent(MissionState child, Token token) {
-        if (token instanceof Token.Task task && task.task().mission() == child.id) {
-            TaskState own = child.tasks.get(task.task().name());
-            return own == null || own.original == null ? null : new Token.Task(own.original.id);
-        }
-        return token;
+        return child.subMission().tasks().containsValue(task.id.name());
     }
 
     /** Takes what stands in the end places of a mission that ends as its returned tokens, and its return value. */
@@ -157,7 +127,7 @@ public final class SubMissions {
         for (PlaceState place : m.places) {
             if (place != null && place.place.isEnd()) {
                 for (PlacedToken e : place.inOrder()) {
-                    Token token = toParent(m, e.token);
+                    Token token = ChildTokens.toParent(m, e.token);
                     if (token != null) {
                         m.instance.returned.add(token);
                     }
@@ -179,7 +149,8 @@ public final class SubMissions {
             rules.note(
                     NoteKind.NOT_RETURNED,
                     instance.place.mission.id,
-                    "From the sub-mission on '" + instance.place.place + "' did not come back: " + words(missing));
+                    "From the sub-mission on '" + instance.place.place + "' did not come back: "
+                            + TokenWords.of(missing));
         }
         complete(instance.visit);
     }
@@ -250,7 +221,7 @@ public final class SubMissions {
             }
         }
         if (!received) {
-            rules.decisions.openAborted(instance, words(instance.starting));
+            rules.questions.openAborted(instance, TokenWords.of(instance.starting));
         }
     }
 
@@ -277,7 +248,7 @@ public final class SubMissions {
             return;
         }
         if (PlacedToken.kindOf(token) != PlacedToken.GENERIC && !instance.visit.has(token)) {
-            rules.robotRemoval.takeOut(instance.child, toChild(instance.child, token));
+            rules.robotRemoval.takeOut(instance.child, ChildTokens.toChild(instance.child, token));
         }
         if (instance.starting.isEmpty()) {
             instance.status = Instance.Status.ABORTED;
@@ -293,22 +264,8 @@ public final class SubMissions {
         }
         for (OpenDecision d : List.copyOf(instance.place.mission.decisions.values())) {
             if (d.instance == instance) {
-                rules.decisions.close(d);
+                rules.questions.close(d);
             }
         }
-    }
-
-    public static String words(List<Token> tokens) {
-        List<String> words = new ArrayList<>();
-        for (Token token : tokens) {
-            if (token instanceof Token.Proxy proxy) {
-                words.add(proxy.proxy());
-            } else if (token instanceof Token.Task task) {
-                words.add("task " + task.task().name());
-            } else {
-                words.add("a generic token");
-            }
-        }
-        return words.isEmpty() ? "nobody" : String.join(", ", words);
     }
 }

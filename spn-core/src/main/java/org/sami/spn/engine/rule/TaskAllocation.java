@@ -30,10 +30,12 @@ import org.sami.spn.vocabulary.Reserved;
  * <p>Implements R-TASK-1, R-TASK-2, R-TASK-3, R-TASK-4.
  */
 public final class TaskAllocation {
-    private final Rules rules;
+    private final RuleStep step;
+    private final PendingOccurrences pendings;
 
-    public TaskAllocation(Rules rules) {
-        this.rules = rules;
+    TaskAllocation(RuleStep step, PendingOccurrences pendings) {
+        this.step = step;
+        this.pendings = pendings;
     }
 
     /** Allocates or releases tasks, as an input. */
@@ -41,14 +43,14 @@ public final class TaskAllocation {
         List<TaskState> tasks = new ArrayList<>();
         Map<TaskId, String> before = new LinkedHashMap<>();
         allocation.forEach((task, robot) -> {
-            TaskState state = rules.task(task);
+            TaskState state = step.task(task);
             if (state == null) {
-                rules.note(
+                step.note(
                         NoteKind.REJECTED_INPUT,
-                        rules.state.missions.containsKey(task.mission()) ? task.mission() : Ids.NONE,
+                        step.state.missions.containsKey(task.mission()) ? task.mission() : Ids.NONE,
                         "There is no task '" + task.name() + "' of a running mission " + task.mission());
-            } else if (robot.isPresent() && !rules.state.proxies.contains(robot.get())) {
-                rules.note(
+            } else if (robot.isPresent() && !step.state.proxies.contains(robot.get())) {
+                step.note(
                         NoteKind.REJECTED_INPUT,
                         task.mission(),
                         "Task '" + task.name() + "' cannot be allocated to '" + robot.get()
@@ -84,7 +86,7 @@ public final class TaskAllocation {
         if (!tasks.isEmpty()) {
             Map<TaskId, Optional<String>> robots = new LinkedHashMap<>();
             tasks.forEach(task -> robots.put(task.id, Optional.of(task.proxy()).filter(robot -> !robot.isEmpty())));
-            rules.emit(new Effect.TasksAllocated(robots, before, priority));
+            step.emit(new Effect.TasksAllocated(robots, before, priority));
         }
     }
 
@@ -95,7 +97,7 @@ public final class TaskAllocation {
             tasks = record.field(Reserved.TASKS).orElse(null);
         }
         if (!(tasks instanceof MapValue map)) {
-            rules.note(
+            step.note(
                     NoteKind.HANDLER_FAILED,
                     sent.mission().id,
                     sent.activation.type() + " at '" + sent.visit.place.place + "' has no allocation");
@@ -111,10 +113,10 @@ public final class TaskAllocation {
     }
 
     private void renewNames() {
-        for (MissionState m : rules.state.missions.values()) {
+        for (MissionState m : step.state.missions.values()) {
             for (TransitionState t : m.transitions) {
                 if (t != null && t.pending > 0) {
-                    rules.pendings.renewNames(t);
+                    pendings.renewNames(t);
                 }
             }
         }
@@ -122,7 +124,7 @@ public final class TaskAllocation {
 
     /** Adds tasks to a running mission; a reason where it cannot. */
     public Optional<String> add(Input.AddTasks input) {
-        MissionState m = rules.state.missions.get(input.mission());
+        MissionState m = step.state.missions.get(input.mission());
         if (m == null) {
             return Optional.of("There is no running mission " + input.mission());
         }
@@ -154,7 +156,7 @@ public final class TaskAllocation {
                 made.add(m.taskId(name));
             }
         } else {
-            rules.note(
+            step.note(
                     NoteKind.HANDLER_FAILED,
                     m.id,
                     sent.activation.type() + " at '" + sent.visit.place.place + "' has no list of locations");

@@ -16,9 +16,9 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-VIS-3, R-VIS-8.
  */
 final class TokenRemoval {
-    private final Rules rules;
+    private final MissionRules rules;
 
-    TokenRemoval(Rules rules) {
+    TokenRemoval(MissionRules rules) {
         this.rules = rules;
     }
 

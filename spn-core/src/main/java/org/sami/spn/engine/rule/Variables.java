@@ -23,10 +23,10 @@ public final class Variables {
     /** Where a name leads: a mission, or the globals where it is null, and the name there. */
     private record Place(MissionState owner, String name, VariableSpec declaration) {}
 
-    private final Rules rules;
+    private final RuleStep step;
 
-    public Variables(Rules rules) {
-        this.rules = rules;
+    Variables(RuleStep step) {
+        this.step = step;
     }
 
     /** A variable as a mission reads it, null mission = globals; null where it has no value. */
@@ -43,7 +43,7 @@ public final class Variables {
                 return value;
             }
         }
-        return projectOf(mission).globals.containsKey(name) ? rules.state.globals.get(name) : null;
+        return projectOf(mission).globals.containsKey(name) ? step.state.globals.get(name) : null;
     }
 
     /** The declaration that a write of a mission would meet, or null. */
@@ -55,18 +55,18 @@ public final class Variables {
     public boolean write(MissionState mission, String variable, Value value) {
         Place place = place(mission, variable);
         if (!fits(place.declaration, value)) {
-            rules.note(
+            step.note(
                     NoteKind.REJECTED_INPUT,
                     mission == null ? Ids.NONE : mission.id,
                     "The variable " + variable + " keeps its value: " + value + " is not of its type");
             return false;
         }
         if (place.owner == null) {
-            rules.state.globals.put(place.name, value);
+            step.state.globals.put(place.name, value);
         } else {
             place.owner.setVariable(place.name, value);
         }
-        rules.emit(new Effect.VariableWritten(place.owner == null ? Ids.NONE : place.owner.id, place.name, value));
+        step.emit(new Effect.VariableWritten(place.owner == null ? Ids.NONE : place.owner.id, place.name, value));
         return true;
     }
 
@@ -84,7 +84,7 @@ public final class Variables {
                 .map(name -> read(mission, name))
                 .filter(value -> value != null
                         && TypeCheck.accepts(
-                                type, value, rules.project().vocabulary.types()))
+                                type, value, step.project().vocabulary.types()))
                 .distinct()
                 .toList();
     }
@@ -101,7 +101,7 @@ public final class Variables {
     public boolean fits(VariableSpec declaration, Value value) {
         return declaration == null
                 || TypeCheck.accepts(
-                        declaration.type(), value, rules.project().vocabulary.types());
+                        declaration.type(), value, step.project().vocabulary.types());
     }
 
     private Place place(MissionState mission, String variable) {
@@ -127,11 +127,11 @@ public final class Variables {
 
     /** Whose globals a mission reads and writes: those of the project that it started with; with no mission, of the newest. */
     private CompiledProject projectOf(MissionState mission) {
-        return mission == null ? rules.project() : mission.plan.project;
+        return mission == null ? step.project() : mission.plan.project;
     }
 
     private static Map<String, String> mapping(MissionState m) {
-        SubMissionSpec spec = SubMissions.specOf(m);
+        SubMissionSpec spec = m.subMission();
         return spec == null ? Map.of() : spec.variables();
     }
 }

@@ -17,9 +17,9 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-VIS-1, R-VIS-5, R-OCC-9.
  */
 final class Visits {
-    private final Rules rules;
+    private final MissionRules rules;
 
-    Visits(Rules rules) {
+    Visits(MissionRules rules) {
         this.rules = rules;
     }
 
@@ -73,7 +73,7 @@ final class Visits {
             sent.open = false;
             rules.timers.cancelAll(sent);
             if (sent.decision != null) {
-                rules.decisions.close(sent.decision);
+                rules.questions.close(sent.decision);
             }
             rules.emit(new Effect.ActivationEnded(sent.activation.id()));
         }

@@ -3,6 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.PlaceState;
@@ -15,12 +16,17 @@ import org.sami.spn.engine.state.TransitionState;
  * <p>Implements R-LOOK-1, R-LOOK-2, R-LOOK-3, R-LOOK-5, R-LOOK-6.
  */
 final class WorkList {
-    private final Rules rules;
+    private final Consumer<TransitionState> look;
     private final ArrayDeque<TransitionState> list = new ArrayDeque<>();
     private final List<PlaceState> withdrawnFrom = new ArrayList<>();
 
-    WorkList(Rules rules) {
-        this.rules = rules;
+    /**
+     * An empty list.
+     *
+     * @param look looks at a transition whose mission runs
+     */
+    WorkList(Consumer<TransitionState> look) {
+        this.look = look;
     }
 
     void add(TransitionState t) {
@@ -82,7 +88,7 @@ final class WorkList {
         for (TransitionState t = list.poll(); t != null; t = list.poll()) {
             t.queued = false;
             if (t.mission.runs()) {
-                rules.firing.lookAt(t);
+                look.accept(t);
             }
         }
     }

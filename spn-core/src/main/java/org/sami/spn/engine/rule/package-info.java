@@ -5,6 +5,7 @@
  * answers to questions from outside. Knows {@code state} and {@code net}.
  *
  * <p>Read {@code WorkList}, {@code Enabling}, {@code Selection}, {@code Firing}, {@code Visits}, {@code Routing}, then the rest in
- * any order.
+ * any order. A rule gets those that it uses; only the rules of {@code MissionRules} know all of one another, as one ends what another
+ * began.
  */
 package org.sami.spn.engine.rule;

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledPlan;
+import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
@@ -162,5 +164,14 @@ public final class MissionState {
 
     public TaskId taskId(String task) {
         return new TaskId(id, task);
+    }
+
+    /** The specification by which it runs in its parent, null for a root. */
+    public SubMissionSpec subMission() {
+        if (instance == null) {
+            return null;
+        }
+        CompiledPlace place = instance.place.place;
+        return (instance.isShared() ? place.shared : place.dynamic).get(instance.specIndex);
     }
 }

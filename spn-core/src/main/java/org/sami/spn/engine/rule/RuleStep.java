@@ -1,0 +1,59 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayDeque;
+import java.util.function.Consumer;
+import org.sami.spn.engine.net.CompiledProject;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.value.TaskId;
+
+/** What all rules share during a step: the state that they change, its effects, and what the engine says to itself. */
+public final class RuleStep {
+    public final NetState state;
+
+    /** What the engine says to itself, taken one by one whenever the work list is empty. */
+    private final ArrayDeque<Runnable> ownInputs = new ArrayDeque<>();
+
+    private Consumer<? super Effect> sink = e -> {};
+
+    RuleStep(NetState state) {
+        this.state = state;
+    }
+
+    void begin(Consumer<? super Effect> effects) {
+        sink = effects;
+    }
+
+    void end() {
+        sink = e -> {};
+    }
+
+    void emit(Effect effect) {
+        sink.accept(effect);
+    }
+
+    void note(NoteKind kind, long mission, String message) {
+        sink.accept(new Effect.Noted(kind, mission, message));
+    }
+
+    /** Posts an input of the engine to itself, after earlier ones and after the work list. */
+    void post(Runnable ownInput) {
+        ownInputs.add(ownInput);
+    }
+
+    /** The next input of the engine to itself; null where there is none. */
+    Runnable nextOwnInput() {
+        return ownInputs.poll();
+    }
+
+    /** The project whose plans missions have that start now. */
+    CompiledProject project() {
+        return state.newest();
+    }
+
+    TaskState task(TaskId id) {
+        return state.task(id);
+    }
+}

@@ -1,0 +1,58 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.model.Action;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.protocol.TokenMove;
+
+/**
+ * What a firing will do.
+ *
+ * <p>Implements R-OUT-6.
+ */
+final class Selected {
+    /** A returned token that a firing uses though no token of the parent stands for it. */
+    record UsedReturn(Instance instance, Token token) {}
+
+    final List<PlacedToken> removed = new ArrayList<>(4);
+    final List<List<Token>> added = new ArrayList<>(4);
+    final List<TokenMove> moves = new ArrayList<>(4);
+    /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
+    final List<Token> made = new ArrayList<>(0);
+
+    final List<UsedReturn> usedReturns = new ArrayList<>(0);
+    final List<String> shortOf = new ArrayList<>(0);
+
+    /** Applies an action to one selected token of the pool. */
+    void use(PlacedToken e, Action action, CompiledTransition.Out out, List<Token> added, long firing, long edge) {
+        Optional<String> from = Optional.empty();
+        if (action != Action.ADD && e.removedBy != firing) {
+            e.removedBy = firing;
+            removed.add(e);
+            from = e.place.place.inMoves;
+        }
+        Optional<String> to = Optional.empty();
+        if (action != Action.CONSUME && e.addedBy != edge && !made.contains(e.token)) {
+            e.addedBy = edge;
+            added.add(e.token);
+            to = out.place().inMoves;
+        }
+        if (from.isPresent() || to.isPresent()) {
+            moves.add(new TokenMove(e.token, from, to));
+        }
+    }
+
+    /** Makes a token for an edge. */
+    void make(Token token, CompiledTransition.Out out, List<Token> added) {
+        added.add(token);
+        if (token != Token.GENERIC) {
+            made.add(token);
+        }
+        moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));
+    }
+}
