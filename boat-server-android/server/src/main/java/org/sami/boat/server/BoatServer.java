@@ -163,6 +163,11 @@ public final class BoatServer {
         return commander.isPresent() && !commanderLost;
     }
 
+    /** The client that commands now; empty for none. */
+    public Optional<String> commandedBy() {
+        return commander.filter(session -> !commanderLost).map(ServerSession::clientId);
+    }
+
     String boatId() {
         return config.boatId();
     }

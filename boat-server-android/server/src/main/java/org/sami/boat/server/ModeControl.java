@@ -36,7 +36,7 @@ final class ModeControl {
                 config.trackingError().map(TrackingError::positionM).orElse(0.0);
         GivingWay givingWay = new GivingWay(surroundings, vehicle, positionErrorM);
         PathFollower follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
-        LocalFrame home = here();
+        LocalFrame home = config.home().orElseGet(this::here);
         WaysHome waysHome = new WaysHome(home);
         path = new PathDrive(follower, waysHome);
         homeward = new HomewardDrive(config, vehicle, follower, waysHome, home);

@@ -17,8 +17,11 @@ final class SensorWatch {
         vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
     }
 
-    /** Whether a sensor is due. */
+    /** Whether a sensor is due. None is while the boat does not know where it is: a reading has a place. */
     boolean areDue(long nowMs) {
+        if (Double.isNaN(vehicle.latDeg() + vehicle.lonDeg())) {
+            return false;
+        }
         for (Slot slot : slots) {
             if (nowMs >= slot.dueMs) {
                 return true;

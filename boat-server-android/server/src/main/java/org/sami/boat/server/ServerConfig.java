@@ -6,6 +6,7 @@ import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.TrackingError;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /**
  * The configuration of one boat's server. Immutable; {@link Builder} refuses values out of range and names them. Everything holds until the server ends,
@@ -29,6 +30,7 @@ public final class ServerConfig {
     private final double metresPerPercent;
     private final int maxWaypoints;
     private final Optional<TrackingError> trackingError;
+    private final Optional<LocalFrame> home;
 
     private ServerConfig(Builder builder) {
         boatId = builder.boatId;
@@ -48,6 +50,7 @@ public final class ServerConfig {
         metresPerPercent = builder.metresPerPercent;
         maxWaypoints = builder.maxWaypoints;
         trackingError = builder.trackingError;
+        home = builder.home;
     }
 
     /** The defaults, for a boat and one start of its server. */
@@ -140,6 +143,11 @@ public final class ServerConfig {
         return trackingError;
     }
 
+    /** Where the boat returns to; empty for where it is at the start of its server. */
+    public Optional<LocalFrame> home() {
+        return home;
+    }
+
     /** Collects what differs from the defaults. */
     public static final class Builder {
         private final String boatId;
@@ -159,6 +167,7 @@ public final class ServerConfig {
         private double metresPerPercent;
         private int maxWaypoints = BoatDefaults.MAX_WAYPOINTS;
         private Optional<TrackingError> trackingError = Optional.empty();
+        private Optional<LocalFrame> home = Optional.empty();
 
         private Builder(String boatId, String bootId) {
             this.boatId = named("boat id", boatId);
@@ -252,6 +261,12 @@ public final class ServerConfig {
         /** How far the boat may be off its path: bases plan with it. */
         public Builder trackingError(TrackingError value) {
             trackingError = Optional.of(value);
+            return this;
+        }
+
+        /** Where the boat returns to, as one that was begun again does: it may be anywhere by then. */
+        public Builder home(double latDeg, double lonDeg) {
+            home = Optional.of(new LocalFrame(latDeg, lonDeg));
             return this;
         }
 

@@ -54,6 +54,16 @@ class RestoreTest {
     }
 
     @Test
+    void boatBegunAwayFromItsHomeReturnsToTheHomeThatItHad() {
+        ServerTestBench begunAgain = new ServerTestBench(config -> config.home(45.02, 10.03));
+        Client client = begunAgain.commander();
+
+        Waypoint home = client.all(SettingsReport.class).get(0).home().orElseThrow();
+        assertThat(home.latDeg()).isEqualTo(45.02);
+        assertThat(home.lonDeg()).isEqualTo(10.03);
+    }
+
+    @Test
     void fleetStopStaysLatchedUntilReleased() {
         had(new FleetStop("f"));
         had(new HoldPosition("h"));

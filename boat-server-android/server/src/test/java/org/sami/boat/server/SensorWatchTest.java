@@ -53,6 +53,19 @@ class SensorWatchTest {
     }
 
     @Test
+    void readingsWaitWhileTheBoatDoesNotKnowWhereItIs() {
+        ServerTestBench bench = new ServerTestBench(sensor("water", 1000, () -> Sensor.single(17)));
+        Client client = bench.commander();
+        bench.vehicle.eastM = Double.NaN; // the phone has lost its GPS
+        bench.run(3, client);
+        assertThat(count(client, "water")).isZero();
+
+        bench.vehicle.eastM = 0;
+        bench.run(3, client);
+        assertThat(count(client, "water")).isEqualTo(3);
+    }
+
+    @Test
     void eachSensorReportsAtItsOwnRateToAllWhoSaidHello() {
         ServerTestBench bench = new ServerTestBench(
                 sensor("slow", 2000, () -> Sensor.single(17)), sensor("fast", 250, () -> List.of(1.0, 2.0, 3.0)));
