@@ -1,0 +1,136 @@
+package org.sami.boat.app.boat;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.DoubleSupplier;
+import org.sami.boat.server.vehicle.Sensor;
+
+/**
+ * How the phone is: its charge, heat and storage, and by how much its date was set. The base gets it as readings of the instrument {@code phone}. Safe for use
+ * by several threads.
+ */
+public final class PhoneHealth {
+    /** Hotter than this in °C, phones slow down or switch off. */
+    public static final double HOT_C = 45;
+
+    /** Less free storage than this in MB, and logs will soon fail. */
+    public static final double LITTLE_STORAGE_MB = 100;
+
+    /** Charge in percent below which a phone has little. */
+    public static final double LITTLE_CHARGE_PERCENT = 15;
+
+    private static final String NAME = "phone";
+    private static final long PERIOD_MS = 5000;
+
+    private volatile double batteryPercent = Double.NaN;
+    private volatile double temperatureC = Double.NaN;
+    private volatile double freeMegabytes = Double.NaN;
+    private volatile double clockSetByS = Double.NaN;
+    private volatile boolean logBroken;
+
+    /** The phone's battery. */
+    public void setBattery(double percent, double celsius) {
+        batteryPercent = percent;
+        temperatureC = celsius;
+    }
+
+    /** The storage that is left. */
+    public void setFreeMegabytes(double megabytes) {
+        freeMegabytes = megabytes;
+    }
+
+    /** The phone's date was set; told to the base once. */
+    public void clockSet(double bySeconds) {
+        clockSetByS = bySeconds;
+    }
+
+    /** The boat's log cannot be written any more. */
+    public void setLogBroken() {
+        logBroken = true;
+    }
+
+    /** Charge of the phone's battery in percent; NaN if unknown. */
+    public double batteryPercent() {
+        return batteryPercent;
+    }
+
+    /** Temperature of the phone's battery in °C; NaN if unknown. */
+    public double temperatureC() {
+        return temperatureC;
+    }
+
+    /** What is not well, in words for people; empty if all is. */
+    public List<String> troubles() {
+        List<String> troubles = new ArrayList<>();
+        if (batteryPercent < LITTLE_CHARGE_PERCENT) {
+            troubles.add("phone battery " + Math.round(batteryPercent) + " %: charge it");
+        }
+        if (temperatureC >= HOT_C) {
+            troubles.add("phone is hot, " + Math.round(temperatureC) + " °C: shade it");
+        }
+        if (freeMegabytes < LITTLE_STORAGE_MB) {
+            troubles.add("phone storage is nearly full, " + Math.round(freeMegabytes) + " MB left: delete something");
+        }
+        if (logBroken) {
+            troubles.add("the log cannot be written: after a restart the boat will not know its last commands");
+        }
+        return troubles;
+    }
+
+    /** What the base is told. */
+    public List<Sensor> sensors() {
+        List<Sensor> sensors = new ArrayList<>();
+        sensors.add(new Channel("battery", "%", () -> batteryPercent));
+        sensors.add(new Channel("temperature", "°C", () -> temperatureC));
+        sensors.add(new Channel("free storage", "MB", () -> freeMegabytes));
+        sensors.add(new Channel("log broken", "", () -> logBroken ? 1 : Double.NaN));
+        sensors.add(new Channel("date set by", "s", this::takeClockSet));
+        return sensors;
+    }
+
+    private double takeClockSet() {
+        double by = clockSetByS;
+        clockSetByS = Double.NaN;
+        return by;
+    }
+
+    /** One channel of the instrument; it says nothing while its value is unknown. */
+    private static final class Channel implements Sensor {
+        private final String channel;
+        private final String unit;
+        private final DoubleSupplier value;
+
+        Channel(String channel, String unit, DoubleSupplier value) {
+            this.channel = channel;
+            this.unit = unit;
+            this.value = value;
+        }
+
+        @Override
+        public String name() {
+            return NAME;
+        }
+
+        @Override
+        public String channel() {
+            return channel;
+        }
+
+        @Override
+        public String unit() {
+            return unit;
+        }
+
+        @Override
+        public long periodMs() {
+            return PERIOD_MS;
+        }
+
+        @Override
+        public List<Double> read() {
+            double now = value.getAsDouble();
+            return Double.isNaN(now) ? Collections.emptyList() : Sensor.single(now);
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package org.sami.boat.app.boat;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.boat.hull.board.BoardState;
+import org.sami.boat.hull.position.Pose;
+import org.sami.boat.hull.position.PositionDoubt;
+import org.sami.boat.link.BoatMode;
+
+/** What a person on board wants to know of the boat, at one moment. Immutable. */
+public final class StatusOnBoard {
+    private final String name;
+    private final int port;
+    private final Serving serving;
+    private final Optional<BoatMode> mode;
+    private final Optional<String> commandedBy;
+    private final int clients;
+    private final Pose pose;
+    private final Set<PositionDoubt> doubts;
+    private final BoardState board;
+    private final String boardTrouble;
+    private final double boardVolts;
+    private final double boardPercent;
+    private final double phonePercent;
+    private final List<String> troubles;
+    private final boolean stopped;
+
+    /** How far the server has come. */
+    public enum Serving {
+        /** It waits until it knows where it is. */
+        WAITS_FOR_POSITION,
+        /** It serves. */
+        SERVES,
+        /** It cannot; the troubles say why. */
+        FAILED
+    }
+
+    StatusOnBoard(
+            BoatOnPhone boat, Serving serving, Optional<BoatMode> mode, Optional<String> commandedBy, long nowMs) {
+        name = boat.settings().name();
+        port = boat.port();
+        this.serving = serving;
+        this.mode = mode;
+        this.commandedBy = commandedBy;
+        clients = boat.clientCount();
+        pose = boat.position().pose(nowMs);
+        doubts = Collections.unmodifiableSet(boat.position().doubts(nowMs));
+        board = boat.board().boardState();
+        boardTrouble = boat.board().boardTrouble();
+        boardVolts = boat.board().batteryVolts();
+        boardPercent = boat.board().batteryPercent();
+        phonePercent = boat.health().batteryPercent();
+        troubles = Collections.unmodifiableList(boat.troubles());
+        stopped = boat.stop().isLatched();
+    }
+
+    /** Names the boat. */
+    public String name() {
+        return name;
+    }
+
+    /** Where it serves or will. */
+    public int port() {
+        return port;
+    }
+
+    /** How far the server has come. */
+    public Serving serving() {
+        return serving;
+    }
+
+    /** What the boat does; empty before it serves. */
+    public Optional<BoatMode> mode() {
+        return mode;
+    }
+
+    /** Who commands; empty for nobody. */
+    public Optional<String> commandedBy() {
+        return commandedBy;
+    }
+
+    /** How many clients are connected. */
+    public int clients() {
+        return clients;
+    }
+
+    /** Where it is. */
+    public Pose pose() {
+        return pose;
+    }
+
+    /** What is doubtful about it. */
+    public Set<PositionDoubt> doubts() {
+        return doubts;
+    }
+
+    /** Whether the board is there. */
+    public BoardState board() {
+        return board;
+    }
+
+    /** Why it is not. */
+    public String boardTrouble() {
+        return boardTrouble;
+    }
+
+    /** Voltage of the boat's battery; NaN if unknown. */
+    public double boardVolts() {
+        return boardVolts;
+    }
+
+    /** Charge of the boat's battery in percent. */
+    public double boardPercent() {
+        return boardPercent;
+    }
+
+    /** Charge of the phone's battery in percent; NaN if unknown. */
+    public double phonePercent() {
+        return phonePercent;
+    }
+
+    /** What else is not well, in words. */
+    public List<String> troubles() {
+        return troubles;
+    }
+
+    /** Whether it is stopped on board. */
+    public boolean isStopped() {
+        return stopped;
+    }
+}
