@@ -2,7 +2,6 @@ package org.sami.dreamm.canvas;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -155,7 +154,7 @@ final class NetEdits {
     /** Deletes what is selected, and the requirements that only it needed (thesis 5.1.1); empty where nothing of it is there. */
     Optional<Edit> delete(Set<String> selection) {
         Set<String> elements = new LinkedHashSet<>(selection);
-        elements.retainAll(ids());
+        elements.retainAll(plan().elementIds());
         Set<Integer> notes = notes(selection);
         List<Edit> edits = new ArrayList<>();
         if (!elements.isEmpty()) {
@@ -235,28 +234,12 @@ final class NetEdits {
 
     /** A name for an element that no other has: the word with a number. */
     String fresh(String word) {
-        Set<String> taken = ids();
+        Set<String> taken = plan().elementIds();
         int n = 1;
         while (taken.contains(word + "-" + n)) {
             n++;
         }
         return word + "-" + n;
-    }
-
-    private Set<String> ids() {
-        Set<String> ids = new HashSet<>();
-        plan().places().forEach(p -> {
-            ids.add(p.id());
-            p.outputs().forEach(o -> ids.add(o.id()));
-            p.subMissions().forEach(s -> ids.add(s.id()));
-        });
-        plan().transitions().forEach(t -> {
-            ids.add(t.id());
-            t.inputs().forEach(i -> ids.add(i.id()));
-        });
-        plan().inEdges().forEach(e -> ids.add(e.id()));
-        plan().outEdges().forEach(e -> ids.add(e.id()));
-        return ids;
     }
 
     /** The centres of the selected vertices, by their ids. */

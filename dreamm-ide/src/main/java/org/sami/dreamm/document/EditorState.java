@@ -135,18 +135,7 @@ public final class EditorState {
     }
 
     private static Set<String> ids(Plan plan) {
-        Set<String> ids = new LinkedHashSet<>();
-        plan.places().forEach(place -> {
-            ids.add(place.id());
-            place.outputs().forEach(event -> ids.add(event.id()));
-            place.subMissions().forEach(sub -> ids.add(sub.id()));
-        });
-        plan.transitions().forEach(transition -> {
-            ids.add(transition.id());
-            transition.inputs().forEach(event -> ids.add(event.id()));
-        });
-        plan.inEdges().forEach(edge -> ids.add(edge.id()));
-        plan.outEdges().forEach(edge -> ids.add(edge.id()));
+        Set<String> ids = new LinkedHashSet<>(plan.elementIds());
         for (int i = 0; i < plan.notes().size(); i++) {
             ids.add(NetScene.idOf(i));
         }

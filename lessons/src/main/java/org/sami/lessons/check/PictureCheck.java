@@ -1,7 +1,6 @@
 package org.sami.lessons.check;
 
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.lessons.course.Course;
@@ -29,7 +28,7 @@ final class PictureCheck {
 
     /** Every id is that of an element of the plan. */
     static void elements(Plan plan, Collection<String> ids, String pointer, LessonProblems problems) {
-        Set<String> there = ids(plan);
+        Set<String> there = plan.elementIds();
         ids.stream()
                 .filter(id -> !there.contains(id))
                 .forEach(id -> problems.add(pointer, "the plan \"" + plan.id() + "\" has no element \"" + id + "\""));
@@ -39,21 +38,5 @@ final class PictureCheck {
         if (plan.place(tokens.place()).isEmpty()) {
             problems.add(pointer, "the plan \"" + plan.id() + "\" has no place \"" + tokens.place() + "\"");
         }
-    }
-
-    private static Set<String> ids(Plan plan) {
-        Set<String> ids = new HashSet<>();
-        plan.places().forEach(place -> {
-            ids.add(place.id());
-            place.outputs().forEach(event -> ids.add(event.id()));
-            place.subMissions().forEach(sub -> ids.add(sub.id()));
-        });
-        plan.transitions().forEach(transition -> {
-            ids.add(transition.id());
-            transition.inputs().forEach(event -> ids.add(event.id()));
-        });
-        plan.inEdges().forEach(edge -> ids.add(edge.id()));
-        plan.outEdges().forEach(edge -> ids.add(edge.id()));
-        return ids;
     }
 }

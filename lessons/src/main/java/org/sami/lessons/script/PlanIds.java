@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InputEventSpec;
@@ -36,18 +37,6 @@ final class PlanIds {
         return ids;
     }
 
-    List<String> elements() {
-        List<String> ids = vertices();
-        plan.inEdges().forEach(e -> ids.add(e.id()));
-        plan.outEdges().forEach(e -> ids.add(e.id()));
-        plan.places().forEach(p -> {
-            p.outputs().forEach(o -> ids.add(o.id()));
-            p.subMissions().forEach(s -> ids.add(s.id()));
-        });
-        plan.transitions().forEach(t -> t.inputs().forEach(i -> ids.add(i.id())));
-        return ids;
-    }
-
     void vertex(String id, String pointer) throws ScriptRefusedException {
         known(vertices(), "place or transition", id, pointer);
     }
@@ -61,7 +50,7 @@ final class PlanIds {
     }
 
     void all(Collection<String> ids, String pointer) throws ScriptRefusedException {
-        List<String> known = elements();
+        Set<String> known = plan.elementIds();
         for (String id : ids) {
             known(known, "element", id, pointer);
         }

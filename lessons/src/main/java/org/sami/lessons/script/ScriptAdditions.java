@@ -1,7 +1,6 @@
 package org.sami.lessons.script;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -111,7 +110,7 @@ final class ScriptAdditions {
     private record Made(Optional<String> vertex, Optional<String> event) {}
 
     private Made made(Edit edit, Plan before, Plan drawn) {
-        Set<String> old = new HashSet<>(new PlanIds(before).elements());
+        Set<String> old = before.elementIds();
         if (edit instanceof AddEvent added) {
             boolean output = vocabulary
                     .event(added.event())

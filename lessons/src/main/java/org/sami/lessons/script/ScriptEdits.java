@@ -239,7 +239,7 @@ final class ScriptEdits {
         Set<String> variables =
                 plan.variables().stream().map(VariableSpec::name).collect(Collectors.toSet());
         Set<String> tasks = plan.tasks().stream().map(TaskSpec::name).collect(Collectors.toSet());
-        List<String> elements = ids.elements();
+        Set<String> elements = plan.elementIds();
         List<Edit> edits = new ArrayList<>();
         Set<String> removed = new LinkedHashSet<>();
         for (String what : e.what()) {

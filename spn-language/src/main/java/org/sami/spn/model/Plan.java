@@ -2,10 +2,12 @@ package org.sami.spn.model;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * A plan: one SAMI Petri Net (thesis 3.1). Order of lists is meaning: places, transitions and edges are looked at in it.
@@ -111,6 +113,23 @@ public record Plan(
         return outEdges.stream()
                 .filter(e -> e.transition().equals(transitionId))
                 .toList();
+    }
+
+    /** Ids of all its elements: vertices, edges, events and sub-missions. */
+    public Set<String> elementIds() {
+        Set<String> ids = new LinkedHashSet<>();
+        places.forEach(place -> {
+            ids.add(place.id());
+            place.outputs().forEach(event -> ids.add(event.id()));
+            place.subMissions().forEach(sub -> ids.add(sub.id()));
+        });
+        transitions.forEach(transition -> {
+            ids.add(transition.id());
+            transition.inputs().forEach(event -> ids.add(event.id()));
+        });
+        inEdges.forEach(edge -> ids.add(edge.id()));
+        outEdges.forEach(edge -> ids.add(edge.id()));
+        return ids;
     }
 
     /** The same plan with another id. */
