@@ -15,7 +15,6 @@ import org.sami.dreamm.learn.CourseAtHand;
 import org.sami.dreamm.learn.Learning;
 import org.sami.dreamm.learn.LessonListener;
 import org.sami.dreamm.learn.LessonModel;
-import org.sami.dreamm.learn.mode.LessonDomain;
 import org.sami.dreamm.learn.mode.LessonProfile;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.start.AuthorDirectory;
@@ -23,8 +22,8 @@ import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
 import org.sami.dreamm.window.FramePlace;
-import org.sami.lessons.course.Course;
 import org.sami.lessons.course.CourseFiles;
+import org.sami.lessons.course.LessonDomain;
 import org.sami.lessons.job.JobGrader;
 import org.sami.lessons.progress.Learners;
 import org.sami.spn.json.DomainLibrary;
@@ -176,10 +175,7 @@ final class DreammSession implements CourseAccess, LessonListener {
     }
 
     private DreammWindow openLesson(LessonModel model, RecoveryFolder recovery) {
-        Course course = model.course();
-        String id = model.lesson().id();
-        DomainLibrary domain = new LessonDomain(course.eventsKnown(id), course.tasksKnown(id), course.markupsKnown(id))
-                .of(first.domain());
+        DomainLibrary domain = LessonDomain.of(model.course(), model.lesson().id()).of(first.domain());
         ProjectDocument document = new ProjectDocument(
                 domain.vocabulary(),
                 new Project(

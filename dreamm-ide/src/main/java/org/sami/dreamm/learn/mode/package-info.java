@@ -1,4 +1,4 @@
-/** What of the window a lesson has: a profile and a domain with the words introduced so far (thesis, appendix .4.1, lesson modes). */
+/** What of the window a lesson has: a profile of its panels, commands and fields (thesis, appendix .4.1, lesson modes). */
 @NullMarked
 package org.sami.dreamm.learn.mode;
 

@@ -1,4 +1,4 @@
-package org.sami.dreamm.learn.mode;
+package org.sami.lessons.course;
 
 import java.util.List;
 import java.util.Map;
@@ -26,6 +26,12 @@ public record LessonDomain(Set<String> events, Set<String> tasks, Set<String> ma
         events = Set.copyOf(events);
         tasks = Set.copyOf(tasks);
         markups = Set.copyOf(markups);
+    }
+
+    /** What is introduced in a lesson and in those before it: what its window has. */
+    public static LessonDomain of(Course course, String lesson) {
+        return new LessonDomain(
+                course.eventsKnown(lesson), course.tasksKnown(lesson), course.markupsKnown(lesson));
     }
 
     /** That part of a domain. */

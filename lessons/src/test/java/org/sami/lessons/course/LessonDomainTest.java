@@ -1,4 +1,4 @@
-package org.sami.dreamm.learn.mode;
+package org.sami.lessons.course;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
