@@ -1,18 +1,14 @@
 package org.sami.lessons.course;
 
-import com.fasterxml.jackson.annotation.JsonProperty;
 import com.fasterxml.jackson.databind.JsonNode;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.finding.SourceLocation;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
@@ -23,25 +19,16 @@ import org.sami.spn.model.Project;
  * others are there.
  */
 public final class CourseReader {
-    private static final String CODE = "E-LESSON";
-
-    private final CourseFiles files;
+    private final RecordFiles files;
     private final ProjectReader projects;
-    private final List<Finding> findings = new ArrayList<>();
     private final Set<String> asked = new HashSet<>();
     private final Map<String, Project> plans = new LinkedHashMap<>();
     private final Map<String, String> jobs = new LinkedHashMap<>();
 
     private CourseReader(CourseFiles files, DomainLibrary domain) {
-        this.files = Objects.requireNonNull(files, "files");
+        this.files = new RecordFiles(files);
         projects = new ProjectReader(domain.vocabulary());
     }
-
-    /** The file {@code course.json}. */
-    record Contents(
-            @JsonProperty(required = true) int formatVersion,
-            @JsonProperty(required = true) List<String> lessons,
-            @JsonProperty(required = true) List<String> terms) {}
 
     /** The file of a job, as far as the course needs it: which plans it names. */
     private static final List<String> PLANS_OF_JOBS = List.of("start", "solution");
@@ -56,42 +43,37 @@ public final class CourseReader {
     }
 
     private Reading<Course> read() {
-        Optional<Contents> contents = record("course.json", Contents.class);
+        Optional<CourseContents> contents = files.record(CourseContents.FILE, CourseContents.class);
         if (contents.isEmpty()) {
-            return new Reading<>(Optional.empty(), findings);
+            return new Reading<>(Optional.empty(), files.findings());
         }
         List<Lesson> lessons = new ArrayList<>();
         for (String id : contents.get().lessons()) {
             lesson(id).ifPresent(lessons::add);
         }
         List<Term> terms = new ArrayList<>();
-        for (String file : contents.get().terms()) {
-            text(file).ifPresent(text -> {
-                Reading<List<Term>> read = LessonJson.readList(files.name(file), text, Term.class);
-                findings.addAll(read.findings());
-                read.result().ifPresent(terms::addAll);
-            });
-        }
+        contents.get().terms().forEach(file -> terms.addAll(files.records(file, Term.class)));
         Course course = new Course(lessons, terms, plans, jobs);
-        return new Reading<>(Optional.of(course), findings);
+        return new Reading<>(Optional.of(course), files.findings());
     }
 
     private Optional<Lesson> lesson(String id) {
         String file = id + "/lesson.json";
-        Optional<Lesson> read = record(file, Lesson.class);
+        Optional<Lesson> read = files.record(file, Lesson.class);
         if (read.isEmpty()) {
             return read;
         }
         Lesson lesson = read.get();
         if (lesson.formatVersion() != Lesson.FORMAT_VERSION) {
-            problem(
+            files.problem(
                     file,
                     "its \"formatVersion\" is " + lesson.formatVersion() + "; this program reads "
                             + Lesson.FORMAT_VERSION);
             return Optional.empty();
         }
         if (!lesson.id().equals(id)) {
-            problem(file, "its \"id\" is \"" + lesson.id() + "\"; the name of its folder is wanted, \"" + id + "\"");
+            files.problem(
+                    file, "its \"id\" is \"" + lesson.id() + "\"; the name of its folder is wanted, \"" + id + "\"");
             return Optional.empty();
         }
         boolean whole = true;
@@ -117,12 +99,12 @@ public final class CourseReader {
 
     private boolean job(Lesson lesson, String name) {
         String file = lesson.id() + "/jobs/" + name + ".json";
-        Optional<String> text = text(file);
+        Optional<String> text = files.text(file);
         if (text.isEmpty()) {
             return false;
         }
         Reading<JsonNode> tree = LessonJson.read(files.name(file), text.get(), JsonNode.class);
-        findings.addAll(tree.findings());
+        files.found(tree.findings());
         if (tree.result().isEmpty()) {
             return false;
         }
@@ -145,41 +127,13 @@ public final class CourseReader {
         }
         int slash = key.lastIndexOf('/');
         String file = key.substring(0, slash) + "/plans" + key.substring(slash) + ".json";
-        Optional<String> text = text(file);
+        Optional<String> text = files.text(file);
         if (text.isEmpty()) {
             return false;
         }
         Reading<Project> read = projects.read(text.get()).locatedIn(files.name(file), text.get());
-        read.findings().stream().filter(Finding::isError).forEach(findings::add);
+        read.findings().stream().filter(Finding::isError).forEach(each -> files.found(List.of(each)));
         read.result().ifPresent(project -> plans.put(key, project));
         return read.result().isPresent();
-    }
-
-    private <T> Optional<T> record(String file, Class<T> type) {
-        Optional<String> text = text(file);
-        if (text.isEmpty()) {
-            return Optional.empty();
-        }
-        Reading<T> read = LessonJson.read(files.name(file), text.get(), type);
-        findings.addAll(read.findings());
-        return read.result();
-    }
-
-    private Optional<String> text(String file) {
-        try {
-            Optional<String> text = files.text(file);
-            if (text.isEmpty()) {
-                problem(file, "there is no such file");
-            }
-            return text;
-        } catch (IOException e) {
-            problem(file, "it cannot be read: " + e.getMessage());
-            return Optional.empty();
-        }
-    }
-
-    private void problem(String file, String what) {
-        findings.add(
-                Finding.error(CODE, "", files.name(file) + ": " + what).at(new SourceLocation(files.name(file), 1, 1)));
     }
 }

@@ -30,8 +30,7 @@ public record LessonDomain(Set<String> events, Set<String> tasks, Set<String> ma
 
     /** What is introduced in a lesson and in those before it: what its window has. */
     public static LessonDomain of(Course course, String lesson) {
-        return new LessonDomain(
-                course.eventsKnown(lesson), course.tasksKnown(lesson), course.markupsKnown(lesson));
+        return new LessonDomain(course.eventsKnown(lesson), course.tasksKnown(lesson), course.markupsKnown(lesson));
     }
 
     /** That part of a domain. */
