@@ -23,10 +23,13 @@ import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
 import org.sami.dreamm.window.FramePlace;
 import org.sami.lessons.course.CourseFiles;
+import org.sami.lessons.course.Glossary;
 import org.sami.lessons.course.LessonDomain;
+import org.sami.lessons.course.Term;
 import org.sami.lessons.job.JobGrader;
 import org.sami.lessons.progress.Learners;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 import org.sami.ui.window.WindowSettings;
@@ -126,7 +129,25 @@ final class DreammSession implements CourseAccess, LessonListener {
     }
 
     @Override
+    public Reading<Glossary> glossary() {
+        return Glossary.read(files);
+    }
+
+    @Override
+    public void explain(Term term) {
+        lesson.ifPresentOrElse(model -> goTo(model, term), () -> enterAt(Optional.of(term)));
+    }
+
+    private static void goTo(LessonModel model, Term term) {
+        model.course().address(term.lesson(), term.step()).ifPresent(model::go);
+    }
+
+    @Override
     public void enter() {
+        enterAt(Optional.empty());
+    }
+
+    private void enterAt(Optional<Term> explained) {
         DreammWindow now = window();
         now.files()
                 .guard(() -> now.context()
@@ -140,7 +161,10 @@ final class DreammSession implements CourseAccess, LessonListener {
                                         throw new UncheckedIOException(none.getMessage(), none);
                                     }
                                 },
-                                course -> withRecovery(recovery -> openCourse(course, recovery))));
+                                course -> {
+                                    explained.ifPresent(term -> goTo(course.model(), term));
+                                    withRecovery(recovery -> openCourse(course, recovery));
+                                }));
     }
 
     /** What a window is opened with. */
@@ -175,7 +199,8 @@ final class DreammSession implements CourseAccess, LessonListener {
     }
 
     private DreammWindow openLesson(LessonModel model, RecoveryFolder recovery) {
-        DomainLibrary domain = LessonDomain.of(model.course(), model.lesson().id()).of(first.domain());
+        DomainLibrary domain =
+                LessonDomain.of(model.course(), model.lesson().id()).of(first.domain());
         ProjectDocument document = new ProjectDocument(
                 domain.vocabulary(),
                 new Project(

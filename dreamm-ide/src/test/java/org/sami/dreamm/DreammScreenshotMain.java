@@ -30,7 +30,7 @@ import org.sami.spn.testing.TemporaryFolder;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 
-/** Opens DREAMM and puts pictures of it into a folder: the net in its modes, an event's editor, issues, a run that is tried. */
+/** Opens DREAMM and puts pictures of it into a folder: the net in its modes, an event's editor, issues, a run that is tried, lessons. */
 public final class DreammScreenshotMain {
     private static final String PLAN = "clv-interrupts";
     private static final int STEPS = 6;
@@ -50,6 +50,7 @@ public final class DreammScreenshotMain {
     public static void main(String[] args) throws Exception {
         try (TemporaryFolder data = new TemporaryFolder("dreamm-pictures")) {
             new DreammScreenshotMain(Path.of(args[0]), data.path()).run();
+            new LessonPictures(Path.of(args[0]), data.path()).take();
         }
         System.exit(0);
     }

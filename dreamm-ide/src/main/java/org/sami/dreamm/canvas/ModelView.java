@@ -1,6 +1,9 @@
 package org.sami.dreamm.canvas;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.HashMap;
@@ -18,6 +21,8 @@ import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.context.NetPreview;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.dreamm.help.word.Spoken;
+import org.sami.dreamm.help.word.Worded;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
@@ -25,6 +30,7 @@ import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetMarking;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing;
+import org.sami.spn.drawing.NetDrawing.Edge;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
@@ -34,7 +40,8 @@ import org.sami.ui.net.NetView;
 import org.sami.ui.value.WrappedText;
 
 /** The net of the open plan, as its author sees and changes it (thesis 5.1). */
-public final class ModelView extends JPanel implements NetDropTarget {
+public final class ModelView extends JPanel implements NetDropTarget, Worded {
+    private static final double REACH_PX = 4;
     private static final String[] MENU = {
         "net-rename",
         "net-append",
@@ -306,6 +313,30 @@ public final class ModelView extends JPanel implements NetDropTarget {
     public void showMarking(NetMarking marking) {
         this.marking = marking;
         view.setMarking(tokens ? marking : NetMarking.EMPTY);
+    }
+
+    @Override
+    public Optional<Spoken> wordsAt(Component inner, Point at) {
+        if (inner != view.canvas()) {
+            return Optional.empty();
+        }
+        LayoutPoint point = view.point(at.x, at.y);
+        int reach = (int) REACH_PX;
+        return view.scene()
+                .vertexAt(point.x(), point.y(), 0)
+                .map(Vertex::id)
+                .or(() -> view.scene()
+                        .edgeAt(point.x(), point.y(), REACH_PX / view.zoom())
+                        .map(Edge::id))
+                .flatMap(id -> NetWords.of(net.plan(), id))
+                .map(words -> Spoken.all(words, new Rectangle(at.x - reach, at.y - reach, 2 * reach, 2 * reach)));
+    }
+
+    @Override
+    public Optional<String> words() {
+        return context.editor().selection().stream()
+                .flatMap(id -> NetWords.of(net.plan(), id).stream())
+                .findFirst();
     }
 
     /** The net itself, for trying or printing the plan. */

@@ -2,6 +2,8 @@ package org.sami.dreamm.compare;
 
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -23,6 +25,7 @@ import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.model.Plan;
+import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
@@ -49,7 +52,9 @@ public final class ComparisonPanel extends JPanel {
     private final JPanel deck = new JPanel(cards);
     private final JPanel empty =
             new JPanel(new MigLayout("novisualpadding, fill, insets " + Spacing.WIDE, "[grow, fill]", "[]"));
+    private final List<CommandButton> versions;
     private transient Optional<Compared> compared = Optional.empty();
+    private boolean solution;
     private transient Optional<PlanComparison> comparison = Optional.empty();
 
     /** With which version of which plan the open one is compared. */
@@ -67,12 +72,18 @@ public final class ComparisonPanel extends JPanel {
         title.setToolTipText(
                 "Shows the open plan and another version of it on one net: as it was saved, or from another file");
         row.left(title);
-        row.right(new CommandButton(commands.saved()));
-        row.right(new CommandButton(commands.file()));
+        versions = List.of(new CommandButton(commands.saved()), new CommandButton(commands.file()));
+        versions.forEach(row::right);
         list.setName("comparison-differences");
         list.getAccessibleContext().setAccessibleName("What differs");
         list.addListSelectionListener(e -> showChosen());
         view.setName("comparison-net");
+        view.canvas().addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                view.fit();
+            }
+        });
         JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, view, new JScrollPane(list));
         split.setResizeWeight(0.7);
         split.setBorder(BorderFactory.createEmptyBorder());
@@ -92,6 +103,23 @@ public final class ComparisonPanel extends JPanel {
 
     /** Compares the open plan with a version of it. */
     public void compare(Plan before, String name) {
+        compare(before, name, false);
+    }
+
+    /** Compares the open plan of a learner with a right one, and with nothing else. */
+    public void compareWithSolution(Plan solution) {
+        compare(solution, "the solution", true);
+    }
+
+    /** Has the keys in the list of what differs. */
+    public void focusDifferences() {
+        list.requestFocusInWindow();
+    }
+
+    private void compare(Plan before, String name, boolean isSolution) {
+        solution = isSolution;
+        versions.forEach(button ->
+                button.setVisible(!isSolution && button.getAction() instanceof Command shown && !shown.isHidden()));
         compared = Optional.of(new Compared(before, name));
         showDifferences(true);
     }
@@ -143,7 +171,7 @@ public final class ComparisonPanel extends JPanel {
             view.fit();
         }
         rows.clear();
-        rows.addAll(now.differences());
+        rows.addAll(solution ? now.differences().stream().map(SolutionWords::of).toList() : now.differences());
         int count = now.differences().size();
         String differs = count == 0
                 ? "is equal to"

@@ -32,6 +32,6 @@ public interface JobEditor {
      */
     boolean play(String plan, TestCase run);
 
-    /** Compares the open plan with another, where the window can. */
-    void compare(Plan with, String name);
+    /** Shows the learner's plan and a right one on one net, with what differs in words. */
+    void compareWithSolution(Plan solution);
 }

@@ -13,6 +13,7 @@ import org.sami.lessons.course.Step;
 import org.sami.lessons.job.Job;
 import org.sami.lessons.job.JobGrader;
 import org.sami.lessons.job.JobReader;
+import org.sami.lessons.job.SolutionBeside;
 import org.sami.lessons.job.Verdict;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.json.Reading;
@@ -279,11 +280,25 @@ public final class JobModel {
         helped++;
         if (next.get() == Help.SOLUTION) {
             model.record().solved(at.orElseThrow());
-            solution().ifPresent(plan -> editor.compare(plan, "the solution"));
+            compare();
         } else {
             model.record().hinted(at.orElseThrow());
         }
         model.changed();
+    }
+
+    /** Whether the solution was shown, so that the plan can be compared with it. */
+    public boolean isSolved() {
+        return help().contains(Help.SOLUTION);
+    }
+
+    /** Shows the learner's plan and the solution on one net. */
+    public void compare() {
+        solution()
+                .ifPresent(plan -> editor.compareWithSolution(editor.project()
+                        .plan(plan.id())
+                        .map(mine -> SolutionBeside.of(plan, mine))
+                        .orElse(plan)));
     }
 
     /** The solution's plan; empty where it cannot be made. */

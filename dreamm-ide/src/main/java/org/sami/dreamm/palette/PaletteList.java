@@ -2,6 +2,7 @@ package org.sami.dreamm.palette;
 
 import java.awt.Component;
 import java.awt.Insets;
+import java.awt.Point;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
@@ -31,7 +32,10 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.dreamm.help.word.Spoken;
+import org.sami.dreamm.help.word.Worded;
 import org.sami.palette.SemanticColor;
+import org.sami.spn.vocabulary.Direction;
 import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
@@ -39,7 +43,7 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 
 /** A list of what can be added, by groups, with a field above it that narrows it by typing. Items can be dragged; Enter takes one. */
-public final class PaletteList extends JPanel implements Explained {
+public final class PaletteList extends JPanel implements Explained, Worded {
     private static final int ROWS = 8;
 
     private final transient DreammContext context;
@@ -191,6 +195,26 @@ public final class PaletteList extends JPanel implements Explained {
                                         context.additions().library())
                                 .event(event.type())
                         : new HelpTopic(item.label(), "Can be added to the plan", item.help(), List.of()));
+    }
+
+    @Override
+    public Optional<Spoken> wordsAt(Component inner, Point at) {
+        int row = inner == list ? list.locationToIndex(at) : -1;
+        return row >= 0 && list.getCellBounds(row, row).contains(at) && rows.get(row) instanceof PaletteItem item
+                ? Optional.of(Spoken.all(words(item), list.getCellBounds(row, row)))
+                : Optional.empty();
+    }
+
+    @Override
+    public Optional<String> words() {
+        return selected().map(PaletteList::words);
+    }
+
+    private static String words(PaletteItem item) {
+        String kind = item instanceof PaletteItem.Event event
+                ? event.type().direction() == Direction.OUTPUT ? "output event: " : "input event: "
+                : "";
+        return kind + item.label();
     }
 
     /** Calls a listener when another item is marked. */

@@ -140,6 +140,7 @@ final class DreammMenus {
                 "learn-explained",
                 "learn-hint",
                 "learn-failure",
+                "learn-compare",
                 "learn-start-over",
                 "",
                 "learn-run-forward",
@@ -148,7 +149,7 @@ final class DreammMenus {
                 "",
                 "learn-leave"));
         JMenu help = menus.help();
-        menus.add(help, "", "help-here");
+        menus.add(help, "", "help-here", "words-here", "words-hover");
         bar.add(help);
         for (int i = bar.getMenuCount() - 1; i >= 0; i--) {
             if (bar.getMenu(i).getItemCount() == 0) { // a profile hides all of it

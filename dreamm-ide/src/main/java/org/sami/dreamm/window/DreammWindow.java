@@ -17,6 +17,7 @@ import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.help.HelpCommands;
+import org.sami.dreamm.help.word.WordCommands;
 import org.sami.dreamm.learn.CourseCommands;
 import org.sami.dreamm.learn.JobModel;
 import org.sami.dreamm.learn.Learning;
@@ -42,6 +43,7 @@ public final class DreammWindow {
     private final DockArea dock;
     private final StatusLine status;
     private final FileCommands files;
+    private final WordCommands words;
     private final CommandKeys keys;
     private final Optional<LessonShow> show;
     private final Optional<LearnPanel> learn;
@@ -67,6 +69,8 @@ public final class DreammWindow {
         EditCommands.addTo(context);
         ExportCommands.addTo(context);
         new HelpCommands(context).addTo(frame);
+        words = new WordCommands(context, learning.access());
+        words.addTo(frame, settings);
         run = new RunParts(context);
         CourseCommands.addTo(
                 context.commands(), learning.access(), learning.lesson().isPresent());
@@ -77,7 +81,7 @@ public final class DreammWindow {
         learn.ifPresent(panel -> panel.setJobs(new JobModel(
                 learning.lesson().orElseThrow(),
                 learning.grader().orElseThrow(),
-                new LessonEditor(context, files, run, panels.comparison()),
+                new LessonEditor(context, files, run, panels.comparison(), frame),
                 run.grading(),
                 EventThread.executor())));
         dock = new DockArea(
@@ -230,6 +234,7 @@ public final class DreammWindow {
         show.ifPresent(LessonShow::close);
         learn.ifPresent(LearnPanel::close);
         files.close();
+        words.close();
         keys.close();
         dock.close();
         run.close();

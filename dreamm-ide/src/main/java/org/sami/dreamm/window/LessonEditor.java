@@ -1,11 +1,13 @@
 package org.sami.dreamm.window;
 
+import java.awt.Dimension;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Objects;
 import java.util.Set;
+import javax.swing.JFrame;
 import org.sami.dreamm.compare.ComparisonPanel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.DocumentChange;
@@ -18,16 +20,24 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
 import org.sami.ui.EventThread;
+import org.sami.ui.look.Look;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 
 /** The editor of a window of the course: its document is kept in the learner's file after each edit. */
 final class LessonEditor implements JobEditor {
+    private static final int WIDTH = 860;
+    private static final int HEIGHT = 640;
+
     private final DreammContext context;
+    private final JFrame frame;
     private final FileCommands files;
     private final RunParts run;
     private final ComparisonPanel comparison;
     private boolean keeping;
 
-    LessonEditor(DreammContext context, FileCommands files, RunParts run, ComparisonPanel comparison) {
+    LessonEditor(DreammContext context, FileCommands files, RunParts run, ComparisonPanel comparison, JFrame frame) {
+        this.frame = Objects.requireNonNull(frame, "frame");
         this.context = Objects.requireNonNull(context, "context");
         this.files = Objects.requireNonNull(files, "files");
         this.run = Objects.requireNonNull(run, "run");
@@ -103,10 +113,18 @@ final class LessonEditor implements JobEditor {
         return run.play(plan, test);
     }
 
+    /** A window whose mode has no panel for it shows the same over its panels: the learner asked for it. */
     @Override
-    public void compare(Plan with, String name) {
+    public void compareWithSolution(Plan solution) {
+        context.editor().open(solution.id(), Set.of());
+        comparison.compareWithSolution(solution);
         if (context.profile().shows("panel-comparison")) {
-            comparison.compare(with, name);
+            context.commands().get("panel-comparison").run();
+        } else {
+            comparison.setPreferredSize(new Dimension(Look.px(WIDTH), Look.px(HEIGHT)));
+            WindowSheet.in(frame.getRootPane())
+                    .open(new Sheet("comparison-sheet", "Your plan and the solution", comparison));
+            EventThread.later(comparison::focusDifferences);
         }
     }
 }

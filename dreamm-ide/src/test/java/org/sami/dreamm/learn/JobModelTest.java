@@ -66,8 +66,8 @@ class JobModelTest {
         }
 
         @Override
-        public void compare(Plan with, String name) {
-            compared = Optional.of(with);
+        public void compareWithSolution(Plan solution) {
+            compared = Optional.of(solution);
         }
     }
 

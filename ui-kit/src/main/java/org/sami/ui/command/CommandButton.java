@@ -13,6 +13,13 @@ import org.sami.ui.look.Spacing;
 public final class CommandButton extends JButton {
     private static final int ICON = 20;
 
+    private static final String PRIMARY =
+            "background: $Button.default.background; foreground: $Button.default.foreground; font: bold;"
+                    + " focusedBackground: $Button.default.focusedBackground;"
+                    + " focusedBorderColor: $Button.default.focusedBorderColor;"
+                    + " hoverBackground: $Button.default.hoverBackground;"
+                    + " pressedBackground: $Button.default.pressedBackground";
+
     private boolean confirms;
 
     /** A button with icon and title. */
@@ -38,16 +45,19 @@ public final class CommandButton extends JButton {
      */
     public static CommandButton primary(Command command, String icon) {
         CommandButton button = new CommandButton(command);
-        button.putClientProperty(
-                FlatClientProperties.STYLE,
-                "background: $Button.default.background; foreground: $Button.default.foreground; font: bold;"
-                        + " focusedBackground: $Button.default.focusedBackground;"
-                        + " focusedBorderColor: $Button.default.focusedBorderColor;"
-                        + " hoverBackground: $Button.default.hoverBackground;"
-                        + " pressedBackground: $Button.default.pressedBackground");
-        button.setIcon(Icons.of(icon, ICON, SemanticColor.ON_ACCENT));
-        button.setDisabledIcon(Icons.of(icon, ICON, SemanticColor.DISABLED));
+        button.setPrimary(true, icon);
         return button;
+    }
+
+    /**
+     * Whether it is the button of a panel that is to be pressed next: in the theme's strongest colours, or as others are. It keeps its place either way.
+     *
+     * @param icon a name of {@link Icons}
+     */
+    public void setPrimary(boolean primary, String icon) {
+        putClientProperty(FlatClientProperties.STYLE, primary ? PRIMARY : null);
+        setIcon(primary ? Icons.of(icon, ICON, SemanticColor.ON_ACCENT) : Icons.normal(icon));
+        setDisabledIcon(Icons.of(icon, ICON, SemanticColor.DISABLED));
     }
 
     /**

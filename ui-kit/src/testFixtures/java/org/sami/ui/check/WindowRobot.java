@@ -246,6 +246,16 @@ public final class WindowRobot {
         act(MouseEvent.MOUSE_MOVED, 0, () -> robot.mouseMove(at.x + x, at.y + y));
     }
 
+    /** Lets the pointer rest at a place of a component, once it is in sight. */
+    public void restAt(Component component, int x, int y) {
+        untilInSight(component, x, y);
+        Point at = placeOf(component);
+        act(MouseEvent.MOUSE_MOVED, 1, () -> {
+            robot.mouseMove(at.x + x - 1, at.y + y);
+            robot.mouseMove(at.x + x, at.y + y);
+        });
+    }
+
     /** Clicks twice at a place of a component, as fast as a hand does that means one click. */
     public void doubleClickAt(Component component, int x, int y) {
         untilInSight(component, x, y);

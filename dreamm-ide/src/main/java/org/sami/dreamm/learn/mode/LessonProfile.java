@@ -18,6 +18,7 @@ public final class LessonProfile {
             "rows-high",
             "command-search",
             "help-keys",
+            "words-*",
             "panels-*");
 
     private LessonProfile() {}

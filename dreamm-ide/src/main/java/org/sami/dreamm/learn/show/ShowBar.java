@@ -11,22 +11,21 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.StrongLabel;
 import org.sami.ui.value.WrappedText;
 
-/** What is said of the edit that is shown, and the buttons that play and stop. */
+/** A row below all panels: what is said of the edit that is shown, and the buttons that play and stop. */
 final class ShowBar extends JPanel {
     private final StrongLabel title = new StrongLabel("");
     private final WrappedText sentence = new WrappedText("");
     private final CommandButton play;
 
     ShowBar(ShowCommands commands) {
-        super(new MigLayout("novisualpadding, insets 12, gap 0 6, wrap 1, fillx, hidemode 3", "[grow, fill]"));
+        super(new MigLayout(
+                "novisualpadding, insets 8 16 8 8, gap 8 4, fillx", "[52%, fill][48%, fill]", "[][grow, top]"));
         setName("show-bar");
         LookColors.background(this, SemanticColor.SURFACE_RAISED);
-        LookColors.border(this, () -> BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), Look.px(2)));
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(Look.px(2), 0, 0, 0, SemanticColor.ACCENT.get()));
         title.setName("show-title");
         sentence.setName("show-sentence");
         play = new CommandButton(commands.play());
-        add(title, "wmin 0");
-        add(sentence, "wmin 0");
         CommandRow row = new CommandRow()
                 .left(new CommandButton(commands.back()))
                 .left(play)
@@ -35,7 +34,9 @@ final class ShowBar extends JPanel {
                 .right(new CommandButton(commands.stop()));
         row.setName("show-buttons");
         row.setOpaque(false);
-        add(row, "wmin 0");
+        add(title, "wmin 0");
+        add(row, "wmin 0, spany 2, aligny center, wrap");
+        add(sentence, "wmin 0");
     }
 
     /** Gives the button that plays the focus. */

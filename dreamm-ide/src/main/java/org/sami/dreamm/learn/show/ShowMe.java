@@ -8,10 +8,14 @@ import java.awt.event.ComponentEvent;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JLayeredPane;
 import javax.swing.JRootPane;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import javax.swing.border.Border;
+import org.jspecify.annotations.Nullable;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.lessons.script.EditScript;
 import org.sami.lessons.script.ScriptElement;
@@ -88,7 +92,7 @@ public final class ShowMe {
         private final ShowKeys keys;
         private final Timer timer = new Timer(FRAME_MS, e -> frame());
         private final Optional<Component> focusedBefore;
-        private final Runnable look = overlay::revalidate;
+        private final Runnable look = this::looksDifferent;
         private final ComponentAdapter resized = new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -98,9 +102,12 @@ public final class ShowMe {
         private Optional<ShowStop> prepared = Optional.empty();
         private Point from = new Point();
         private long last;
+        private int room;
+        private final @Nullable Border borderBefore;
 
         Playing(JRootPane root, ShowMeModel model, Runnable onEnd) {
             this.root = root;
+            borderBefore = root.getContentPane() instanceof JComponent content ? content.getBorder() : null;
             this.model = model;
             this.onEnd = onEnd;
             focusedBefore =
@@ -116,7 +123,7 @@ public final class ShowMe {
             Look.addListener(look);
             keys.install();
             model.addListener(this::changed);
-            targets.net().ifPresent(NetView::fit);
+            bar.show(model);
             place();
             from = new Point(overlay.getWidth() / 2, overlay.getHeight() / 2);
             overlay.point(Optional.of(from), Optional.empty());
@@ -129,12 +136,25 @@ public final class ShowMe {
             }
         }
 
+        /** The panels give the bar a row of its own, so that it hides nothing of the net. */
         private void place() {
+            if (overlay.getWidth() != root.getLayeredPane().getWidth()) {
+                overlay.forgetHeight();
+            }
             overlay.setSize(root.getLayeredPane().getSize());
-            targets.net()
-                    .map(net -> SwingUtilities.convertRectangle(
-                            net, new Rectangle(0, 0, net.getWidth(), net.getHeight()), overlay))
-                    .ifPresent(overlay::standIn);
+            int height = overlay.barHeight();
+            if (height != room && root.getContentPane() instanceof JComponent content) {
+                room = height;
+                content.setBorder(BorderFactory.createEmptyBorder(0, 0, height, 0));
+                root.validate();
+                overlay.revalidate();
+                targets.net().ifPresent(NetView::fit);
+            }
+        }
+
+        private void looksDifferent() {
+            overlay.forgetHeight();
+            place();
         }
 
         private void frame() {
@@ -203,6 +223,10 @@ public final class ShowMe {
             Look.removeListener(look);
             root.getLayeredPane().removeComponentListener(resized);
             root.getLayeredPane().remove(overlay);
+            if (root.getContentPane() instanceof JComponent content) {
+                content.setBorder(borderBefore);
+            }
+            root.validate();
             root.getLayeredPane().repaint();
             copy.giveBack();
             targets.net().ifPresent(NetView::fit);

@@ -14,15 +14,12 @@ import javax.swing.JComponent;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Look;
 
-/** Lies over the whole window while something is shown: draws the pointer and what it points at, holds the bar, and keeps the mouse from the editor. */
+/** Lies over the whole window while something is shown: draws the pointer and what it points at, holds the bar at its lower edge, and keeps the mouse from the editor. */
 final class ShowOverlay extends JComponent {
-    private static final int MOST_WIDTH = 640;
-    private static final int MARGIN = 16;
-
     private final JComponent bar;
     private Optional<Point> pointer = Optional.empty();
     private Optional<Rectangle> aim = Optional.empty();
-    private transient Optional<Rectangle> free = Optional.empty();
+    private int highest;
 
     ShowOverlay(JComponent bar) {
         this.bar = bar;
@@ -36,12 +33,17 @@ final class ShowOverlay extends JComponent {
         addMouseWheelListener(nothing);
     }
 
-    /** The bar stands at the lower edge of this part, such as the net. */
-    void standIn(Rectangle part) {
-        if (!free.equals(Optional.of(part))) {
-            free = Optional.of(part);
-            revalidate();
-        }
+    /** How high the bar is at the width of the window; never lower than before, so that nothing moves while sentences change. */
+    int barHeight() {
+        bar.setSize(getWidth(), bar.getHeight());
+        bar.doLayout(); // a text that wraps says its height only after it has a width
+        highest = Math.max(highest, bar.getPreferredSize().height);
+        return highest;
+    }
+
+    /** Lets the bar be as high as it wants to be anew: with another look, or another width. */
+    void forgetHeight() {
+        highest = 0;
     }
 
     /** Draws the pointer at a point, and a ring around what it points at. */
@@ -60,16 +62,8 @@ final class ShowOverlay extends JComponent {
 
     @Override
     public void doLayout() {
-        Rectangle in = free.orElse(new Rectangle(0, 0, getWidth(), getHeight()))
-                .intersection(new Rectangle(0, 0, getWidth(), getHeight()));
-        int margin = Look.px(MARGIN);
-        int width = Math.max(Look.px(MOST_WIDTH / 2), Math.min(Look.px(MOST_WIDTH), in.width - 2 * margin));
-        width = Math.min(width, getWidth() - 2 * margin);
-        bar.setSize(width, bar.getHeight());
-        bar.doLayout(); // a text that wraps says its height only after it has a width
-        int height = Math.min(bar.getPreferredSize().height, getHeight() - 2 * margin);
-        int x = Math.max(margin, Math.min(in.x + (in.width - width) / 2, getWidth() - width - margin));
-        bar.setBounds(x, in.y + in.height - height - margin, width, height);
+        int height = Math.min(barHeight(), getHeight());
+        bar.setBounds(0, getHeight() - height, getWidth(), height);
     }
 
     @Override

@@ -13,6 +13,8 @@ import org.sami.ui.look.Look;
  * say their height only after they have a width.
  */
 final class ColumnLayout implements LayoutManager {
+    private static final int UNBOUNDED = 100_000; // more pixels than any screen has, at each scale
+
     private final int gap;
     private final int widest;
 
@@ -22,7 +24,7 @@ final class ColumnLayout implements LayoutManager {
      * @param gap between two components, in logical pixels
      */
     ColumnLayout(int gap) {
-        this(gap, Integer.MAX_VALUE / 100);
+        this(gap, UNBOUNDED);
     }
 
     /**

@@ -102,6 +102,7 @@ final class JobView extends JPanel {
         } else if (help == Help.SOLUTION) {
             words.add("One right plan; others are right as well. Compare it with yours.");
             jobs.solution().map(picture).ifPresent(pictures::add);
+            pictures.add(new CommandButton(commands.compare()));
         } else {
             words.addAll(jobs.job().map(job -> job.hints()).orElse(List.of()).subList(index, index + 1));
         }

@@ -26,6 +26,7 @@ final class LearnCommands {
     private final Command hint;
     private final Command failure;
     private final Command startOver;
+    private final Command compare;
     private final Command contents;
     private final Command glossary;
     private final Command runForward;
@@ -70,6 +71,13 @@ final class LearnCommands {
                 .withKey("ctrl shift F4")
                 .withIcon("undo")
                 .unless(() -> of(jobs -> jobs.job().isPresent(), "this step has no job")));
+        compare = registry.add(new Command(
+                        "learn-compare",
+                        "Compare with the solution",
+                        () -> actions.jobs().ifPresent(JobModel::compare))
+                .withKey("ctrl F3")
+                .withIcon("compare")
+                .unless(() -> of(JobModel::isSolved, "ask for all help first: the solution comes last")));
         reveal = registry.add(new Command("learn-reveal", "Show the right answer", model::reveal)
                 .withKey("shift F4")
                 .withIcon("help")
@@ -181,6 +189,10 @@ final class LearnCommands {
 
     Command startOver() {
         return startOver;
+    }
+
+    Command compare() {
+        return compare;
     }
 
     Command contents() {

@@ -38,6 +38,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
     private final JProgressBar progress = new JProgressBar();
     private transient Optional<JobModel> jobs = Optional.empty();
     private final CommandButton check;
+    private boolean backToCheck;
     private final CommandButton next;
 
     /** The panel of a window; its commands are added to the registry. */
@@ -47,7 +48,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
         this.registry = registry;
         commands = new LearnCommands(registry, model, this);
         check = new CommandButton(commands.check());
-        next = CommandButton.primary(commands.next(), "right");
+        next = new CommandButton(commands.next());
         step = new StepView(model, commands, this::openTerm);
         scroll = step.inPane();
         scroll.setName("learn-scroll");
@@ -83,7 +84,7 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
 
     /** What gets the keyboard's focus when the panel is shown. */
     public JComponent first() {
-        return next;
+        return isToAnswer() ? check : next;
     }
 
     /** Follows the learner no longer. */
@@ -139,9 +140,16 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
 
     @Override
     public void changed() {
+        boolean pressed = check.isFocusOwner();
         step.refresh();
         showWhere();
         showFeedback();
+        if (jobs.filter(JobModel::isChecking).isPresent()) {
+            backToCheck |= pressed; // a button that cannot be pressed loses the focus, and the next one has it
+        } else if (backToCheck) {
+            backToCheck = false;
+            first().requestFocusInWindow();
+        }
     }
 
     private void showFeedback() {
@@ -153,6 +161,9 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
     private void showWhere() {
         boolean job = model.step() instanceof Step.Job;
         check.setVisible(job || model.quiz().isPresent());
+        boolean asks = isToAnswer();
+        check.setPrimary(asks, "check");
+        next.setPrimary(!asks, "right");
         commands.check().retitle(job ? "Check my plan" : "Check my answer");
         lesson.setText(model.lesson().heading());
         lesson.setToolTipText(model.lesson().summary());
@@ -163,6 +174,13 @@ public final class LearnPanel extends JPanel implements LearnActions, LessonList
         progress.setValue(done);
         commands.next().retitle(model.isLastOfLesson() && model.hasNext() ? "Next lesson" : "Next");
         registry.refresh();
+    }
+
+    /** Whether the step asks something that was neither answered nor passed yet: then that is done next. */
+    private boolean isToAnswer() {
+        return model.step() instanceof Step.Job
+                ? !model.isDone(model.address())
+                : model.quiz().filter(quiz -> !quiz.isClosed()).isPresent();
     }
 
     @Override

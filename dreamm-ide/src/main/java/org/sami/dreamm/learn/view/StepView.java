@@ -23,6 +23,7 @@ import org.sami.lessons.course.Term;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
@@ -91,12 +92,12 @@ final class StepView extends ScrolledPanel {
             text.setName("learn-paragraph");
             add(text);
         }
-        Optional<QuizView.Drawn> drawn = drawn(step);
+        Optional<QuizView.Drawn> drawn = isInEditor(step) ? Optional.empty() : drawn(step);
         picture = drawn.map(QuizView.Drawn::view);
         drawn.ifPresent(there -> add(new PicturePane(there.view())));
         step.picture()
                 .map(Picture::caption)
-                .filter(caption -> !caption.isEmpty())
+                .filter(caption -> !caption.isEmpty() && picture.isPresent())
                 .ifPresent(caption -> addNote("learn-caption", caption));
         quiz = model.quiz().map(asked -> new QuizView(asked, drawn, marks, model::changed));
         quiz.ifPresent(this::add);
@@ -159,6 +160,16 @@ final class StepView extends ScrolledPanel {
             });
             return new QuizView.Drawn(view, found);
         });
+    }
+
+    /** Whether the picture of a step is the plan that its job begins with, which the editor shows. */
+    private boolean isInEditor(Step step) {
+        String lesson = model.lesson().id();
+        Optional<Project> begun = jobs.flatMap(JobModel::job)
+                .filter(job -> step instanceof Step.Job)
+                .flatMap(job -> model.course().project(lesson, job.start()));
+        return begun.isPresent()
+                && begun.equals(step.picture().flatMap(drawn -> model.course().project(lesson, drawn.plan())));
     }
 
     private void begin() {

@@ -1,5 +1,6 @@
 package org.sami.dreamm.learn.view;
 
+import java.awt.Component;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -27,6 +28,8 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.jspecify.annotations.Nullable;
+import org.sami.dreamm.help.word.Spoken;
+import org.sami.dreamm.help.word.Worded;
 import org.sami.lessons.course.Paragraph;
 import org.sami.lessons.course.Paragraph.Span;
 import org.sami.palette.SemanticColor;
@@ -37,7 +40,7 @@ import org.sami.ui.look.Look;
  * A paragraph that wraps, with bold words and terms of the glossary. A term shows its two sentences under the pointer, and is opened by a click; with the focus,
  * Left and Right choose a term and Enter opens it.
  */
-final class TermText extends JComponent {
+final class TermText extends JComponent implements Worded {
     private static final int ITEM_INDENT = 18;
     private static final double LEADING = 1.3;
 
@@ -150,6 +153,25 @@ final class TermText extends JComponent {
                 : null;
     }
 
+    @Override
+    public Optional<Spoken> wordsAt(Component inner, Point at) {
+        int span = termAt(at);
+        return span < 0
+                ? Optional.empty()
+                : pieces.stream()
+                        .filter(piece ->
+                                piece.word().span() == span && piece.box().contains(at))
+                        .findFirst()
+                        .map(piece -> Spoken.all(paragraph.spans().get(span).words(), piece.box()));
+    }
+
+    @Override
+    public Optional<String> words() {
+        return chosen < 0
+                ? Optional.empty()
+                : Optional.of(paragraph.spans().get(terms.get(chosen)).words());
+    }
+
     /** Where the first word of the paragraph's so-manieth term lies, for those who drive the window. */
     Rectangle boxOfTerm(int number) {
         wrap();
@@ -164,7 +186,7 @@ final class TermText extends JComponent {
         return paragraph.spans().get(span) instanceof Span.Bold ? Fonts.strong() : Fonts.text();
     }
 
-    private List<Word> words() {
+    private List<Word> split() {
         List<Word> words = new ArrayList<>();
         for (int i = 0; i < paragraph.spans().size(); i++) {
             for (String part : paragraph.spans().get(i).words().split("(?<= )")) {
@@ -200,7 +222,7 @@ final class TermText extends JComponent {
         int line = lineHeight();
         int x = indent;
         int y = 0;
-        for (List<Word> group : unbroken(words())) {
+        for (List<Word> group : unbroken(split())) {
             int needed = group.stream()
                     .mapToInt(word -> width(word, word.text().stripTrailing()))
                     .sum();
