@@ -8,15 +8,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.JList;
-import javax.swing.JMenu;
-import javax.swing.JMenuItem;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,9 +20,7 @@ import org.sami.dreamm.palette.PaletteItem;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.window.DreammWindow;
 import org.sami.lessons.course.CourseFiles;
-import org.sami.spn.model.Plan;
 import org.sami.ui.check.WindowRobot;
-import org.sami.ui.net.NetView;
 import org.sami.ui.window.WindowSettings;
 
 /** The words of the course are explained anywhere in the window, under the pointer and by a key. */
@@ -49,39 +43,10 @@ class WordsWindowTest {
                     .as("other rows are hidden")
                     .isFalse();
 
+            Component link = robot.find(Component.class, "word-go");
+            robot.restAt(link, link.getWidth() / 2, link.getHeight() / 2);
             robot.click("word-go");
             opened.untilStep("Output events");
-        }
-    }
-
-    @Test
-    void menusFindingsNetAndEditorsSpeakTheSameWords() throws Exception {
-        try (LearnerRobot opened = LearnerRobot.openForTheFirstTime(folder, CourseFiles.SHIPPED)) {
-            WindowRobot robot = opened.robot;
-            NetView net = robot.find(NetView.class, "net");
-            String id = start(opened);
-            Point start = WindowRobot.ask(() -> net.drawing().vertices().stream()
-                    .filter(vertex -> vertex.id().equals(id))
-                    .map(vertex ->
-                            net.pixel(vertex.centre().x(), vertex.centre().y()))
-                    .map(pixel -> new Point((int) pixel.getX(), (int) pixel.getY()))
-                    .findFirst()
-                    .orElseThrow());
-            robot.restAt(net.canvas(), start.x, start.y);
-            opened.untilText("word-term", "start place");
-            robot.press(VK_ESCAPE);
-            robot.until("the card is gone", () -> !isShown("word-card"));
-
-            JMenu menu = robot.find(JMenu.class, each -> "Net".equals(each.getText()));
-            robot.clickAt(menu, menu.getWidth() / 2, menu.getHeight() / 2);
-            JMenuItem item = robot.find(
-                    JMenuItem.class,
-                    each -> each.isShowing()
-                            && each.getText().toLowerCase(Locale.ROOT).contains("transition"));
-            robot.restAt(item, item.getWidth() / 2, item.getHeight() / 2);
-            opened.untilText("word-term", "transition");
-            robot.press(VK_ESCAPE);
-            robot.press(VK_ESCAPE);
         }
     }
 
@@ -115,16 +80,6 @@ class WordsWindowTest {
             assertThat(new WindowSettings(AuthorDirectory.open(folder).settings()).text("words-hover"))
                     .isEqualTo("off");
         }
-    }
-
-    private static String start(LearnerRobot opened) {
-        return opened.window()
-                .context()
-                .editor()
-                .plan()
-                .flatMap(Plan::startPlace)
-                .orElseThrow()
-                .id();
     }
 
     private static boolean isShown(String name) {

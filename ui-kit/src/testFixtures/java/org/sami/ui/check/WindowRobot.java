@@ -4,6 +4,7 @@ import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.MouseInfo;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
@@ -40,6 +41,8 @@ public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
     private static final int PATIENCE_S = 60;
     private static final int STEPS = 8;
+    private static final int GLIDE_PX = 20;
+    private static final int GLIDE_MS = 5;
     private static final int EDGE_PX = 4; // as near to a pane's edge something counts as out of sight
     private static final int TWICE_WITHIN_MS = 120; // as a hand does
     private static final int HANDLED_WITHIN_MS =
@@ -246,13 +249,18 @@ public final class WindowRobot {
         act(MouseEvent.MOUSE_MOVED, 0, () -> robot.mouseMove(at.x + x, at.y + y));
     }
 
-    /** Lets the pointer rest at a place of a component, once it is in sight. */
+    /** Moves the pointer to a place of a component as a hand does, in small steps, and lets it rest there, once that is in sight. */
     public void restAt(Component component, int x, int y) {
         untilInSight(component, x, y);
-        Point at = placeOf(component);
+        Point to = placeOf(component);
+        to.translate(x, y);
+        Point from = MouseInfo.getPointerInfo().getLocation();
+        int steps = Math.max(1, (int) (from.distance(to) / GLIDE_PX));
         act(MouseEvent.MOUSE_MOVED, 1, () -> {
-            robot.mouseMove(at.x + x - 1, at.y + y);
-            robot.mouseMove(at.x + x, at.y + y);
+            for (int i = 1; i <= steps; i++) {
+                robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
+                robot.delay(GLIDE_MS);
+            }
         });
     }
 

@@ -46,7 +46,8 @@ public final class WordCommands implements AutoCloseable {
         context.commands()
                 .add(new Command("words-here", "Explain the words here", () -> explainHere(owner))
                         .withKey("ctrl F1")
-                        .withIcon("help"));
+                        .withIcon("help")
+                        .always()); // Swing has that key for the tooltip of each component, which is on the card
         context.commands()
                 .add(new Command("words-hover", "Explain words under the pointer, or not", () -> {
                             hover.setOn(!hover.isOn());
