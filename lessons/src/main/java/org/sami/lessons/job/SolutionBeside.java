@@ -130,7 +130,8 @@ public final class SolutionBeside {
         }
         int neighbours = common(one.in(), other.in()) + common(one.out(), other.out());
         boolean events = one.events().equals(other.events());
-        return (one.start() && other.start()) || (events && (neighbours > 0 || !one.events().isEmpty()))
+        return (one.start() && other.start())
+                        || (events && (neighbours > 0 || !one.events().isEmpty()))
                 ? SAME_EVENTS + SAME_NEIGHBOUR * neighbours + (one.end() == other.end() ? 1 : 0)
                 : SAME_NEIGHBOUR * neighbours;
     }
