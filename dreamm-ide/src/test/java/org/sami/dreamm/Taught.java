@@ -30,7 +30,7 @@ final class Taught {
         // transition
         in("02-places", "menu:project-save", "menu:project-save-as", "menu:end", "menu:undo", "menu:redo");
         in("02-places", "menu:plan-export-*", "menu:theme-*", "menu:scale-*", "menu:rows-high", "menu:panels-reset");
-        in("02-places", "menu:command-search", "menu:help-*", "menu:learn-*", "menu:show-*");
+        in("02-places", "menu:command-search", "menu:help-*", "menu:words-*", "menu:learn-*", "menu:show-*");
         in("02-places", "menu:net-cut", "menu:net-copy", "menu:net-paste*", "menu:net-duplicate", "menu:net-delete");
         in("02-places", "menu:net-select-all", "menu:net-rename", "menu:rename", "menu:usages-find");
         in("02-places", "menu:search-everything", "menu:net-set-start", "menu:net-set-end", "menu:net-snap");
