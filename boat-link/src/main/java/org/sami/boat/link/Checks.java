@@ -81,6 +81,19 @@ final class Checks {
         return value;
     }
 
+    /** 32 bytes as lower-case hexadecimal digits. */
+    static String proof(String name, String value) {
+        Objects.requireNonNull(value, name);
+        boolean digits = value.length() == 64;
+        for (int i = 0; digits && i < value.length(); i++) {
+            digits = "0123456789abcdef".indexOf(value.charAt(i)) >= 0;
+        }
+        if (!digits) {
+            throw new BadValueException(name, "not 64 hexadecimal digits");
+        }
+        return value;
+    }
+
     /** An id that may be empty, which then stands for none. */
     static String optionalId(String name, String value) {
         Objects.requireNonNull(value, name);

@@ -59,6 +59,11 @@ final class Fields {
         return node.longValue();
     }
 
+    /** A number that older peers leave out. */
+    long integerOrZero(String name) throws LinkException {
+        return object.has(name) ? integer(name) : 0;
+    }
+
     int index(String name) throws LinkException {
         long value = integer(name);
         if (value != (int) value) {

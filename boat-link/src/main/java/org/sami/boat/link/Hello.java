@@ -15,14 +15,24 @@ public final class Hello extends LinkMessage {
     private final Role role;
     private final double telemetryHz;
     private final String auth;
+    private final String session;
+    private final long epoch;
+
+    /** A hello without a session, as clients of the link of before say it. */
+    public Hello(String boatId, String clientId, Role role, double telemetryHz, String auth) {
+        this(boatId, clientId, role, telemetryHz, auth, "", 0);
+    }
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
-    public Hello(String boatId, String clientId, Role role, double telemetryHz, String auth) {
+    public Hello(
+            String boatId, String clientId, Role role, double telemetryHz, String auth, String session, long epoch) {
         this.boatId = Checks.optionalName("boat", boatId);
         this.clientId = Checks.name("client", clientId);
         this.role = Objects.requireNonNull(role, "role");
         this.telemetryHz = Checks.range("telemetryHz", telemetryHz, 0, 50);
         this.auth = Checks.text("auth", auth);
+        this.session = Checks.optionalName("session", session);
+        this.epoch = Checks.atLeastZero("epoch", epoch);
     }
 
     static Hello read(Fields in) throws LinkException {
@@ -31,7 +41,9 @@ public final class Hello extends LinkMessage {
                 in.text("client"),
                 in.word("role", Role.class),
                 in.number("telemetryHz"),
-                in.text("auth"));
+                in.text("auth"),
+                in.textOrEmpty("session"),
+                in.integerOrZero("epoch"));
     }
 
     /** The boat that the client means to reach; any other boat refuses. Empty to reach whichever boat answers. */
@@ -59,6 +71,16 @@ public final class Hello extends LinkMessage {
         return auth;
     }
 
+    /** Id of the client's session; empty for clients of the link of before. */
+    public String session() {
+        return session;
+    }
+
+    /** The number with which the session claims to command, see {@link CommandEpoch}; 0 without a session. */
+    public long epoch() {
+        return epoch;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -71,5 +93,9 @@ public final class Hello extends LinkMessage {
         out.writeStringField("role", role.name());
         out.writeNumberField("telemetryHz", telemetryHz);
         out.writeStringField("auth", auth);
+        if (!session.isEmpty()) {
+            out.writeStringField("session", session);
+            out.writeNumberField("epoch", epoch);
+        }
     }
 }

@@ -47,6 +47,9 @@ final class MessageReaders {
         BY_TYPE.put(Progress.TYPE, Progress::read);
         BY_TYPE.put(SettingsReport.TYPE, SettingsReport::read);
         BY_TYPE.put(SensorReport.TYPE, SensorReport::read);
+        BY_TYPE.put(Pair.TYPE, Pair::read);
+        BY_TYPE.put(Paired.TYPE, Paired::read);
+        BY_TYPE.put(WithdrawKeys.TYPE, WithdrawKeys::read);
     }
 
     private MessageReaders() {}

@@ -6,6 +6,8 @@ public enum NackReason {
     NOT_GREETED,
     /** The sender only observes. */
     NOT_COMMANDER,
+    /** Another session has been appointed commander since; the detail names it. */
+    SUPERSEDED,
     /** No other client of the name in the grant is linked. */
     UNKNOWN_CLIENT,
     /** The frame could not be read. */
@@ -24,6 +26,8 @@ public enum NackReason {
     STALE,
     /** The sender has used the id for another command. */
     ID_TAKEN,
+    /** The boat cannot keep on its disk what the command changes. */
+    NOT_KEPT,
     /** The sender, or all clients together, ask too often; later it may be granted. */
     TOO_OFTEN
 }

@@ -3,6 +3,7 @@ package org.sami.boat.link;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Objects;
+import java.util.Optional;
 
 /** A boat's answer to {@link Hello}: its name, its start, and the client's role. */
 public final class Welcome extends LinkMessage {
@@ -14,20 +15,34 @@ public final class Welcome extends LinkMessage {
     private final String term;
     private final String auth;
     private final boolean takesTraffic;
+    private final Optional<CommandEpoch> epoch;
 
     /** A welcome that names no term: of an observer. */
     public Welcome(String boatId, String bootId, Role role, String auth) {
         this(boatId, bootId, role, "", auth, false);
     }
 
-    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    /** A welcome of the link of before, which names no epoch. */
     public Welcome(String boatId, String bootId, Role role, String term, String auth, boolean takesTraffic) {
+        this(boatId, bootId, role, term, auth, takesTraffic, Optional.empty());
+    }
+
+    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    public Welcome(
+            String boatId,
+            String bootId,
+            Role role,
+            String term,
+            String auth,
+            boolean takesTraffic,
+            Optional<CommandEpoch> epoch) {
         this.boatId = Checks.name("boat", boatId);
         this.bootId = Checks.id("boot", bootId);
         this.role = Objects.requireNonNull(role, "role");
         this.term = Checks.text("newTerm", term);
         this.auth = Checks.text("auth", auth);
         this.takesTraffic = takesTraffic;
+        this.epoch = Objects.requireNonNull(epoch, "epoch");
     }
 
     static Welcome read(Fields in) throws LinkException {
@@ -37,7 +52,12 @@ public final class Welcome extends LinkMessage {
                 in.word("role", Role.class),
                 in.text("newTerm"),
                 in.text("auth"),
-                in.flagOrFalse("traffic"));
+                in.flagOrFalse("traffic"),
+                in.has("epoch") ? Optional.of(epoch(in)) : Optional.empty());
+    }
+
+    private static CommandEpoch epoch(Fields in) throws LinkException {
+        return new CommandEpoch(in.integer("epoch"), "", in.textOrEmpty("heldBy"));
     }
 
     /** The boat. */
@@ -70,6 +90,14 @@ public final class Welcome extends LinkMessage {
         return takesTraffic;
     }
 
+    /**
+     * Who was appointed commander last, and the number of that appointment, without the session: a client that takes the command names a higher number.
+     * Empty for boats of the link of before.
+     */
+    public Optional<CommandEpoch> epoch() {
+        return epoch;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -84,6 +112,10 @@ public final class Welcome extends LinkMessage {
         out.writeStringField("auth", auth);
         if (takesTraffic) {
             out.writeBooleanField("traffic", true);
+        }
+        if (epoch.isPresent()) {
+            out.writeNumberField("epoch", epoch.get().number());
+            out.writeStringField("heldBy", epoch.get().clientId());
         }
     }
 }

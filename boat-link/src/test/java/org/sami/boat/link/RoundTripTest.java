@@ -26,7 +26,14 @@ class RoundTripTest {
         return Stream.of(
                 new Hello("boat1", "base", Role.COMMANDER, 10, "secret"),
                 new Welcome("boat1", "b-7", Role.OBSERVER, ""),
+                new Hello("boat1", "base", Role.COMMANDER, 10, "", "base.0", 7),
                 new Welcome("boat1", "b-7", Role.COMMANDER, "b-7.1", "", true),
+                new Welcome("boat1", "b-7", Role.OBSERVER, "", "", true, Optional.of(new CommandEpoch(7, "", "base2"))),
+                new Pair("laptop", "0123456789abcdef".repeat(4)),
+                new Paired("boat1", "0123456789abcdef".repeat(4)),
+                new WithdrawKeys("c", List.of("0123456789abcdef".repeat(4))),
+                new AskForCommand("c", "base.0", 7),
+                new TakeCommand("c", "base.0", Long.MAX_VALUE),
                 new Goodbye("boat1", "you mean another boat"),
                 new Heartbeat(Long.MAX_VALUE),
                 new Ack("m3-a17-boat2"),
@@ -100,7 +107,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(32);
+                .hasSize(35);
     }
 
     @Test

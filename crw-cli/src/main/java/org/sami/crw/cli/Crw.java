@@ -3,6 +3,7 @@ package org.sami.crw.cli;
 import java.util.Map;
 import org.sami.crw.cli.board.BoardCommand;
 import org.sami.crw.cli.defaults.DefaultsCommand;
+import org.sami.crw.cli.key.KeysCommand;
 import org.sami.crw.cli.lesson.GradeCommand;
 import org.sami.crw.cli.lesson.LessonsCommand;
 import org.sami.crw.cli.option.Converters;
@@ -71,6 +72,7 @@ import picocli.CommandLine.Spec;
             BoatServerCommand.class,
             BoardCommand.class,
             StopCommand.class,
+            KeysCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,
             ImportLocationsCommand.class,

@@ -99,7 +99,11 @@ final class BoatCondition {
                     ? Obstacle.because(Cause.NEVER_ANSWERED, "the boat has not answered yet")
                     : Obstacle.because(Cause.REFUSES, "the boat refuses: " + refusal);
         } else if (!link.isCommanding()) {
-            return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
+            return Obstacle.because(
+                    Cause.COMMANDED_ELSEWHERE,
+                    link.replacedBy()
+                            .map(other -> "this base was replaced by " + other.clientId())
+                            .orElse("another client commands the boat"));
         } else if (fleetStopped) {
             return Obstacle.because(
                     Cause.FLEET_STOPPED,

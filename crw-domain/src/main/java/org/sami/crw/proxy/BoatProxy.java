@@ -11,6 +11,8 @@ import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.WithdrawKeys;
+import org.sami.boat.link.security.Fingerprint;
 import org.sami.crw.fleet.DeferredEvents;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.execution.CommandDriver;
@@ -55,6 +57,7 @@ public final class BoatProxy {
     private final ProxyCommands commands;
     private final Intake intake = new Intake();
     private long announcedChanges; // of the queue
+    private boolean stops; // the fleet request that was made last
 
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, Consumer<? super FleetEvent> listener, ProxyConfig config) {
@@ -124,6 +127,11 @@ public final class BoatProxy {
     /** The latest that is known of the boat. */
     public BoatStatus status() {
         return condition.status;
+    }
+
+    /** Whether the boat obeys a fleet stop of any base, as those do that number their commanders; boats of the link of before obey their commander's. */
+    public boolean isStoppedByAnyone() {
+        return link.state() == LinkState.LINKED && link.isNumbered();
     }
 
     /** Whether the boat takes commands from this base. */
@@ -243,11 +251,11 @@ public final class BoatProxy {
         if (link.state() == LinkState.LINKED) {
             handOver.tick(condition.nowMs);
         }
+        if (fleetRequests.areWaiting() && (link.isCommanding() || mayStop())) {
+            fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
+        }
         if (link.isCommanding()) {
             driver.tick(condition.nowMs);
-            if (fleetRequests.areWaiting()) {
-                fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
-            }
             settings.tick(condition.nowMs);
             if (condition.awaitingProgress) {
                 link.helloIfDue(condition.nowMs);
@@ -345,6 +353,7 @@ public final class BoatProxy {
     public void fleetStop() {
         condition.fleetStopped = true;
         condition.stoppedFromHere = true;
+        stops = true;
         driver.abandon(BoatMessages.FLEET_STOP);
         fleetRequests.clear();
         fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), condition.nowMs);
@@ -352,8 +361,20 @@ public final class BoatProxy {
 
     /** Ends the fleet stop; the boat then goes on with its commands. */
     public void fleetRelease() {
+        stops = false;
         fleetRequests.clear();
         fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), condition.nowMs);
+    }
+
+    /** Tells the boat which keys it takes no longer. What is not acknowledged is said again over the next connection. */
+    public void withdrawKeys(List<Fingerprint> keys) {
+        List<String> words = keys.stream().map(Fingerprint::toString).toList();
+        link.send(new WithdrawKeys(driver.wireId("withdraw-keys"), words), condition.nowMs);
+    }
+
+    /** Whether the boat obeys a fleet stop of this base, whoever commands it. */
+    private boolean mayStop() {
+        return stops && isStoppedByAnyone();
     }
 
     /** Whether the boat's motors are stopped until somebody releases them. */

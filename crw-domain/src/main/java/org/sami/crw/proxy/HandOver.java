@@ -1,11 +1,10 @@
 package org.sami.crw.proxy;
 
 import java.util.function.UnaryOperator;
-import org.sami.boat.link.AskForCommand;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.Nack;
-import org.sami.boat.link.TakeCommand;
+import org.sami.boat.link.NackReason;
 import org.sami.crw.fleet.DeferredEvents;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.link.PendingRequests;
@@ -59,12 +58,12 @@ public final class HandOver {
 
     /** Tells the boat that this base wishes to command it; who commands it then decides. */
     public void askForCommand() {
-        request(new AskForCommand(ids.apply("ask-command")));
+        request(link.askForCommand(ids.apply("ask-command")));
     }
 
     /** Commands the boat from now on, whoever did before: for an operator who knows why. */
     public void takeCommand() {
-        request(new TakeCommand(ids.apply("take-command")));
+        request(link.takeCommand(ids.apply("take-command")));
     }
 
     /** Hands the command over to another client and observes; commands that are queued here wait. */
@@ -87,8 +86,11 @@ public final class HandOver {
 
     /** Whether a refusal was of such a request; then the listener is told. */
     boolean refused(Nack nack) {
-        boolean ours = answered(nack.commandId());
-        if (ours) {
+        boolean ofHello =
+                nack.reason() == NackReason.SUPERSEDED && nack.commandId().isEmpty();
+        boolean replaced = ofHello && link.superseded(condition.nowMs);
+        boolean ours = ofHello || answered(nack.commandId());
+        if (replaced || (ours && !ofHello)) {
             announcements.add(new FleetEvent.Refused(boatId, nack.detail()));
         }
         return ours;

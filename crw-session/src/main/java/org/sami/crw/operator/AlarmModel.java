@@ -232,7 +232,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
     private static Kind kindOf(LinkAlarm alarm) {
         return switch (alarm.kind()) {
             case TWO_BOATS_WITH_ONE_ID, ONE_BOAT_AT_TWO_ADDRESSES -> Kind.DUPLICATE_ID;
-            case ANOTHER_BOAT, OTHER_VERSION -> Kind.LINK_FAULT;
+            case ANOTHER_BOAT, OTHER_VERSION, LINK_OF_BEFORE -> Kind.LINK_FAULT;
             case EVER_NEW_BOATS -> Kind.LINK_FLOOD;
         };
     }

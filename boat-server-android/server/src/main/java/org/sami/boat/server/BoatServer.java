@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -9,6 +10,7 @@ import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
@@ -31,6 +33,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -62,6 +65,7 @@ public final class BoatServer {
     private final SensorWatch sensors;
     private final BatteryWatch battery;
     private final MotionReports motion;
+    private final EpochGuard epochs;
     private final TransferLimits limits = new TransferLimits();
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
@@ -80,6 +84,7 @@ public final class BoatServer {
         this.config = Objects.requireNonNull(config, "config");
         this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
         this.log = Objects.requireNonNull(log, "log");
+        epochs = new EpochGuard(log);
         modes = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, modes);
         sensors = new SensorWatch(vehicle);
@@ -103,6 +108,11 @@ public final class BoatServer {
         if (answer instanceof Ack && lasting && !CommandTransfer.isOne(command)) {
             executor.execute(clientId, command);
         }
+    }
+
+    /** Takes back who commanded last in earlier starts, before anybody connects: who was replaced by then stays so. */
+    public void restore(CommandEpoch epoch) {
+        epochs.restore(epoch);
     }
 
     /** A link to a client has opened; the client then says hello. */
@@ -224,7 +234,11 @@ public final class BoatServer {
         }
         boolean vacant = !hasCommander() || isCommander(session);
         session.greeted(hello, config.telemetryHz());
-        if (hello.role() == Role.COMMANDER && vacant) {
+        CommandEpoch claim = new CommandEpoch(hello.epoch(), hello.session(), hello.clientId());
+        boolean wishes = hello.role() == Role.COMMANDER && session.granted().equals(Optional.of(Role.COMMANDER));
+        Optional<String> refusal = wishes && !isCommander(session) ? epochs.refusal(claim) : Optional.empty();
+        if (wishes && vacant && !refusal.isPresent()) {
+            epochs.appoint(claim);
             appoint(session, nowMs);
         } else {
             if (isCommander(session)) { // it steps down, and no other client has taken over
@@ -232,6 +246,9 @@ public final class BoatServer {
                 commander = Optional.empty();
             }
             introduce(session, Role.OBSERVER, "", nowMs);
+            if (refusal.isPresent() && !hello.session().isEmpty()) { // others do not know the reason
+                session.send(new Nack("", NackReason.SUPERSEDED, refusal.get()), nowMs);
+            }
         }
     }
 
@@ -239,17 +256,23 @@ public final class BoatServer {
     private void appoint(ServerSession next, long nowMs) {
         Optional<ServerSession> former = commander.filter(session -> session != next);
         boolean goesOn = isCommander(next) && !commanderLost;
-        String term = goesOn ? next.term() : config.bootId() + "." + ++terms;
+        String term = goesOn ? next.term() : newTerm();
         commander = Optional.of(next);
         commanderLost = false;
         former.ifPresent(session -> introduce(session, Role.OBSERVER, "", nowMs));
         introduce(next, Role.COMMANDER, term, nowMs);
     }
 
+    private String newTerm() {
+        return config.bootId() + "." + ++terms;
+    }
+
     /** Sends a client its role and the state of the boat. */
     private void introduce(ServerSession session, Role role, String term, long nowMs) {
         session.setRole(role, term);
-        session.send(new Welcome(config.boatId(), config.bootId(), role, term, "", true), nowMs);
+        session.send(
+                new Welcome(config.boatId(), config.bootId(), role, term, "", true, Optional.of(epochs.newest())),
+                nowMs);
         session.send(battery(), nowMs);
         session.send(executor.settings(), nowMs);
         session.send(modes.path().track().progress(), nowMs);
@@ -259,6 +282,8 @@ public final class BoatServer {
         CommandLedger.Known known = ledger.of(session.clientId(), command);
         if (session.role().isPresent() && CommandTransfer.isOne(command)) {
             session.send(transfer(session, command, known, nowMs), nowMs);
+        } else if (session.role().isPresent() && !isCommander(session) && command instanceof FleetStop) {
+            stopForObserver(session, (FleetStop) command, frame, nowMs);
         } else if (!isCommander(session)) {
             NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
             session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
@@ -278,6 +303,18 @@ public final class BoatServer {
         }
     }
 
+    /** Whoever is linked may stop the boat. While it is stopped, further stops change nothing and are not logged. */
+    private void stopForObserver(ServerSession session, FleetStop stop, Frame frame, long nowMs) {
+        if (modes.mode() == BoatMode.FLEET_STOP) {
+            session.send(new Ack(stop.commandId()), nowMs);
+        } else if (!session.isOvertaken(frame)) {
+            execute(session, stop, frame, nowMs);
+            if (hasCommander()) { // what the commander sent before it hears of the stop is older than the stop
+                introduce(commander.get(), Role.COMMANDER, newTerm(), nowMs);
+            }
+        }
+    }
+
     private static LinkMessage idTaken(CommandMessage command) {
         String detail = "this client has sent another command under that id: " + command.type() + " is not executed";
         return CommandExecutor.nack(command, NackReason.ID_TAKEN, detail);
@@ -288,13 +325,24 @@ public final class BoatServer {
             boolean repeated = known == CommandLedger.Known.REPEATED;
             return repeated ? ledger.answerTo(session.clientId(), command) : idTaken(command);
         }
+        if (!session.granted().equals(Optional.of(Role.COMMANDER))) {
+            return CommandExecutor.nack(command, NackReason.NOT_COMMANDER, "this base's key may only observe");
+        }
         Optional<ServerSession> present = commander.filter(commanding -> !commanderLost);
+        Optional<Nack> superseded =
+                epochs.refusal(command, session.clientId(), isCommander(session), present.isPresent());
+        if (superseded.isPresent()) {
+            return superseded.get();
+        }
         CommandTransfer transfer = CommandTransfer.of(command, session, present, sessions);
         if (transfer.asked().isPresent() && !limits.takesWish(session.wishes(), nowMs)) {
             return CommandExecutor.nack(command, NackReason.TOO_OFTEN, "asked too often: ask again in some seconds");
         }
         transfer.asked().ifPresent(commanding -> commanding.send(new CommandAsked(session.clientId()), nowMs));
-        transfer.appointed().ifPresent(next -> appoint(next, nowMs));
+        transfer.appointed().ifPresent(next -> {
+            epochs.appoint(command, next.claimedSession(), next.clientId());
+            appoint(next, nowMs);
+        });
         if (transfer.answer() instanceof Ack) { // a refused request may be granted the next time
             ledger.record(session.clientId(), command, transfer.answer());
         }
@@ -346,7 +394,9 @@ public final class BoatServer {
 
     private void execute(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
         Progress before = modes.path().track().progress();
-        LinkMessage answer = executor.execute(session.clientId(), command);
+        LinkMessage answer = command instanceof WithdrawKeys
+                ? withdraw(session, (WithdrawKeys) command, nowMs)
+                : executor.execute(session.clientId(), command);
         ledger.record(session.clientId(), command, answer);
         if (CommandExecutor.isMoving(command) && answer instanceof Ack) {
             movedBy = session.clientId();
@@ -360,6 +410,20 @@ public final class BoatServer {
         if (!modes.path().track().isAt(before)) {
             broadcast(modes.path().track().progress(), nowMs);
         }
+    }
+
+    private LinkMessage withdraw(ServerSession by, WithdrawKeys command, long nowMs) {
+        try {
+            by.withdraw(command);
+        } catch (IOException e) {
+            return CommandExecutor.nack(command, NackReason.NOT_KEPT, "the keys cannot be kept: " + e.getMessage());
+        }
+        for (ServerSession session : new ArrayList<>(sessions)) {
+            if (!session.granted().isPresent() && session.role().isPresent()) {
+                session.turnAway("its key was withdrawn", nowMs);
+            }
+        }
+        return new Ack(command.commandId());
     }
 
     private void teleoperate(ServerSession session, Teleoperate hand, Frame frame, long nowMs) {

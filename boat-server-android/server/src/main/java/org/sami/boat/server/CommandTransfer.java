@@ -8,6 +8,7 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Role;
 import org.sami.boat.link.TakeCommand;
 
 /** The consequences of a client's request to take, ask for or grant the command: whom to appoint, whom to ask, what to answer. */
@@ -46,6 +47,7 @@ final class CommandTransfer {
         }
         Optional<ServerSession> next = all.stream()
                 .filter(session -> session != from && session.clientId().equals(grant.clientId()))
+                .filter(session -> session.granted().equals(Optional.of(Role.COMMANDER)))
                 .reduce((earlier, later) -> later); // a client that came back has an old and a new session
         return next.isPresent()
                 ? new CommandTransfer(new Ack(grant.commandId()), next, Optional.empty())

@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import java.io.IOException;
 import java.util.Optional;
 import org.sami.boat.link.EarlierVersion;
 import org.sami.boat.link.Frame;
@@ -12,9 +13,12 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Pair;
 import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.WithdrawKeys;
+import org.sami.boat.link.security.Fingerprint;
 
 /**
  * The boat's side of one client's link. Its host passes it the frames that arrive and reports when the link has closed, on the thread that ticks the
@@ -29,6 +33,7 @@ public final class ServerSession {
     private final FrameSink toClient;
     private Optional<Role> role = Optional.empty();
     private String clientId = "";
+    private String claimedSession = "";
     private long sequence;
     private long lastReceivedMs;
     private long lastSentMs;
@@ -41,6 +46,9 @@ public final class ServerSession {
     private final RateLimit wishes = TransferLimits.wishesOfOne();
     private Optional<String> dismissal = Optional.empty();
     private boolean open = true;
+    private Optional<BoatKeys> keys = Optional.empty(); // of a boat that speaks with protection
+    private Optional<Fingerprint> key = Optional.empty();
+    private long unheard;
 
     ServerSession(BoatServer server, FrameSink toClient) {
         this.server = server;
@@ -64,9 +72,61 @@ public final class ServerSession {
         }
     }
 
+    /**
+     * The link is protected, and the client has that key: it may do what the key is granted. Without this it may do everything. To be called before any
+     * frame of the client.
+     */
+    public void protectedBy(BoatKeys boatKeys, Fingerprint clientKey) {
+        keys = Optional.of(boatKeys);
+        key = Optional.of(clientKey);
+    }
+
+    /** The most that the client may be; empty for a stranger. */
+    Optional<Role> granted() {
+        return keys.isPresent() ? keys.get().roleOf(key.get()) : Optional.of(Role.COMMANDER);
+    }
+
+    /** The client's key; empty on a link without protection. */
+    Optional<Fingerprint> key() {
+        return key;
+    }
+
+    /** Withdraws keys for this client. */
+    void withdraw(WithdrawKeys command) throws IOException {
+        if (keys.isPresent()) {
+            keys.get().withdraw(command, key.get());
+        }
+    }
+
+    /** Number of frames of a stranger that were not looked at. */
+    public long unheard() {
+        return unheard;
+    }
+
+    /** A stranger is told who the boat is, and may be paired; nothing else. */
+    private void receiveFromStranger(LinkMessage message, long nowMs) {
+        if (message instanceof Pair) {
+            try {
+                send(keys.get().pair(key.get(), (Pair) message, server.boatId(), nowMs), nowMs);
+            } catch (IOException e) {
+                dismiss(String.valueOf(e.getMessage()), "it was not paired: " + e.getMessage(), nowMs);
+            }
+        } else if (message instanceof Hello) {
+            String why = keys.get().whyStranger(key.get(), server.boatId());
+            dismiss(why, why, nowMs);
+        } else {
+            unheard++;
+        }
+    }
+
     /** Takes a frame from a client whose link carries no bytes. */
     public void receive(Frame frame, long nowMs) {
-        if (!takesNothing()) {
+        if (takesNothing()) {
+            return;
+        }
+        if (!granted().isPresent()) {
+            receiveFromStranger(frame.message(), nowMs);
+        } else {
             server.received(this, frame, nowMs);
             lastReceivedMs = nowMs;
         }
@@ -124,6 +184,11 @@ public final class ServerSession {
         return clientId;
     }
 
+    /** Id of the session in the client's newest hello; empty for a client of the link of before. */
+    String claimedSession() {
+        return claimedSession;
+    }
+
     /** Whether the client asked to command in its newest hello, granted or not. */
     public boolean wishesToCommand() {
         return wishesToCommand;
@@ -151,6 +216,7 @@ public final class ServerSession {
 
     void greeted(Hello hello, double defaultHz) {
         clientId = hello.clientId();
+        claimedSession = hello.session();
         double hz = hello.telemetryHz() > 0 ? hello.telemetryHz() : defaultHz;
         telemetryPeriodMs = Math.max(1, Math.round(1000 / hz));
         nextTelemetryMs = Long.MIN_VALUE; // with the next tick

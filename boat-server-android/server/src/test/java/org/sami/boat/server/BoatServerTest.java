@@ -75,7 +75,7 @@ class BoatServerTest {
         Client second = bench.commander();
 
         assertThat(second.all(Welcome.class).get(0).role()).isEqualTo(Role.OBSERVER);
-        assertNack(second.command(new FleetStop("c1")), NackReason.NOT_COMMANDER);
+        assertNack(second.command(new StopMotors("c0")), NackReason.NOT_COMMANDER);
         assertThat(commander.command(new FleetStop("c1"))).isInstanceOf(Ack.class);
         bench.run(3, commander, second);
         assertThat(second.all(Telemetry.class)).hasSize(3);

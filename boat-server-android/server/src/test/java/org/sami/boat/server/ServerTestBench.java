@@ -3,6 +3,7 @@ package org.sami.boat.server;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.Heartbeat;
@@ -27,6 +28,7 @@ final class ServerTestBench {
     private final String boatId;
     private final int starts;
     private final UnaryOperator<ServerConfig.Builder> config;
+    private CommandEpoch epoch = CommandEpoch.NONE;
     long nowMs = 10_000;
 
     ServerTestBench(Sensor... sensors) {
@@ -58,6 +60,11 @@ final class ServerTestBench {
         }
 
         @Override
+        public void appointed(CommandEpoch next) {
+            epoch = next;
+        }
+
+        @Override
         public void leftOut(long ms, long count) {
             log.add("left out: " + count);
         }
@@ -79,6 +86,8 @@ final class ServerTestBench {
             next.commands.add(commands.get(i));
             next.answers.add(answers.get(i));
         }
+        next.server.restore(epoch);
+        next.epoch = epoch;
         next.nowMs = nowMs;
         return next;
     }

@@ -5,10 +5,12 @@ import java.io.PrintWriter;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.sami.boat.hull.host.HullBoat;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
 
 /**
@@ -39,9 +41,11 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
     /**
      * Opens board and GPS, waits for a position, and serves.
      *
+     * @param links the boat's links, made of plain ones
      * @throws IOException that says what cannot be had, and what to do
      */
-    public void run(HullOptions options, PrintWriter out, Console console, Waiter waiter)
+    public void run(
+            HullOptions options, PrintWriter out, Console console, UnaryOperator<TcpServerConfig> links, Waiter waiter)
             throws IOException, InterruptedException {
         DevicePort board = options.board();
         DevicePort gps = options.gps();
@@ -61,7 +65,7 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
             out.flush();
             boat.awaitPosition();
             Optional<Path> log = logFolder.map(folder -> folder.resolve(name + ".log"));
-            boat.serve(address, lostLink, log, console);
+            boat.serve(address, lostLink, log, console, links);
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
             waiter.await();
         }

@@ -10,10 +10,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.crw.cli.board.HullOptions;
 import org.sami.crw.cli.board.RealBoatRun;
 import org.sami.crw.cli.option.ConditionsOptions;
@@ -59,6 +61,10 @@ import picocli.CommandLine.Spec;
 public final class BoatServerCommand implements Callable<Integer> {
     private static final Set<String> OF_REAL_BOATS = Set.of(
             "--port",
+            "--boat-keys",
+            "--pair",
+            "--observer",
+            "--open",
             "--name",
             "--lost-link",
             "--log",
@@ -150,8 +156,11 @@ public final class BoatServerCommand implements Callable<Integer> {
             names = "--bind",
             paramLabel = "ADDRESS",
             description = "The address that it listens on (default: loopback, so that nothing leaves this machine). "
-                    + "Any client that reaches it can command the boat.")
+                    + "Another one needs --boat-keys or --open.")
     private InetAddress bind = InetAddress.getLoopbackAddress();
+
+    @Mixin
+    private BoatKeyOptions keys = new BoatKeyOptions();
 
     @Option(
             names = "--while-input",
@@ -163,15 +172,18 @@ public final class BoatServerCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         checkPort();
+        keys.check(bind);
         if (hullOptions.isReal()) {
             return drive();
         }
         hullOptions.refuseWithoutBoard();
         BoatSettings settings = settings();
+        Console console = new Console();
+        SteadyClock clock = SteadyClock.ofThisMachine();
         PrintWriter out = spec.commandLine().getOut();
         try (StopOnInterrupt stop = new StopOnInterrupt();
-                BoatOnTcp boat = new BoatOnTcp(settings, SteadyClock.ofThisMachine(), new Console())) {
-            new Console().listening(boat.address(), boat.restored(), boat.unreadLogLines());
+                BoatOnTcp boat = new BoatOnTcp(settings, clock, console, keys.links(clock, console::say))) {
+            console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
             awaitEnd();
         } catch (InterruptedException e) {
             out.printf("%s stops%n", name);
@@ -198,7 +210,9 @@ public final class BoatServerCommand implements Callable<Integer> {
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             RealBoatRun run =
                     new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, Optional.ofNullable(log));
-            run.run(hullOptions, spec.commandLine().getOut(), new Console(), this::awaitEnd);
+            Console console = new Console();
+            UnaryOperator<TcpServerConfig> links = keys.links(SteadyClock.ofThisMachine(), console::say);
+            run.run(hullOptions, spec.commandLine().getOut(), console, links, this::awaitEnd);
         } catch (InterruptedException e) {
             spec.commandLine().getOut().printf("%s stops%n", name);
             spec.commandLine().getOut().flush();
@@ -239,14 +253,6 @@ public final class BoatServerCommand implements Callable<Integer> {
             new Console()
                     .say("its log has " + lines + (lines == 1 ? " damaged line" : " damaged lines")
                             + ": its entries are lost, maybe a fleet stop too");
-        }
-    }
-
-    private void warnOfStrangers(InetSocketAddress address) {
-        if (!address.getAddress().isLoopbackAddress()) {
-            new Console()
-                    .say("anybody who reaches " + address.getAddress().getHostAddress() + ":" + address.getPort()
-                            + " can command it, as nothing asks who that is; without --bind only this machine can");
         }
     }
 
@@ -299,7 +305,6 @@ public final class BoatServerCommand implements Callable<Integer> {
             }
             out.flush();
             warnOfDamage(unreadLogLines);
-            warnOfStrangers(address);
         }
 
         @Override

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.RunOptions;
@@ -42,6 +43,9 @@ import picocli.CommandLine.Spec;
 public final class ResumeCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
+
+    @Mixin
+    private LinkOptions links = new LinkOptions();
 
     @Parameters(paramLabel = "JOURNAL", description = "The file that 'crw run --journal' wrote.")
     private Path journal;
@@ -82,6 +86,7 @@ public final class ResumeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        links.use();
         return new Execution(spec.commandLine(), PlanSource.library(), output, connectWithinMillis)
                 .resume(journal, this::changed);
     }

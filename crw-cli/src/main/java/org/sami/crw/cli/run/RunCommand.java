@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.PlanSource;
@@ -56,6 +57,9 @@ public final class RunCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    @Mixin
+    private LinkOptions links = new LinkOptions();
+
     @Parameters(
             paramLabel = "PLAN|FILE",
             arity = "0..1",
@@ -82,6 +86,7 @@ public final class RunCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        links.use();
         PrintWriter err = spec.commandLine().getErr();
         DomainLibrary library = PlanSource.library();
         PlanSource source = options.source(name, library);

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -39,6 +40,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -73,6 +75,9 @@ public final class SessionCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec spec;
+
+    @Mixin
+    private LinkOptions links = new LinkOptions();
 
     @Parameters(
             paramLabel = "FILE|PLAN",
@@ -121,6 +126,7 @@ public final class SessionCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        links.use();
         List<BoatAddress> addresses = new ArrayList<>();
         for (String text : connect) {
             try {

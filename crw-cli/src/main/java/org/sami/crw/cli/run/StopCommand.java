@@ -9,11 +9,13 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.tcp.FleetOrder;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -43,6 +45,9 @@ public final class StopCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    @Mixin
+    private LinkOptions links = new LinkOptions();
+
     @Parameters(
             paramLabel = "HOST:PORT",
             arity = "1..*",
@@ -68,6 +73,7 @@ public final class StopCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        links.use();
         if (confirm && !release) {
             throw new ParameterException(spec.commandLine(), "--confirm goes with --release; a stop needs none");
         }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.cli.CommandResult;
+import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** {@code crw stop} against real boats on loopback. */
@@ -49,7 +50,8 @@ class StopCommandTest {
             CommandResult ran = CommandResult.crw("stop", at(anna));
 
             assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
-            assertThat(ran.out()).contains("anna: stopped", "taken over from another base");
+            assertThat(ran.out()).contains("anna: stopped").doesNotContain("taken over");
+            assertThat(base.ask("anna", BoatProxy::isCommanding)).isTrue();
             base.awaitMode("anna", BoatMode.FLEET_STOP);
         }
     }

@@ -46,6 +46,11 @@ public record ProxyConfig(
         }
     }
 
+    /** Id of this start of the base, by which boats know whom they have appointed. */
+    public String session() {
+        return clientId + "." + epoch;
+    }
+
     /** The same for a base of another name. */
     public ProxyConfig withClientId(String newClientId) {
         return new ProxyConfig(newClientId, epoch, cruiseSpeedMps, telemetryHz, lostAfterMs, resendMs, maxSends);

@@ -1,6 +1,8 @@
 package org.sami.crw.proxy.link;
 
 import java.util.Optional;
+import org.sami.boat.link.AskForCommand;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Heartbeat;
@@ -10,6 +12,7 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.status.LinkState;
 
@@ -26,6 +29,8 @@ public final class ProxyLink {
     private Role wanted = Role.COMMANDER;
     private String bootId = "";
     private String term = "";
+    private final Claim claim = new Claim();
+    private boolean replaced;
     private boolean takesTraffic;
     private long sequence;
     private long nextHelloMs = Long.MIN_VALUE;
@@ -94,7 +99,8 @@ public final class ProxyLink {
     /** Says hello now. */
     public void hello(long nowMs) {
         nextHelloMs = nowMs + HELLO_MS;
-        send(new Hello(boatId, config.clientId(), wanted, config.telemetryHz(), ""), nowMs);
+        String session = config.session();
+        send(new Hello(boatId, config.clientId(), wanted, config.telemetryHz(), "", session, claim.number()), nowMs);
     }
 
     /** Wishes no longer to command. */
@@ -109,11 +115,48 @@ public final class ProxyLink {
         }
     }
 
+    /** A request for the command from whoever has it, with this base's number. */
+    public AskForCommand askForCommand(String commandId) {
+        return new AskForCommand(commandId, config.session(), claim.number());
+    }
+
+    /** A take-over of the command, with a number above all others. */
+    public TakeCommand takeCommand(String commandId) {
+        return new TakeCommand(commandId, config.session(), claim.takeOver());
+    }
+
+    /**
+     * The boat does not grant the command for the number of the last hello. A base that has never commanded it did not know the number, and asks again.
+     *
+     * @return whether this base was replaced, and does not ask again by itself
+     */
+    public boolean superseded(long nowMs) {
+        if (claim.isNew()) {
+            hello(nowMs);
+            return false;
+        }
+        wanted = Role.OBSERVER;
+        replaced = true;
+        return true;
+    }
+
+    /** By whom this base was replaced, as the boat said when it was asked for the command; empty otherwise. */
+    public Optional<CommandEpoch> replacedBy() {
+        return replaced ? claim.supersededBy() : Optional.empty();
+    }
+
+    /** Whether the boat refuses bases that were replaced, and obeys stops of all; boats of the link of before do not. */
+    public boolean isNumbered() {
+        return claim.isNumbered();
+    }
+
     /** Takes what the boat grants. A base that loses the command while it is linked does not ask for it again by itself. */
     public void welcomed(Welcome welcome) {
         if (isCommanding() || welcome.role() == Role.COMMANDER) {
             wanted = welcome.role();
         }
+        claim.welcomed(welcome);
+        replaced &= welcome.role() != Role.COMMANDER;
         state = LinkState.LINKED;
         role = welcome.role();
         bootId = welcome.bootId();

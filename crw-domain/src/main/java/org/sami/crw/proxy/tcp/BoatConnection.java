@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.UnknownHostException;
+import java.util.Optional;
 import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.FrameThreads;
 import org.sami.boat.link.LinkException;
+import org.sami.boat.link.security.SecureLink;
 
 /**
  * One connection to a boat, from the try to connect to its end: a thread that connects and reads, and one that writes. What is
@@ -32,6 +34,7 @@ final class BoatConnection implements FrameSink {
     private final TcpBaseConfig config;
     private final Owner owner;
     private final Socket socket = new Socket();
+    private volatile Optional<SecureLink> link = Optional.empty(); // once it stands
     private final FramePump pump;
     private final ExcessFrames excess = new ExcessFrames(() -> System.nanoTime() / 1_000_000);
     private final FrameThreads threads;
@@ -82,9 +85,13 @@ final class BoatConnection implements FrameSink {
                     ? new InetSocketAddress(address.getHostString(), address.getPort())
                     : address;
             socket.connect(resolved, config.connectWithinMs());
+            socket.setSoTimeout(config.connectWithinMs());
+            SecureLink standing = config.security().connect(socket);
+            socket.setSoTimeout(0);
+            link = Optional.of(standing);
             owner.opened(this);
             threads.startWriting();
-            pump.read(socket.getInputStream(), (frame, done) -> {
+            pump.read(standing.in(), (frame, done) -> {
                 if (excess.isExcess(frame)) {
                     done.run();
                 } else {
@@ -103,7 +110,7 @@ final class BoatConnection implements FrameSink {
 
     private void write() {
         try {
-            pump.write(socket.getOutputStream());
+            pump.write(link.orElseThrow().out());
         } catch (IOException | InterruptedException e) {
             close("the link broke: " + e.getMessage());
         }

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Goodbye;
@@ -11,6 +12,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.link.security.Fingerprint;
 import org.sami.crw.proxy.BoatProxy;
 
 /**
@@ -77,6 +79,7 @@ final class BoatLink implements FrameSink {
     private long lastHeardMs;
     private long nextTryMs = Long.MIN_VALUE;
     private long connections;
+    private long withdrawnToldOn; // the number of that connection
     private long triedAtMs;
     private long failedTries;
     private long failingSinceMs;
@@ -180,6 +183,15 @@ final class BoatLink implements FrameSink {
         proxy.ifPresent(known -> known.tick(nowMs));
     }
 
+    /** Once on each connection: a boat that was out of reach when a key was withdrawn learns it now. */
+    private void carryWithdrawnKeys(BoatProxy known) {
+        List<Fingerprint> withdrawn = config.security().withdrawn();
+        if (!withdrawn.isEmpty() && withdrawnToldOn != connections) {
+            withdrawnToldOn = connections;
+            known.withdrawKeys(withdrawn);
+        }
+    }
+
     private String silence() {
         return proxy.isPresent() || understood
                 ? "nothing has come for " + config.proxy().lostAfterMs() + " ms"
@@ -230,6 +242,7 @@ final class BoatLink implements FrameSink {
             lastHeardMs = nowMs;
             backoff.reset();
             failedTries = 0;
+            Optional.of(carried).filter(BoatProxy::isCommanding).ifPresent(this::carryWithdrawnKeys);
         }
         carried.otherBoat().ifPresent(other -> base.leftBy(this, carried.boatId()));
     }

@@ -21,6 +21,8 @@ public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, Str
         ANOTHER_BOAT,
         /** What answers speaks another version of the link; it gets no command. */
         OTHER_VERSION,
+        /** The boat speaks the link of before, which is spoken for one release: it obeys bases that were replaced. */
+        LINK_OF_BEFORE,
         /** Boats answer at one address under ever new names; further ones are not taken. */
         EVER_NEW_BOATS
     }

@@ -186,6 +186,7 @@ final class LinkTable {
                 return BoatLink.Claim.TOO_MANY;
             } else if (carrier == null) {
                 adopt(link, boatId);
+                warnOfBefore(link, found.welcome());
             } else if (carrier.isOpen() && carrier.lastHeardMs() > found.sinceMs()) {
                 alarm(carrier, link, found.welcome());
                 return BoatLink.Claim.REFUSED;
@@ -225,6 +226,15 @@ final class LinkTable {
             carriers.put(boatId, link);
             LinkTable.this.tell("a boat that is reached", () -> listener.onReached(boatId, link.address()));
             link.carry(proxy, nowMs);
+        }
+
+        private void warnOfBefore(BoatLink link, Welcome welcome) {
+            if (welcome.epoch().isEmpty()) {
+                String text =
+                        welcome.boatId() + " at " + words(link) + " speaks the link of before: it obeys bases that"
+                                + " were replaced. Bring it to this base's version";
+                tell(new LinkAlarm(LinkAlarm.Kind.LINK_OF_BEFORE, welcome.boatId(), link.address(), text));
+            }
         }
 
         /** The same start of the same boat can be at one place only; another boat of its name must not take its place so soon. */

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.tcp;
 
 import java.util.Objects;
+import org.sami.boat.link.security.LinkSecurity;
 import org.sami.crw.proxy.link.ProxyConfig;
 
 /**
@@ -14,6 +15,7 @@ import org.sami.crw.proxy.link.ProxyConfig;
  * @param longestRetryMs longest delay between two attempts
  * @param maxQueuedFrames frames waiting at which a boat is dropped and connected again
  * @param maxQueuedBytes bytes waiting at which a boat is dropped and connected again
+ * @param security how links are protected; keys withdrawn there are carried to the boats that the base commands
  */
 public record TcpBaseConfig(
         ProxyConfig proxy,
@@ -23,16 +25,54 @@ public record TcpBaseConfig(
         long firstRetryMs,
         long longestRetryMs,
         int maxQueuedFrames,
-        int maxQueuedBytes) {
+        int maxQueuedBytes,
+        LinkSecurity security) {
+
+    /** Links as they are, without protection. */
+    public TcpBaseConfig(
+            ProxyConfig proxy,
+            long seed,
+            long tickMs,
+            int connectWithinMs,
+            long firstRetryMs,
+            long longestRetryMs,
+            int maxQueuedFrames,
+            int maxQueuedBytes) {
+        this(
+                proxy,
+                seed,
+                tickMs,
+                connectWithinMs,
+                firstRetryMs,
+                longestRetryMs,
+                maxQueuedFrames,
+                maxQueuedBytes,
+                LinkSecurity.open());
+    }
+
+    /** The same with other protection. */
+    public TcpBaseConfig withSecurity(LinkSecurity other) {
+        return new TcpBaseConfig(
+                proxy,
+                seed,
+                tickMs,
+                connectWithinMs,
+                firstRetryMs,
+                longestRetryMs,
+                maxQueuedFrames,
+                maxQueuedBytes,
+                other);
+    }
 
     /** Ticks every 100 ms; 2 s to connect; again after 0.25 s, at most 4 s; 512 frames or 8 MiB may wait. */
     public static TcpBaseConfig of(ProxyConfig proxy, long seed) {
-        return new TcpBaseConfig(proxy, seed, 100, 2000, 250, 4000, 512, 8 << 20);
+        return new TcpBaseConfig(proxy, seed, 100, 2000, 250, 4000, 512, 8 << 20, BaseProtection.ofThisProcess());
     }
 
     /** Refuses what is not positive. */
     public TcpBaseConfig {
         Objects.requireNonNull(proxy, "proxy");
+        Objects.requireNonNull(security, "security");
         if (tickMs <= 0 || connectWithinMs <= 0 || maxQueuedFrames <= 0 || maxQueuedBytes <= 0) {
             throw new IllegalArgumentException("ticks every " + tickMs + " ms, connect within " + connectWithinMs
                     + " ms, queue of " + maxQueuedFrames + " frames and " + maxQueuedBytes + " bytes");

@@ -8,7 +8,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.StartWaypoints;
@@ -52,6 +54,17 @@ public final class BoatOnTcp implements Closeable {
      * @throws IOException if its port or its log cannot be had
      */
     public BoatOnTcp(BoatSettings settings, SteadyClock clock, TcpServerListener listener) throws IOException {
+        this(settings, clock, listener, UnaryOperator.identity());
+    }
+
+    /**
+     * Launches the boat with links of the caller's choice, such as protected ones.
+     *
+     * @throws IOException if its port or its log cannot be had
+     */
+    public BoatOnTcp(
+            BoatSettings settings, SteadyClock clock, TcpServerListener listener, UnaryOperator<TcpServerConfig> links)
+            throws IOException {
         LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
         hull = new SimulatedHull(settings.hull(), settings.conditions(), frame, 0, 0, settings.seed());
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
@@ -59,9 +72,15 @@ public final class BoatOnTcp implements Closeable {
         hull.setQuay(Quay.atOrigin());
         boat = new BoatServer(settings.server(bootId), instruments, new Log());
         log = openLog(settings, boat, listener);
+        log.ifPresent(file -> boat.restore(file.epoch()));
         try {
             server = new TcpBoatServer(
-                    settings.name(), boat, TcpServerConfig.on(settings.address()), clock, this::moveTo, listener);
+                    settings.name(),
+                    boat,
+                    links.apply(TcpServerConfig.on(settings.address())),
+                    clock,
+                    this::moveTo,
+                    listener);
             lastMs = clock.getAsLong();
             server.start();
         } catch (IOException | RuntimeException e) {
@@ -75,6 +94,11 @@ public final class BoatOnTcp implements Closeable {
         @Override
         public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
             BoatOnTcp.this.answered(nowMs, clientId, command, answer);
+        }
+
+        @Override
+        public void appointed(CommandEpoch epoch) {
+            log.ifPresent(file -> file.appointed(epoch));
         }
 
         @Override
@@ -128,6 +152,11 @@ public final class BoatOnTcp implements Closeable {
     /** How many lines of the log are damaged; their content is lost. */
     public int unreadLogLines() {
         return log.map(CommandLogFile::unreadLines).orElse(0);
+    }
+
+    /** How many connections were refused because they could not be protected. */
+    public long refusedConnections() {
+        return server.refusedConnections();
     }
 
     private void moveTo(long nowMs) {

@@ -70,7 +70,7 @@ public final class FleetOrder {
 
         @Override
         public void onBoat(BoatProxy boat) {
-            if (kind == Kind.LOOK) {
+            if (kind != Kind.RELEASE) { // a stop needs no command
                 boat.handOver().observe();
             }
         }
@@ -127,7 +127,7 @@ public final class FleetOrder {
         } else if (kind == Kind.LOOK) {
             boolean known = boat.status().mode().isPresent();
             return answer(boat, known, isStopped(boat) ? "stopped, and the stop is latched" : "not stopped");
-        } else if (!boat.isCommanding()) {
+        } else if (!boat.isCommanding() && !(kind == Kind.STOP && boat.isStoppedByAnyone())) {
             if (!takenOver) {
                 takenOver = true;
                 boat.handOver().takeCommand();

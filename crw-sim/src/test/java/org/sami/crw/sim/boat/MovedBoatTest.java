@@ -31,9 +31,14 @@ class MovedBoatTest {
 
     private TcpTestFleet fleet;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     @BeforeEach
     void open() {
-        fleet = new TcpTestFleet(logs);
+        fleet = new TcpTestFleet(logs, links());
     }
 
     @AfterEach

@@ -44,9 +44,14 @@ class TcpBaseTest {
 
     private TcpTestFleet fleet;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     @BeforeEach
     void open() {
-        fleet = new TcpTestFleet(logs);
+        fleet = new TcpTestFleet(logs, links());
     }
 
     @AfterEach

@@ -43,6 +43,7 @@ final class TcpTestFleet implements AutoCloseable {
 
     private final Path logs;
     private final LongSupplier clockMs;
+    private final TestLinks links;
     private final List<AutoCloseable> opened = new ArrayList<>();
 
     TcpTestFleet(Path logs) {
@@ -51,6 +52,16 @@ final class TcpTestFleet implements AutoCloseable {
 
     /** A fleet whose boats and bases live on a clock of milliseconds. */
     TcpTestFleet(Path logs, LongSupplier clockMs) {
+        this(logs, clockMs, TestLinks.plain());
+    }
+
+    /** A fleet with links of some kind. */
+    TcpTestFleet(Path logs, TestLinks links) {
+        this(logs, ProcessClock::ms, links);
+    }
+
+    TcpTestFleet(Path logs, LongSupplier clockMs, TestLinks links) {
+        this.links = links;
         this.logs = logs;
         this.clockMs = clockMs;
     }
@@ -65,13 +76,13 @@ final class TcpTestFleet implements AutoCloseable {
 
     BoatOnTcp boat(String name, int port, Path logFolder) throws IOException {
         BoatSettings settings = BoatSettings.of(name, port(port), PIER, 1).loggingTo(logFolder);
-        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE));
+        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE, links.ofBoat(name)));
     }
 
     /** A boat that lies somewhere else. */
     BoatOnTcp boat(String name, GeoPoint at) throws IOException {
         BoatSettings settings = BoatSettings.of(name, port(0), at, 1).loggingTo(logs);
-        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE));
+        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE, links.ofBoat(name)));
     }
 
     DelayingRelay lateRelay(BoatOnTcp boat) throws IOException {
@@ -88,13 +99,13 @@ final class TcpTestFleet implements AutoCloseable {
 
     Base base(String clientId, LongSupplier ownClockMs) {
         ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20);
-        return keep(new Base(proxy, new SteadyClock(ownClockMs)));
+        return keep(new Base(proxy, new SteadyClock(ownClockMs), links));
     }
 
     /** A base that sends again after so many ms what stays unanswered. */
     Base impatientBase(String clientId, long resendMs) {
         ProxyConfig proxy = new ProxyConfig(clientId, 0, 1.5, 20, 3500, resendMs, 20);
-        return keep(new Base(proxy, new SteadyClock(clockMs)));
+        return keep(new Base(proxy, new SteadyClock(clockMs), links));
     }
 
     private <C extends AutoCloseable> C keep(C closeable) {
@@ -157,8 +168,9 @@ final class TcpTestFleet implements AutoCloseable {
         final TcpBase tcp;
         volatile boolean onlyWatches;
 
-        Base(ProxyConfig proxy, SteadyClock clock) {
-            tcp = new TcpBase(new TcpBaseConfig(proxy, 5, 50, 1000, 20, 200, 256, 1 << 20), clock, this);
+        Base(ProxyConfig proxy, SteadyClock clock, TestLinks links) {
+            TcpBaseConfig plain = new TcpBaseConfig(proxy, 5, 50, 1000, 20, 200, 256, 1 << 20);
+            tcp = new TcpBase(links.ofBase(plain), clock, this);
         }
 
         BoatProxy connect(InetSocketAddress address, String expected) {

@@ -1,7 +1,9 @@
 package org.sami.crw.sim.boat;
 
+import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -35,6 +37,8 @@ public final class TestRelay implements Closeable {
 
     /** Cuts the link, once, at the next message of a kind that comes through, in either direction. */
     public record Cut(Class<? extends LinkMessage> at, Where where) {}
+
+    private static final int TLS_HANDSHAKE = 0x16;
 
     private final InetSocketAddress boat;
     private final ServerSocket socket;
@@ -155,8 +159,13 @@ public final class TestRelay implements Closeable {
     private void pump(Socket from, Socket to) {
         try (from;
                 to) {
-            FrameReader frames = new FrameReader(from.getInputStream(), codec);
+            BufferedInputStream in = new BufferedInputStream(from.getInputStream());
             OutputStream out = to.getOutputStream();
+            if (isProtected(in)) {
+                pass(in, out);
+                return;
+            }
+            FrameReader frames = new FrameReader(in, codec);
             for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
                 keep(next.get());
                 if (!swallows && !loses() && !carry(bend(next.get()), out)) {
@@ -168,6 +177,23 @@ public final class TestRelay implements Closeable {
         } finally {
             open.remove(from);
             open.remove(to);
+        }
+    }
+
+    /** Whether what comes is TLS, in which a router sees no frames. */
+    private static boolean isProtected(BufferedInputStream in) throws IOException {
+        in.mark(1);
+        int first = in.read();
+        in.reset();
+        return first == TLS_HANDSHAKE;
+    }
+
+    private void pass(InputStream in, OutputStream out) throws IOException {
+        byte[] bytes = new byte[8192];
+        for (int read = in.read(bytes); read > 0; read = in.read(bytes)) {
+            if (!swallows) {
+                out.write(bytes, 0, read);
+            }
         }
     }
 

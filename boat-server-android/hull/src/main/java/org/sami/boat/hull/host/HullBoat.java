@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.UnaryOperator;
 import org.sami.boat.hull.board.BoardListener;
 import org.sami.boat.hull.board.BoardState;
 import org.sami.boat.hull.board.BoardVehicle;
@@ -19,6 +20,7 @@ import org.sami.boat.hull.position.PositionDoubt;
 import org.sami.boat.hull.position.PositionFilter;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.hull.stream.StreamPort;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
@@ -144,6 +146,21 @@ public final class HullBoat implements Closeable {
     public void serve(
             InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFile, TcpServerListener listener)
             throws IOException {
+        serve(address, lostLink, logFile, listener, UnaryOperator.identity());
+    }
+
+    /**
+     * Begins to serve with links of the caller's choice, such as protected ones; after {@link #awaitPosition}.
+     *
+     * @throws IOException if the port or the log cannot be had
+     */
+    public void serve(
+            InetSocketAddress address,
+            LostLinkAction lostLink,
+            Optional<Path> logFile,
+            TcpServerListener listener,
+            UnaryOperator<TcpServerConfig> links)
+            throws IOException {
         double errorM = Math.max(LEAST_ERROR_M, filter.pose(clock.getAsLong()).positionErrorM());
         ServerConfig config = ServerConfig.of(name, bootId)
                 .lostLinkAction(lostLink)
@@ -155,9 +172,10 @@ public final class HullBoat implements Closeable {
         BoatServer boat = new BoatServer(config, vehicle, toFile);
         if (logFile.isPresent()) {
             log = Optional.of(openLog(logFile.get(), boat, listener));
+            boat.restore(log.get().epoch());
         }
-        TcpBoatServer tcp =
-                new TcpBoatServer(name, boat, TcpServerConfig.on(address), clock, this::tellDoubts, listener);
+        TcpServerConfig tcpConfig = links.apply(TcpServerConfig.on(address));
+        TcpBoatServer tcp = new TcpBoatServer(name, boat, tcpConfig, clock, this::tellDoubts, listener);
         server = Optional.of(tcp);
         tcp.start();
     }
@@ -185,6 +203,11 @@ public final class HullBoat implements Closeable {
         @Override
         public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
             log.ifPresent(file -> file.answered(nowMs, clientId, command, answer));
+        }
+
+        @Override
+        public void appointed(CommandEpoch epoch) {
+            log.ifPresent(file -> file.appointed(epoch));
         }
 
         @Override

@@ -18,6 +18,7 @@ import java.util.EnumSet;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.server.ServerLog;
@@ -38,13 +39,19 @@ public final class CommandLogFile implements ServerLog, Closeable {
     private final FileChannel channel;
     private final String bootId;
     private final int unreadLines;
+    private final EpochFile epochFile;
+    private final CommandEpoch epoch;
     private final Consumer<IOException> onFault;
     private boolean broken;
 
-    private CommandLogFile(FileChannel channel, String bootId, int unreadLines, Consumer<IOException> onFault) {
+    private CommandLogFile(
+            FileChannel channel, String bootId, int unreadLines, EpochFile epochFile, Consumer<IOException> onFault)
+            throws IOException {
         this.channel = channel;
         this.bootId = bootId;
         this.unreadLines = unreadLines;
+        this.epochFile = epochFile;
+        epoch = epochFile.read();
         this.onFault = onFault;
     }
 
@@ -66,7 +73,11 @@ public final class CommandLogFile implements ServerLog, Closeable {
             channel.truncate(extent.wholeBytes());
             channel.position(extent.wholeBytes());
             CommandLogFile log = new CommandLogFile(
-                    channel, bootId, extent.unreadLines(), Objects.requireNonNull(onFault, "onFault"));
+                    channel,
+                    bootId,
+                    extent.unreadLines(),
+                    new EpochFile(file),
+                    Objects.requireNonNull(onFault, "onFault"));
             log.write(LogLines.start(bootId));
             return log;
         } catch (IOException | RuntimeException e) {
@@ -111,6 +122,20 @@ public final class CommandLogFile implements ServerLog, Closeable {
     @Override
     public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
         add(LogLines.command(new LoggedCommand(bootId, nowMs, clientId, command, answer)));
+    }
+
+    /** Who commanded last in the earlier starts; {@link CommandEpoch#NONE} if nobody did. */
+    public CommandEpoch epoch() {
+        return epoch;
+    }
+
+    @Override
+    public void appointed(CommandEpoch next) {
+        try {
+            epochFile.write(next);
+        } catch (IOException e) {
+            onFault.accept(e);
+        }
     }
 
     @Override

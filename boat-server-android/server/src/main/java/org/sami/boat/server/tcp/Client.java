@@ -1,6 +1,8 @@
 package org.sami.boat.server.tcp;
 
 import org.sami.boat.link.Role;
+import org.sami.boat.link.security.Fingerprint;
+import org.sami.boat.server.BoatKeys;
 import org.sami.boat.server.ServerSession;
 
 /** What the boat's thread knows of a connection. */
@@ -19,6 +21,11 @@ final class Client {
 
     ClientConnection connection() {
         return connection;
+    }
+
+    /** The link is protected, and that is the client's key. */
+    void protectedBy(BoatKeys keys, Fingerprint key) {
+        session.protectedBy(keys, key);
     }
 
     /** Takes a frame from the client. */

@@ -3,10 +3,15 @@ package org.sami.boat.server.tcp;
 import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
+import java.util.Optional;
 import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.FrameThreads;
 import org.sami.boat.link.LinkException;
+import org.sami.boat.link.security.Fingerprint;
+import org.sami.boat.link.security.LinkRefusedException;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.SecureLink;
 
 /**
  * One client's socket, with a reading and a writing thread. The boat's messages wait in a bounded queue: the boat never waits for a client. The client's
@@ -17,6 +22,12 @@ final class ClientConnection implements FrameSink {
 
     /** Receives the events of a connection, on the connection's threads. */
     interface Owner {
+        /** The link is protected, and that is the client's key. Called before any frame. */
+        void secured(ClientConnection connection, Fingerprint key);
+
+        /** The link could not be protected, for a reason in words; {@code closed} follows. */
+        void notSecured(ClientConnection connection, String why);
+
         /** A whole frame has come; {@code done} is to be run once the boat has taken it. */
         void arrived(ClientConnection from, byte[] frame, Runnable done);
 
@@ -28,7 +39,9 @@ final class ClientConnection implements FrameSink {
     private final Owner owner;
     private final String name;
     private final long number;
+    private final LinkSecurity security;
     private final FramePump pump;
+    private volatile Optional<SecureLink> link = Optional.empty(); // once both sides are known to each other
     private final FrameThreads threads;
 
     /** A client's socket; the numbers of connections grow. */
@@ -42,13 +55,13 @@ final class ClientConnection implements FrameSink {
         socket.setSendBufferSize(SEND_BUFFER_BYTES);
         socket.setSoTimeout(config.silentAfterMs());
         pump = new FramePump(config.maxQueuedFrames(), config.maxQueuedBytes());
+        security = config.security();
         threads = new FrameThreads(pump, socket, boatId + "-from-" + name, this::read, this::write);
     }
 
     /** Begins to read and write. */
     void start() {
         threads.startReading();
-        threads.startWriting();
     }
 
     /** The client's address, for people. */
@@ -82,10 +95,17 @@ final class ClientConnection implements FrameSink {
 
     private void read() {
         try {
-            pump.read(socket.getInputStream(), (frame, done) -> owner.arrived(this, frame, done));
+            SecureLink standing = security.accept(socket);
+            link = Optional.of(standing);
+            standing.peer().ifPresent(key -> owner.secured(this, key));
+            threads.startWriting();
+            pump.read(standing.in(), (frame, done) -> owner.arrived(this, frame, done));
             close("it has closed the link");
         } catch (LinkException e) {
             close("it sends what is no frame: " + e.getMessage());
+        } catch (LinkRefusedException e) {
+            owner.notSecured(this, String.valueOf(e.getMessage()));
+            close(String.valueOf(e.getMessage()));
         } catch (SocketTimeoutException e) {
             close("it has been silent for too long");
         } catch (IOException | InterruptedException e) {
@@ -95,7 +115,7 @@ final class ClientConnection implements FrameSink {
 
     private void write() {
         try {
-            pump.write(socket.getOutputStream());
+            pump.write(link.get().out());
         } catch (IOException | InterruptedException e) {
             close("the link broke: " + e.getMessage());
         }

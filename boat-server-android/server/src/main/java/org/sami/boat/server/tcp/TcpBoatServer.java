@@ -19,9 +19,11 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongConsumer;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.server.BoatServer;
 
 /**
@@ -47,6 +49,7 @@ public final class TcpBoatServer implements Closeable {
     private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
     private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
     private final ConnectionSlots places;
+    private final AtomicLong refused = new AtomicLong();
     private long accepts; // for the accepting thread
     private volatile boolean stopping;
     private volatile Future<?> ticks = CompletableFuture.completedFuture(null);
@@ -108,6 +111,11 @@ public final class TcpBoatServer implements Closeable {
     /** How many clients are connected. */
     public int clientCount() {
         return connections.size();
+    }
+
+    /** How many connections were refused because they could not be protected. */
+    public long refusedConnections() {
+        return refused.get();
     }
 
     /**
@@ -225,6 +233,21 @@ public final class TcpBoatServer implements Closeable {
 
     /** Brings the events of connections to the boat's thread. */
     private final class Hand implements ClientConnection.Owner {
+        @Override
+        public void secured(ClientConnection connection, Fingerprint key) {
+            onBoat(() -> {
+                Client client = clients.get(connection);
+                if (client != null) {
+                    client.protectedBy(config.keys().orElseThrow(IllegalStateException::new), key);
+                }
+            });
+        }
+
+        @Override
+        public void notSecured(ClientConnection connection, String why) {
+            refused.incrementAndGet();
+        }
+
         @Override
         public void arrived(ClientConnection from, byte[] frame, Runnable done) {
             onBoat(() -> {

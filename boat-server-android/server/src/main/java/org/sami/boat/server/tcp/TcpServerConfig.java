@@ -3,6 +3,12 @@ package org.sami.boat.server.tcp;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Objects;
+import java.util.Optional;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.TlsLinks;
+import org.sami.boat.server.BoatKeys;
 
 /** What is set for a boat's TCP side before it starts. Immutable; a value that makes no sense is refused. */
 public final class TcpServerConfig {
@@ -13,6 +19,8 @@ public final class TcpServerConfig {
     private final int silentAfterMs;
     private final int maxQueuedFrames;
     private final int maxQueuedBytes;
+    private final LinkSecurity security;
+    private final Optional<BoatKeys> keys;
 
     private TcpServerConfig(
             InetSocketAddress address,
@@ -21,13 +29,17 @@ public final class TcpServerConfig {
             int helloWithinMs,
             int silentAfterMs,
             int maxQueuedFrames,
-            int maxQueuedBytes) {
+            int maxQueuedBytes,
+            LinkSecurity security,
+            Optional<BoatKeys> keys) {
         this.address = Objects.requireNonNull(address, "address");
         this.tickMs = positive("time between ticks", tickMs);
         this.maxClients = (int) positive("number of clients", maxClients);
         this.helloWithinMs = (int) positive("time for the hello", helloWithinMs);
         this.silentAfterMs = (int) positive("time of silence", silentAfterMs);
         this.maxQueuedFrames = (int) positive("number of frames in a queue", maxQueuedFrames);
+        this.security = Objects.requireNonNull(security, "security");
+        this.keys = Objects.requireNonNull(keys, "keys");
         this.maxQueuedBytes = (int) positive("number of bytes in a queue", maxQueuedBytes);
     }
 
@@ -41,24 +53,65 @@ public final class TcpServerConfig {
      * or 8 MiB that a client does not take.
      */
     public static TcpServerConfig on(InetSocketAddress address) {
-        return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20);
+        return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20, LinkSecurity.open(), Optional.empty());
     }
 
     /** The same with other bounds on the messages waiting for a slow client. */
     public TcpServerConfig withQueue(int frames, int bytes) {
-        return new TcpServerConfig(address, tickMs, maxClients, helloWithinMs, silentAfterMs, frames, bytes);
+        return new TcpServerConfig(
+                address, tickMs, maxClients, helloWithinMs, silentAfterMs, frames, bytes, security, keys);
     }
 
     /** The same with other limits on clients that say nothing: for the hello, and between two bytes. */
     public TcpServerConfig withPatience(int newHelloWithinMs, int newSilentAfterMs) {
         return new TcpServerConfig(
-                address, tickMs, maxClients, newHelloWithinMs, newSilentAfterMs, maxQueuedFrames, maxQueuedBytes);
+                address,
+                tickMs,
+                maxClients,
+                newHelloWithinMs,
+                newSilentAfterMs,
+                maxQueuedFrames,
+                maxQueuedBytes,
+                security,
+                keys);
     }
 
     /** The same with another bound on clients at a time. */
     public TcpServerConfig withMaxClients(int clients) {
         return new TcpServerConfig(
-                address, tickMs, clients, helloWithinMs, silentAfterMs, maxQueuedFrames, maxQueuedBytes);
+                address,
+                tickMs,
+                clients,
+                helloWithinMs,
+                silentAfterMs,
+                maxQueuedFrames,
+                maxQueuedBytes,
+                security,
+                keys);
+    }
+
+    /** The same with protected links: only clients with known keys command. */
+    public TcpServerConfig withKeys(KeyRing ring, PairingDesk desk) {
+        return new TcpServerConfig(
+                address,
+                tickMs,
+                maxClients,
+                helloWithinMs,
+                silentAfterMs,
+                maxQueuedFrames,
+                maxQueuedBytes,
+                TlsLinks.of(ring),
+                Optional.of(new BoatKeys(ring, desk)));
+    }
+
+    /** How connections are protected. */
+    LinkSecurity security() {
+        return security;
+    }
+
+    /** What keys may do; empty where links are not protected. */
+    Optional<BoatKeys> keys() {
+        return keys;
     }
 
     /** Where it listens. */

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.StopMotors;
@@ -42,6 +43,36 @@ class CommandLogFileTest {
         List<LoggedCommand> entries = new ArrayList<>();
         LogLines.read(file(), entries::add);
         return entries;
+    }
+
+    @Test
+    void givesBackWhoCommandedLast() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            assertThat(log.epoch().number()).isZero();
+            log.appointed(new CommandEpoch(6, "a.0", "a"));
+        }
+        try (CommandLogFile log = open("b2", new ArrayList<>())) {
+            assertThat(log.epoch().number()).isEqualTo(6);
+            assertThat(log.epoch().session()).isEqualTo("a.0");
+            log.appointed(new CommandEpoch(8, "b.0", "Base von Jürgen"));
+        }
+        try (CommandLogFile log = open("b3", new ArrayList<>())) {
+            assertThat(log.epoch().number()).isEqualTo(8);
+            assertThat(log.epoch().clientId()).isEqualTo("Base von Jürgen");
+        }
+    }
+
+    @Test
+    void damagedNumberOfTheLastTakeOverIsNotForgottenInSilence() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            log.appointed(new CommandEpoch(6, "a.0", "a"));
+        }
+        Path kept = folder.resolve("boat1.log.epoch");
+        Files.writeString(kept, Files.readString(kept).replace("6", "7"));
+
+        assertThatThrownBy(() -> open("b2", new ArrayList<>()))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("boat1.log.epoch is damaged");
     }
 
     @Test

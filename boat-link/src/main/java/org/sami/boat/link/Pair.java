@@ -1,0 +1,43 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+
+/** A base asks to be paired over a protected link: it proves that it was told the words which the boat shows. */
+public final class Pair extends LinkMessage {
+    static final String TYPE = "pair";
+
+    private final String clientId;
+    private final String proof;
+
+    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    public Pair(String clientId, String proof) {
+        this.clientId = Checks.name("client", clientId);
+        this.proof = Checks.proof("proof", proof);
+    }
+
+    static Pair read(Fields in) throws LinkException {
+        return new Pair(in.text("client"), in.text("proof"));
+    }
+
+    /** The name under which the boat keeps the base's key, for people. */
+    public String clientId() {
+        return clientId;
+    }
+
+    /** Proof of the words and of the keys of this link. */
+    public String proof() {
+        return proof;
+    }
+
+    @Override
+    public String type() {
+        return TYPE;
+    }
+
+    @Override
+    void write(JsonGenerator out) throws IOException {
+        out.writeStringField("client", clientId);
+        out.writeStringField("proof", proof);
+    }
+}

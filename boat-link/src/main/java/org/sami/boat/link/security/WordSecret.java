@@ -1,0 +1,94 @@
+package org.sami.boat.link.security;
+
+import java.nio.charset.StandardCharsets;
+import java.security.GeneralSecurityException;
+import java.security.MessageDigest;
+import java.security.SecureRandom;
+import java.util.Locale;
+import javax.crypto.Mac;
+import javax.crypto.spec.SecretKeySpec;
+
+/**
+ * The secret of one pairing: six words that a boat shows and a base is told. Whoever knows it proves that by a code over the two keys of the link, so that
+ * nobody in between can pass a proof on: the keys of its links are other ones. Immutable.
+ */
+public final class WordSecret {
+    /** Number of words. */
+    public static final int WORDS = 6;
+
+    private final String words;
+
+    private WordSecret(String words) {
+        this.words = words;
+    }
+
+    /** New words by chance. */
+    public static WordSecret random() {
+        SecureRandom random = new SecureRandom();
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < WORDS; i++) {
+            text.append(i == 0 ? "" : " ").append(PairingWords.word(random.nextInt(PairingWords.size())));
+        }
+        return new WordSecret(text.toString());
+    }
+
+    /**
+     * Reads the words as a person types them: in any case, with whatever between them, each as a whole or by its first four letters.
+     *
+     * @throws IllegalArgumentException naming the word that is none of the list, or how many are missing
+     */
+    public static WordSecret parse(String typed) {
+        String[] parts = typed.trim().toLowerCase(Locale.ROOT).split("[^a-z]+");
+        if (parts.length != WORDS) {
+            throw new IllegalArgumentException(
+                    "six words are needed, not " + (typed.trim().isEmpty() ? 0 : parts.length));
+        }
+        StringBuilder text = new StringBuilder();
+        for (String part : parts) {
+            text.append(text.length() == 0 ? "" : " ").append(PairingWords.find(part));
+        }
+        return new WordSecret(text.toString());
+    }
+
+    /** A base's proof that it knows the words, for this link only; 64 hexadecimal digits. */
+    public String proofOfBase(Fingerprint base, Fingerprint boat) {
+        return proof("base", base, boat);
+    }
+
+    /** The boat's proof that it knows the words. */
+    public String proofOfBoat(Fingerprint base, Fingerprint boat) {
+        return proof("boat", base, boat);
+    }
+
+    private String proof(String by, Fingerprint base, Fingerprint boat) {
+        try {
+            Mac mac = Mac.getInstance("HmacSHA256");
+            mac.init(new SecretKeySpec(words.getBytes(StandardCharsets.UTF_8), "HmacSHA256"));
+            mac.update(("SAMI pairing by " + by + "\n").getBytes(StandardCharsets.UTF_8));
+            mac.update(base.bytes());
+            mac.update(boat.bytes());
+            return Hex.of(mac.doFinal());
+        } catch (GeneralSecurityException e) {
+            throw new IllegalStateException("every Java and every Android has it", e);
+        }
+    }
+
+    /** Whether two proofs are equal; takes the same time wherever they differ. */
+    public static boolean isEqual(String proof, String other) {
+        return MessageDigest.isEqual(proof.getBytes(StandardCharsets.UTF_8), other.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Six digits that both sides show after a pairing, equal only if nobody is in between. */
+    public static String checkCode(Fingerprint base, Fingerprint boat) {
+        byte[] digest = Fingerprint.sha256(("SAMI check " + base + " " + boat).getBytes(StandardCharsets.UTF_8));
+        int number = ((digest[0] & 0x7f) << 24 | (digest[1] & 0xff) << 16 | (digest[2] & 0xff) << 8 | digest[3] & 0xff);
+        String digits = String.format(Locale.ROOT, "%06d", number % 1_000_000);
+        return digits.substring(0, 3) + " " + digits.substring(3);
+    }
+
+    /** The words, with a space between them. */
+    @Override
+    public String toString() {
+        return words;
+    }
+}

@@ -1,0 +1,100 @@
+package org.sami.boat.link.security;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.sami.boat.link.Role;
+
+/** Pairing: the words count once, for minutes, for few tries, and only for the two keys of one link. */
+class PairingDeskTest {
+    private final KeyRing boat = KeyRing.inMemory();
+    private final PairingDesk desk = new PairingDesk(boat);
+    private final Fingerprint base = Identity.generate().fingerprint();
+
+    private String pair(WordSecret words, long nowMs) throws IOException {
+        String proof = words.proofOfBase(base, boat.identity().fingerprint());
+        return desk.pair(base, "laptop", proof, nowMs);
+    }
+
+    @Test
+    void baseThatKnowsTheWordsIsKeptAndTheBoatProvesThatItKnowsThemToo() throws IOException {
+        WordSecret words = desk.open(Role.COMMANDER, 0);
+
+        String proof =
+                pair(WordSecret.parse(words.toString().toUpperCase(Locale.ROOT).replace(' ', '-')), 1000);
+
+        assertThat(proof).isEqualTo(words.proofOfBoat(base, boat.identity().fingerprint()));
+        assertThat(boat.find(base)).map(Peer::role).contains(Role.COMMANDER);
+    }
+
+    @Test
+    void wordsCountOnceAndForMinutesOnly() throws IOException {
+        WordSecret words = desk.open(Role.COMMANDER, 0);
+        pair(words, 0);
+        assertThatThrownBy(() -> pair(words, 1)).hasMessageContaining("the words have been used");
+
+        WordSecret later = desk.open(Role.COMMANDER, 10);
+        assertThat(desk.isOpen(PairingDesk.OPEN_MS + 9)).isTrue();
+        assertThatThrownBy(() -> pair(later, PairingDesk.OPEN_MS + 10)).hasMessageContaining("count no longer");
+        assertThatThrownBy(() -> pair(later, 11)).hasMessageContaining("count no longer");
+    }
+
+    @Test
+    void fiveWrongProofsCloseThePairing() {
+        WordSecret words = desk.open(Role.COMMANDER, 0);
+        for (int left = 4; left >= 0; left--) {
+            String tries = left + (left == 1 ? " try" : " tries");
+            assertThatThrownBy(() -> pair(WordSecret.random(), 0)).hasMessageContaining(tries);
+        }
+
+        assertThatThrownBy(() -> pair(words, 0)).hasMessageContaining("5 wrong words");
+        assertThat(boat.peers()).isEmpty();
+    }
+
+    @Test
+    void proofThatSomebodyInBetweenPassesOnIsWrong() {
+        WordSecret words = desk.open(Role.COMMANDER, 0);
+        Fingerprint between = Identity.generate().fingerprint();
+        String proofToBetween = words.proofOfBase(base, between);
+
+        assertThatThrownBy(() -> desk.pair(between, "laptop", proofToBetween, 0))
+                .hasMessageContaining("in between");
+        assertThat(WordSecret.checkCode(base, between))
+                .isNotEqualTo(WordSecret.checkCode(between, boat.identity().fingerprint()));
+    }
+
+    @Test
+    void proofOfTheBoatIsNoProofOfABase() {
+        WordSecret words = desk.open(Role.COMMANDER, 0);
+        Fingerprint own = boat.identity().fingerprint();
+
+        assertThatThrownBy(() -> desk.pair(base, "laptop", words.proofOfBoat(base, own), 0))
+                .isInstanceOf(LinkRefusedException.class);
+    }
+
+    @Test
+    void noTwoWordsBeginWithTheSameFourLettersAndFourLettersAreEnough() {
+        Set<String> beginnings = new HashSet<>();
+        for (int i = 0; i < PairingWords.size(); i++) {
+            String word = PairingWords.word(i);
+            assertThat(word).matches("[a-z]{4,8}");
+            assertThat(beginnings.add(word.substring(0, 4))).as(word).isTrue();
+            assertThat(PairingWords.find(word.substring(0, 4))).isEqualTo(word);
+        }
+
+        assertThat(beginnings).hasSize(1024);
+    }
+
+    @Test
+    void wrongWordIsNamedAndMissingOnesAreCounted() {
+        assertThatThrownBy(() -> WordSecret.parse("able about xyzzy acts adds after"))
+                .hasMessage("'xyzzy' is none of the words that a boat shows");
+        assertThatThrownBy(() -> WordSecret.parse("able about")).hasMessage("six words are needed, not 2");
+        assertThatThrownBy(() -> WordSecret.parse(" ")).hasMessage("six words are needed, not 0");
+    }
+}

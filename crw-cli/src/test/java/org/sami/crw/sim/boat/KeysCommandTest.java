@@ -1,0 +1,140 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.KeyStoreFolder;
+import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.cli.CommandResult;
+import org.sami.crw.proxy.tcp.BaseProtection;
+
+/** {@code crw keys} at a boat with keys: who is paired commands it, who was withdrawn does not. */
+@Timeout(300)
+@Isolated("what --keys says holds for the whole process")
+class KeysCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final SteadyClock clock = new SteadyClock(ProcessClock::ms);
+    private final List<String> codes = new CopyOnWriteArrayList<>();
+    private KeyRing keys;
+    private PairingDesk desk;
+    private BoatOnTcp boat;
+
+    @BeforeEach
+    void launch() throws IOException {
+        keys = new KeyStoreFolder(folder.resolve("anna-keys")).open();
+        desk = new PairingDesk(keys, (base, code) -> codes.add(code));
+        BoatSettings settings = BoatSettings.of("anna", TcpTestFleet.port(0), TcpTestFleet.PIER, 1);
+        boat = new BoatOnTcp(settings, clock, TcpServerListener.NONE, plain -> plain.withKeys(keys, desk));
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        new BaseProtection(Optional.empty(), false).use();
+        boat.close();
+    }
+
+    private String address() {
+        return "127.0.0.1:" + boat.address().getPort();
+    }
+
+    private String[] with(String folderName, String... words) {
+        List<String> all = new ArrayList<>(List.of(words));
+        all.add("--keys");
+        all.add(folder.resolve(folderName).toString());
+        return all.toArray(String[]::new);
+    }
+
+    private CommandResult pair(String folderName, WordSecret words) {
+        return CommandResult.crw(with(folderName, "keys", "pair", address(), "--words", words.toString()));
+    }
+
+    @Test
+    void pairedBaseStopsTheBoatAndAStrangerIsToldToPair() {
+        assertThat(pair("mine", desk.open(Role.COMMANDER, clock.getAsLong())).out())
+                .contains(
+                        "paired with anna, key " + keys.identity().fingerprint().shortText())
+                .contains("check code " + codes.get(0));
+
+        CommandResult stopped = CommandResult.crw(with("mine", "stop", address()));
+        CommandResult stranger = CommandResult.crw(with("none", "stop", address(), "--within", "3"));
+
+        assertThat(stopped.out()).contains("anna: stopped, and the stop is latched");
+        assertThat(stranger.exitCode()).isEqualTo(4);
+        assertThat(stranger.out()).contains("no answer").contains("crw keys pair");
+    }
+
+    @Test
+    void wrongWordsAreRefusedWithTheReasonAndNothingIsKept() {
+        desk.open(Role.COMMANDER, clock.getAsLong());
+
+        CommandResult refused = pair("mine", WordSecret.random());
+
+        assertThat(refused.exitCode()).isNotZero();
+        assertThat(refused.err())
+                .contains("anna: the words are not those that the boat shows")
+                .contains("4 tries");
+        assertThat(CommandResult.crw(with("mine", "keys", "list")).out()).doesNotContain("boat anna");
+        assertThat(keys.peers()).isEmpty();
+    }
+
+    @Test
+    void keysGoToASecondLaptopInAFileThatOnlyItsPasswordOpens() throws IOException {
+        pair("mine", desk.open(Role.COMMANDER, clock.getAsLong()));
+        Path file = folder.resolve("fleet.keys");
+        Path password = Files.writeString(folder.resolve("password"), "in the boat house\n");
+        Path other = Files.writeString(folder.resolve("other"), "in the other house\n");
+        CommandResult.crw(with("mine", "keys", "export", "" + file, "--password-file", "" + password));
+
+        CommandResult wrong =
+                CommandResult.crw(with("second", "keys", "import", "" + file, "--password-file", "" + other));
+        CommandResult right =
+                CommandResult.crw(with("second", "keys", "import", "" + file, "--password-file", "" + password));
+
+        assertThat(wrong.err()).contains("the password is another one, or the file is damaged");
+        assertThat(right.out()).contains("and 1 boats now");
+        assertThat(new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1))
+                .doesNotContain("anna");
+        assertThat(CommandResult.crw(with("second", "stop", address())).out()).contains("anna: stopped");
+    }
+
+    @Test
+    void withdrawnKeyIsCarriedToTheBoatByABaseThatCommandsIt() throws IOException {
+        pair("lost", desk.open(Role.COMMANDER, clock.getAsLong()));
+        pair("mine", desk.open(Role.COMMANDER, clock.getAsLong()));
+        String lost = new KeyStoreFolder(folder.resolve("lost"))
+                .open()
+                .identity()
+                .fingerprint()
+                .toString();
+        CommandResult.crw(with("mine", "stop", address()));
+
+        CommandResult.crw(with("mine", "keys", "withdraw", lost));
+        CommandResult released = CommandResult.crw(with("mine", "stop", "--release", "--confirm", address()));
+
+        assertThat(released.exitCode()).as(released.out() + released.err()).isZero();
+        CommandResult thief = CommandResult.crw(with("lost", "stop", address(), "--within", "3"));
+        assertThat(thief.exitCode()).isEqualTo(4);
+        assertThat(thief.out()).contains("withdrawn from anna");
+    }
+}
