@@ -1,6 +1,7 @@
 package org.sami.ui;
 
 import java.awt.EventQueue;
+import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
@@ -44,8 +45,8 @@ public final class EventThread {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("interrupted while the window opens", e);
         } catch (ExecutionException fault) {
-            throw new IllegalStateException(
-                    "the window cannot be opened: " + fault.getCause().getMessage(), fault.getCause());
+            Throwable cause = Objects.requireNonNull(fault.getCause(), "cause");
+            throw new IllegalStateException("the window cannot be opened: " + cause.getMessage(), cause);
         }
     }
 

@@ -142,7 +142,7 @@ final class BoatCommands {
             try {
                 addresses.add(BoatAddress.parse(word));
             } catch (IllegalArgumentException unfit) {
-                throw new ConsoleFault(unfit.getMessage());
+                throw new ConsoleFault(String.valueOf(unfit.getMessage()));
             }
         }
         arguments.end();

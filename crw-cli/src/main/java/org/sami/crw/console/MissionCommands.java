@@ -119,7 +119,7 @@ final class MissionCommands {
         try {
             values = parameters(plan).read(texts);
         } catch (IllegalArgumentException unfit) {
-            throw new ConsoleFault(unfit.getMessage());
+            throw new ConsoleFault(String.valueOf(unfit.getMessage()));
         }
         long mission = context.await(context.session().start(plan.id(), plan.title(), values));
         out.accept("mission " + mission + " of " + plan.id() + " has begun" + DisabledParts.remark(plan));

@@ -67,7 +67,7 @@ public final class ManipulationPolicy {
         long now = nowMillis.getAsLong();
         Long before = changed.get(source);
         long free = before == null ? now : before + COOLDOWN_MILLIS;
-        if (free > now && limits.contains(ManipulationLimit.SUPPRESS)) {
+        if (before != null && free > now && limits.contains(ManipulationLimit.SUPPRESS)) {
             return new Ruling(
                     Ruling.Kind.DROPPED,
                     0,

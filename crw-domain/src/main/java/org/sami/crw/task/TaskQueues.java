@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.spn.engine.EngineView;
@@ -126,7 +127,7 @@ public final class TaskQueues implements HostListener {
         queues = new TreeMap<>(change.after);
         List<Input> posted = new ArrayList<>(change.inputs);
         change.after.forEach((boat, queue) -> {
-            if (!queue.equals(before.get(boat))) {
+            if (!Objects.equals(queue, before.get(boat))) {
                 posted.add(new Input.Remember(Ids.NONE, QUEUE + boat, queue.toValue()));
             }
         });

@@ -3,4 +3,7 @@
  * tasks are divided is decided in {@code org.sami.crw.service.allocation}; what the events of tasks do is in
  * {@code org.sami.crw.handler}.
  */
+@NullMarked
 package org.sami.crw.task;
+
+import org.jspecify.annotations.NullMarked;

@@ -448,29 +448,29 @@ class BoatProxyTest {
         @Override
         public void accept(FleetEvent event) {
             if (event instanceof FleetEvent.CommandCompleted done) {
-                onCompleted(done.boat(), done.command());
+                onCompleted(done.command());
             } else if (event instanceof FleetEvent.CommandFailed failed) {
-                onFailed(failed.boat(), failed.command(), failed.reason());
+                onFailed(failed.command(), failed.reason());
             } else if (event instanceof FleetEvent.Progressed progressed) {
-                onProgress(progressed.boat(), progressed.command(), progressed.visited());
+                onProgress(progressed.command(), progressed.visited());
             } else if (event instanceof FleetEvent.LinkChanged link) {
                 onLinkChange(link.status());
             } else if (event instanceof FleetEvent.BatteryReported battery) {
-                onBattery(battery.boat(), battery.battery());
-            } else if (event instanceof FleetEvent.Restarted restarted) {
-                onRestarted(restarted.status());
+                onBattery(battery.battery());
+            } else if (event instanceof FleetEvent.Restarted) {
+                onRestarted();
             }
         }
 
-        private void onCompleted(String boatId, BoatCommand command) {
+        private void onCompleted(BoatCommand command) {
             heard.add("completed " + command.commandId());
         }
 
-        private void onFailed(String boatId, BoatCommand command, String reason) {
+        private void onFailed(BoatCommand command, String reason) {
             heard.add("failed " + command.commandId() + ": " + reason);
         }
 
-        private void onProgress(String boatId, BoatCommand command, int visitedCount) {
+        private void onProgress(BoatCommand command, int visitedCount) {
             heard.add("progress " + command.commandId() + " " + visitedCount);
         }
 
@@ -478,11 +478,11 @@ class BoatProxyTest {
             heard.add("link " + status.link());
         }
 
-        private void onBattery(String boatId, BatteryState battery) {
+        private void onBattery(BatteryState battery) {
             heard.add("battery " + battery.level());
         }
 
-        private void onRestarted(BoatStatus status) {
+        private void onRestarted() {
             heard.add("restarted");
         }
     }

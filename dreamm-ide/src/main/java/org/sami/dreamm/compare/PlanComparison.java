@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -193,7 +194,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
         }
 
         private String goneOrNow(String id, boolean gone) {
-            return gone ? goneIds.get(id) : now(id);
+            return gone ? Objects.requireNonNull(goneIds.get(id), id) : now(id);
         }
     }
 }

@@ -27,6 +27,7 @@ import javax.swing.TransferHandler;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
 import org.sami.dreamm.canvas.NetDropTransfer;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
@@ -132,7 +133,7 @@ public final class PaletteList extends JPanel implements Explained, Worded {
             }
 
             @Override
-            protected Transferable createTransferable(JComponent c) {
+            protected @Nullable Transferable createTransferable(JComponent c) {
                 return selected()
                         .map(item -> new NetDropTransfer(new PaletteDrop(context, item)))
                         .orElse(null);

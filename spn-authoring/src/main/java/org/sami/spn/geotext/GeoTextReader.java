@@ -135,7 +135,7 @@ public final class GeoTextReader {
         } catch (NumberFormatException e) {
             error(number, "Expected is latitude,longitude in degrees, not '" + line + "'");
         } catch (IllegalArgumentException e) {
-            error(number, e.getMessage());
+            error(number, String.valueOf(e.getMessage()));
         }
     }
 

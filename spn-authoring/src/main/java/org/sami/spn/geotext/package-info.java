@@ -3,4 +3,7 @@
  *
  * <p>Here belong that form and the variables made of it. Files of projects belong to {@code spn.json}.
  */
+@NullMarked
 package org.sami.spn.geotext;
+
+import org.jspecify.annotations.NullMarked;

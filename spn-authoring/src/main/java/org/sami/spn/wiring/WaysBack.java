@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.OutEdge;
@@ -22,7 +23,7 @@ public final class WaysBack {
         places.put(place, 0);
         while (!open.isEmpty()) {
             String at = open.remove();
-            int steps = places.get(at) + 1;
+            int steps = Objects.requireNonNull(places.get(at), at) + 1;
             for (OutEdge edge : plan.outEdges()) {
                 if (edge.place().equals(at) && transitions.putIfAbsent(edge.transition(), steps) == null) {
                     for (InEdge before : plan.inEdgesOf(edge.transition())) {

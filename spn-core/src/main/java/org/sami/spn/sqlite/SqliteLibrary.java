@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
+import java.util.Objects;
 import java.util.Optional;
 import org.sqlite.SQLiteJDBCLoader;
 import org.sqlite.util.LibraryLoaderUtil;
@@ -39,7 +40,8 @@ public final class SqliteLibrary {
         }
         try {
             unpacked(cacheOfUser()).ifPresent(file -> {
-                System.setProperty(PATH, file.getParent().toString());
+                System.setProperty(
+                        PATH, Objects.requireNonNull(file.getParent(), "folder").toString());
                 System.setProperty(NAME, file.getFileName().toString());
             });
         } catch (IOException | SecurityException fault) {

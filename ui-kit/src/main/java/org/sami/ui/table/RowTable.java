@@ -24,6 +24,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
+import org.jspecify.annotations.Nullable;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.FocusFrame;
 import org.sami.ui.look.Look;
@@ -362,7 +363,7 @@ public final class RowTable<R> extends JScrollPane {
         }
 
         @Override
-        public String getToolTipText(MouseEvent event) {
+        public @Nullable String getToolTipText(MouseEvent event) {
             int row = rowAtPoint(event.getPoint());
             int column = columnAtPoint(event.getPoint());
             return row < 0 || column < 0

@@ -33,7 +33,7 @@ public final class ErrorMessages {
         CommandLine command = fault.getCommandLine();
         PrintWriter err = TerminalWriter.of(command.getErr());
         // picocli says "option" twice where a NAME=VALUE is not one
-        err.println("crw: " + fault.getMessage().replace("option option", "option"));
+        err.println("crw: " + String.valueOf(fault.getMessage()).replace("option option", "option"));
         UnmatchedArgumentException.printSuggestions(fault, err);
         String name = command.getCommandSpec().qualifiedName(" ");
         err.println("Try '" + name + " --help'.");

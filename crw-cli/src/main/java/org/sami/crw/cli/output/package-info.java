@@ -3,4 +3,7 @@
  *
  * <p>Does not belong here: texts of one subcommand's subject (phases, components, states), which are in its package.
  */
+@NullMarked
 package org.sami.crw.cli.output;
+
+import org.jspecify.annotations.NullMarked;

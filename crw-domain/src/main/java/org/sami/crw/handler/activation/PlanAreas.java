@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.area.AvoidedAreas;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.service.water.CrossTrackError;
@@ -97,7 +98,7 @@ public final class PlanAreas {
                 : Optional.empty();
     }
 
-    private static List<GeoArea> areas(Value value) {
+    private static List<GeoArea> areas(@Nullable Value value) {
         List<GeoArea> areas = new ArrayList<>();
         if (value instanceof GeoArea area) {
             areas.add(area);

@@ -4,4 +4,7 @@
  *
  * <p>Not here: the work itself ({@code motion}, {@code planning}, {@code boat}).
  */
+@NullMarked
 package org.sami.crw.handler.activation;
+
+import org.jspecify.annotations.NullMarked;

@@ -44,14 +44,14 @@ public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
             onLinkChange(link.status());
         } else if (event instanceof FleetEvent.Restarted restarted) {
             onRestarted(restarted.status());
-        } else if (event instanceof FleetEvent.StatusReported reported) {
-            onStatus(reported.status());
+        } else if (event instanceof FleetEvent.StatusReported) {
+            restarts.askIfDue();
         } else if (event instanceof FleetEvent.RestartAllowed allowed) {
             onRestartAllowed(allowed.status());
         } else if (event instanceof FleetEvent.CommandAsked asked) {
             onCommandAsked(asked.boat(), asked.client());
         } else if (event instanceof FleetEvent.CommanderChanged commander) {
-            onCommanding(commander.boat(), commander.commands());
+            withdrawAsked(commander.boat());
         } else if (event instanceof FleetEvent.Retired retired) {
             onRetired(retired.boat());
         }
@@ -75,10 +75,6 @@ public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
         restarts.add(status.boatId());
     }
 
-    private void onStatus(BoatStatus status) {
-        restarts.askIfDue();
-    }
-
     private void onRestartAllowed(BoatStatus status) {
         remember(status);
         restarts.remove(status.boatId());
@@ -95,7 +91,7 @@ public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
                 Priority.HIGH));
     }
 
-    private void onCommanding(String boatId, boolean commands) {
+    private void withdrawAsked(String boatId) {
         if (askers.remove(boatId) != null) {
             withdraw(DomainQuestion.COMMAND_ASKED, boatId);
         }

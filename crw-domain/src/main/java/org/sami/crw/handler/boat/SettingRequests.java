@@ -59,7 +59,7 @@ public final class SettingRequests implements Consumer<FleetEvent> {
                 one.waiting.addAll(settings.apply(boat.get()));
                 one.waiting.forEach(command -> asked.put(new Command(addressee.boat(), command), one));
             } catch (IllegalArgumentException e) {
-                fail(one, e.getMessage());
+                fail(one, String.valueOf(e.getMessage()));
             }
         }
     }

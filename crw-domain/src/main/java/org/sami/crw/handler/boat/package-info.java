@@ -4,4 +4,7 @@
  *
  * <p>Does not belong here: commands that move boats ({@code motion}), links and queues ({@code org.sami.crw.proxy}).
  */
+@NullMarked
 package org.sami.crw.handler.boat;
+
+import org.jspecify.annotations.NullMarked;

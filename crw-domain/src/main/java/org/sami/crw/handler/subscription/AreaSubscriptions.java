@@ -3,6 +3,7 @@ package org.sami.crw.handler.subscription;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.locationtech.jts.algorithm.locate.IndexedPointInAreaLocator;
@@ -110,7 +111,7 @@ public final class AreaSubscriptions implements ActivationHandler, Consumer<Flee
                 return;
             }
             boolean now = area.locate(Areas.coordinate(position, plane)) != Location.EXTERIOR;
-            if (now == inside.get(boat)) {
+            if (now == Objects.requireNonNull(inside.get(boat), boat)) {
                 return;
             }
             if (!addressee.stands(activation, context)) {

@@ -3,4 +3,7 @@
  *
  * <p>Not here: readings without a subscription ({@code org.sami.crw.operator} shows them).
  */
+@NullMarked
 package org.sami.crw.handler.subscription;
+
+import org.jspecify.annotations.NullMarked;

@@ -92,7 +92,7 @@ public final class ConnectForm extends JPanel {
             BoatAddress.parse(text);
             return Optional.empty();
         } catch (IllegalArgumentException unfit) {
-            return Optional.of(unfit.getMessage());
+            return Optional.of(String.valueOf(unfit.getMessage()));
         }
     }
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.markup.MapRelevance.Visualization;
@@ -122,7 +123,7 @@ final class MapFeed {
     }
 
     /** The first leg begins at the boat. */
-    private static List<GeoPoint> fromBoat(GeoPoint boat, List<GeoPoint> points) {
+    private static List<GeoPoint> fromBoat(@Nullable GeoPoint boat, List<GeoPoint> points) {
         if (boat == null) {
             return points;
         }

@@ -4,4 +4,7 @@
  *
  * <p>Not here: colours, symbols and pixels.
  */
+@NullMarked
 package org.sami.crw.operator.map;
+
+import org.jspecify.annotations.NullMarked;

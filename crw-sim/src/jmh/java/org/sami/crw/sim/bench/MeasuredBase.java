@@ -14,7 +14,6 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.status.BoatStatus;
-import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.TcpBase;
@@ -118,7 +117,7 @@ final class MeasuredBase implements BaseListener, Consumer<FleetEvent>, AutoClos
         } else if (event instanceof FleetEvent.LinkChanged link) {
             onLinkChange(link.status());
         } else if (event instanceof FleetEvent.SettingsReported settings) {
-            onTuning(settings.boat(), settings.settings());
+            onTuning(settings.boat());
         }
     }
 
@@ -131,7 +130,7 @@ final class MeasuredBase implements BaseListener, Consumer<FleetEvent>, AutoClos
         statuses.put(status.boatId(), status);
     }
 
-    private void onTuning(String boatId, BoatTuning tuning) {
+    private void onTuning(String boatId) {
         Long asked = askedNanos.remove(boatId);
         if (asked != null) {
             answeredMs.add((System.nanoTime() - asked) / 1e6);

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Consumer;
@@ -121,7 +122,7 @@ public final class BoatOnTcp implements Closeable {
             return Optional.empty();
         }
         Path file = settings.logFile().get();
-        Path folder = file.toAbsolutePath().getParent();
+        Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent(), "folder");
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new IOException(folder + " is no folder");
         }

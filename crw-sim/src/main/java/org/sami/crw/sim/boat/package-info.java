@@ -3,4 +3,7 @@
  *
  * <p>Not here: fleets in virtual time ({@link org.sami.crw.sim.fleet}), the command line.
  */
+@NullMarked
 package org.sami.crw.sim.boat;
+
+import org.jspecify.annotations.NullMarked;

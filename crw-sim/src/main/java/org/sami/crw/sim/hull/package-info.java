@@ -6,4 +6,7 @@
  *
  * <p>A hull stands behind the same boat server that runs on the phone. Not here: control, links, missions.
  */
+@NullMarked
 package org.sami.crw.sim.hull;
+
+import org.jspecify.annotations.NullMarked;

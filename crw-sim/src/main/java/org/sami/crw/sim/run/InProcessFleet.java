@@ -216,7 +216,7 @@ final class InProcessFleet implements RunFleet {
         try {
             journal.stopped(clock.nowMs());
         } catch (IOException e) {
-            lifecycle.fail(e.getMessage());
+            lifecycle.fail(String.valueOf(e.getMessage()));
         }
         return lifecycle.fault().isEmpty() ? RunOutcome.RUNNING : RunOutcome.FAILED;
     }
@@ -262,7 +262,7 @@ final class InProcessFleet implements RunFleet {
             try {
                 journal.over();
             } catch (IOException e) {
-                lifecycle.fail(e.getMessage());
+                lifecycle.fail(String.valueOf(e.getMessage()));
                 return Optional.of(RunOutcome.FAILED);
             }
         }
@@ -278,7 +278,7 @@ final class InProcessFleet implements RunFleet {
         try {
             journal.mark(clock.nowMs(), water::fingerprint);
         } catch (IOException e) {
-            lifecycle.fail(e.getMessage());
+            lifecycle.fail(String.valueOf(e.getMessage()));
         }
     }
 

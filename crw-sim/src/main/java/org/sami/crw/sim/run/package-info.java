@@ -8,4 +8,7 @@
  * looks like belongs to {@code org.sami.crw.report}, taking up a run that was killed to {@code org.sami.crw.sim.resume}, options to
  * {@code org.sami.crw.cli}.
  */
+@NullMarked
 package org.sami.crw.sim.run;
+
+import org.jspecify.annotations.NullMarked;

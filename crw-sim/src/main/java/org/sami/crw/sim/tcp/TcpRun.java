@@ -132,7 +132,7 @@ public final class TcpRun {
         try {
             return new Prepared(new RunHarness(input, session, fleet, notes), fleet);
         } catch (IllegalArgumentException e) {
-            throw new UnknownBoatException(e.getMessage());
+            throw new UnknownBoatException(String.valueOf(e.getMessage()));
         }
     }
 

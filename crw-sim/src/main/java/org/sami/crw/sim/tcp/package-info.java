@@ -5,4 +5,7 @@
  * journal, and taking up such a run after its process died. The links themselves belong to {@code crw.proxy.tcp}, what both
  * kinds of runs need (harness, recorders, the operator, reports) to {@code crw.sim.run}.
  */
+@NullMarked
 package org.sami.crw.sim.tcp;
+
+import org.jspecify.annotations.NullMarked;

@@ -139,23 +139,23 @@ class FleetChaosTest {
         @Override
         public void accept(FleetEvent event) {
             if (event instanceof FleetEvent.CommandCompleted done) {
-                onCompleted(done.boat(), done.command());
+                onCompleted(done.command());
             } else if (event instanceof FleetEvent.CommandFailed failed) {
-                onFailed(failed.boat(), failed.command(), failed.reason());
+                onFailed(failed.command(), failed.reason());
             } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
-                onWithdrawn(withdrawn.boat(), withdrawn.command(), withdrawn.why());
+                onWithdrawn(withdrawn.command(), withdrawn.why());
             }
         }
 
-        private void onCompleted(String boatId, BoatCommand command) {
+        private void onCompleted(BoatCommand command) {
             end(command, "completed");
         }
 
-        private void onFailed(String boatId, BoatCommand command, String reason) {
+        private void onFailed(BoatCommand command, String reason) {
             end(command, "failed: " + reason);
         }
 
-        private void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+        private void onWithdrawn(BoatCommand command, Withdrawal why) {
             end(command, why.name());
         }
     }

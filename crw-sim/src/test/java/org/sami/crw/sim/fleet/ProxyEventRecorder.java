@@ -17,41 +17,41 @@ final class ProxyEventRecorder implements Consumer<FleetEvent> {
     @Override
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.CommandCompleted done) {
-            onCompleted(done.boat(), done.command());
+            onCompleted(done.command());
         } else if (event instanceof FleetEvent.CommandFailed failed) {
-            onFailed(failed.boat(), failed.command(), failed.reason());
+            onFailed(failed.command(), failed.reason());
         } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
-            onWithdrawn(withdrawn.boat(), withdrawn.command(), withdrawn.why());
+            onWithdrawn(withdrawn.command(), withdrawn.why());
         } else if (event instanceof FleetEvent.Progressed progressed) {
-            onProgress(progressed.boat(), progressed.command(), progressed.visited());
-        } else if (event instanceof FleetEvent.StatusReported reported) {
-            onStatus(reported.status());
+            onProgress(progressed.command(), progressed.visited());
+        } else if (event instanceof FleetEvent.StatusReported) {
+            onStatus();
         } else if (event instanceof FleetEvent.LinkChanged link) {
             onLinkChange(link.status());
         } else if (event instanceof FleetEvent.BatteryReported battery) {
-            onBattery(battery.boat(), battery.battery());
-        } else if (event instanceof FleetEvent.Restarted restarted) {
-            onRestarted(restarted.status());
+            onBattery(battery.battery());
+        } else if (event instanceof FleetEvent.Restarted) {
+            onRestarted();
         }
     }
 
-    private void onCompleted(String boatId, BoatCommand command) {
+    private void onCompleted(BoatCommand command) {
         lines.add("completed " + command.commandId());
     }
 
-    private void onFailed(String boatId, BoatCommand command, String reason) {
+    private void onFailed(BoatCommand command, String reason) {
         lines.add("failed " + command.commandId() + ": " + reason);
     }
 
-    private void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+    private void onWithdrawn(BoatCommand command, Withdrawal why) {
         lines.add(why + " " + command.commandId());
     }
 
-    private void onProgress(String boatId, BoatCommand command, int visitedCount) {
+    private void onProgress(BoatCommand command, int visitedCount) {
         lines.add("visited " + visitedCount + " of " + command.commandId());
     }
 
-    private void onStatus(BoatStatus status) {
+    private void onStatus() {
         statuses++;
     }
 
@@ -59,11 +59,11 @@ final class ProxyEventRecorder implements Consumer<FleetEvent> {
         lines.add("link " + status.link());
     }
 
-    private void onBattery(String boatId, BatteryState battery) {
+    private void onBattery(BatteryState battery) {
         lines.add("battery " + battery.level());
     }
 
-    private void onRestarted(BoatStatus status) {
+    private void onRestarted() {
         lines.add("restarted");
     }
 }
