@@ -211,20 +211,28 @@ public final class BoatOnPhone implements Closeable {
         StatusOnBoard.Serving serving = now.isPresent()
                 ? StatusOnBoard.Serving.SERVES
                 : fault.isEmpty() ? StatusOnBoard.Serving.WAITS_FOR_POSITION : StatusOnBoard.Serving.FAILED;
+        long nowMs = clock.getAsLong();
         return new StatusOnBoard(
-                this, serving, now.map(run -> run.mode), now.flatMap(run -> run.commandedBy), clock.getAsLong());
-    }
-
-    int clientCount() {
-        return running.map(run -> run.tcp.clientCount()).orElse(0);
+                settings,
+                port(),
+                serving,
+                now.map(run -> run.mode),
+                now.flatMap(run -> run.commandedBy),
+                now.map(run -> run.tcp.clientCount()).orElse(0),
+                position.pose(nowMs),
+                position.doubts(nowMs),
+                board,
+                health.batteryPercent(),
+                troubles(),
+                stop.isLatched());
     }
 
     /** The port on which it serves, or will. */
-    int port() {
+    private int port() {
         return running.map(run -> run.tcp.address().getPort()).orElse(settings.port());
     }
 
-    List<String> troubles() {
+    private List<String> troubles() {
         List<String> troubles = new ArrayList<>(health.troubles());
         if (!fault.isEmpty()) {
             troubles.add(0, fault);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.boat.hull.board.BoardState;
+import org.sami.boat.hull.board.BoardVehicle;
 import org.sami.boat.hull.position.Pose;
 import org.sami.boat.hull.position.PositionDoubt;
 import org.sami.boat.link.BoatMode;
@@ -38,22 +39,33 @@ public final class StatusOnBoard {
     }
 
     StatusOnBoard(
-            BoatOnPhone boat, Serving serving, Optional<BoatMode> mode, Optional<String> commandedBy, long nowMs) {
-        name = boat.settings().name();
-        port = boat.port();
+            PhoneSettings settings,
+            int port,
+            Serving serving,
+            Optional<BoatMode> mode,
+            Optional<String> commandedBy,
+            int clients,
+            Pose pose,
+            Set<PositionDoubt> doubts,
+            BoardVehicle hull,
+            double phonePercent,
+            List<String> troubles,
+            boolean stopped) {
+        name = settings.name();
+        this.port = port;
         this.serving = serving;
         this.mode = mode;
         this.commandedBy = commandedBy;
-        clients = boat.clientCount();
-        pose = boat.position().pose(nowMs);
-        doubts = Collections.unmodifiableSet(boat.position().doubts(nowMs));
-        board = boat.board().boardState();
-        boardTrouble = boat.board().boardTrouble();
-        boardVolts = boat.board().batteryVolts();
-        boardPercent = boat.board().batteryPercent();
-        phonePercent = boat.health().batteryPercent();
-        troubles = Collections.unmodifiableList(boat.troubles());
-        stopped = boat.stop().isLatched();
+        this.clients = clients;
+        this.pose = pose;
+        this.doubts = Collections.unmodifiableSet(doubts);
+        board = hull.boardState();
+        boardTrouble = hull.boardTrouble();
+        boardVolts = hull.batteryVolts();
+        boardPercent = hull.batteryPercent();
+        this.phonePercent = phonePercent;
+        this.troubles = Collections.unmodifiableList(troubles);
+        this.stopped = stopped;
     }
 
     /** Names the boat. */
