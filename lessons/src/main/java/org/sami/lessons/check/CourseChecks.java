@@ -7,12 +7,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.CourseFiles;
 import org.sami.lessons.course.Lesson;
 import org.sami.lessons.course.Step;
 import org.sami.lessons.course.Term;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.SourceLocation;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -20,6 +22,8 @@ import org.sami.spn.vocabulary.Vocabulary;
 /** Checks the content of a course that could be read (docs/writing-a-lesson.md): texts, pictures, quizzes, what is used and when it is introduced. */
 public final class CourseChecks {
     private static final Pattern ID = Pattern.compile("[a-z0-9]+(-[a-z0-9]+)*");
+
+    private static final String TERMS = "terms.json";
 
     private CourseChecks() {}
 
@@ -37,12 +41,13 @@ public final class CourseChecks {
         }
         for (Term term : course.terms()) {
             if (course.address("", term.lesson() + "/" + term.step()).isEmpty()) {
-                all.add(Finding.error(
+                Finding finding = Finding.error(
                         "E-LESSON",
                         "",
                         "the term \"" + term.id() + "\" is explained by \"" + term.lesson() + "/" + term.step()
                                 + "\", which is no step of the course",
-                        term.id()));
+                        term.id());
+                all.add(placeOf(term, files).map(finding::at).orElse(finding));
             }
         }
         return all;
@@ -66,6 +71,19 @@ public final class CourseChecks {
             all.addAll(located(files, lesson.id() + "/lesson.json", shows));
         }
         return all;
+    }
+
+    /** Where a term stands, if it is in the file that courses usually have for terms. */
+    private static Optional<SourceLocation> placeOf(Term term, CourseFiles files) {
+        try {
+            List<String> lines = files.text(TERMS).orElse("").lines().toList();
+            return Stream.iterate(0, i -> i < lines.size(), i -> i + 1)
+                    .filter(i -> lines.get(i).matches(".*\"id\"\\s*:\\s*\"" + Pattern.quote(term.id()) + "\".*"))
+                    .map(i -> new SourceLocation(files.name(TERMS), i + 1, 1))
+                    .findFirst();
+        } catch (IOException unreadable) {
+            return Optional.empty();
+        }
     }
 
     private static List<Finding> located(CourseFiles files, String file, List<Finding> findings) {

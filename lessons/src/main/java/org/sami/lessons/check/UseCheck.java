@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.sami.lessons.course.Course;
 import org.sami.lessons.course.Lesson;
 import org.sami.spn.model.MarkupSpec;
@@ -61,10 +62,13 @@ final class UseCheck {
             plan.transitions()
                     .forEach(transition -> transition.inputs().forEach(event -> early(event.type(), events, early)));
             plan.tasks().forEach(task -> early(task.taskClass(), tasks, early));
-            early.stream()
-                    .distinct()
-                    .forEach(name -> problems.add(
-                            pointer, what + " uses " + name + ", which no lesson up to this one introduces"));
+            if (!early.isEmpty()) {
+                problems.add(
+                        pointer,
+                        what + " uses "
+                                + early.stream().distinct().collect(Collectors.joining(", "))
+                                + ", which no lesson up to this one introduces");
+            }
         }
     }
 

@@ -112,6 +112,8 @@ class CourseChecksTest {
 
         assertThat(check())
                 .singleElement()
-                .satisfies(finding -> assertThat(finding.message()).contains("01-one/plcs"));
+                .satisfies(finding -> assertThat(finding.message()).contains("01-one/plcs"))
+                .satisfies(finding ->
+                        assertThat(finding.location().orElseThrow().toString()).matches(".*terms\\.json:\\d+:1"));
     }
 }
