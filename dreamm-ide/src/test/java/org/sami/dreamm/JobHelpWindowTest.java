@@ -39,7 +39,10 @@ class JobHelpWindowTest {
             robot.untilSaid("learn-verdict-head", "Not yet");
             robot.press(VK_F4, VK_CONTROL);
             robot.untilShown("try-out-panel");
-            robot.untilSaid("try-where", "wait · step ");
+            CommandRegistry commands = learner.window().context().commands();
+            robot.until("steps of the run were taken", () -> commands.get("try-back")
+                    .whyNot()
+                    .isEmpty());
         }
     }
 
