@@ -25,6 +25,7 @@ import org.sami.boat.hull.settings.HullKind;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.hull.stream.StreamPort;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.SteadyClock;
@@ -283,6 +284,7 @@ public final class BoatOnPhone implements Closeable {
                     bootId,
                     entry -> boat.restore(entry.clientId(), entry.command(), entry.answer()),
                     broken -> health.setLogBroken());
+            boat.restore(log.epoch());
             try {
                 tcp = new TcpBoatServer(
                         settings.name(),
@@ -306,6 +308,11 @@ public final class BoatOnPhone implements Closeable {
         @Override
         public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
             log.answered(nowMs, clientId, command, answer);
+        }
+
+        @Override
+        public void appointed(CommandEpoch epoch) {
+            log.appointed(epoch);
         }
 
         @Override
