@@ -54,6 +54,9 @@ public final class OwnerOnlyFile {
     /** Replaces a file as a whole, so that a kill leaves the old or the new one; makes its folder where there is none. */
     public static void write(Path file, byte[] content) throws IOException {
         Path folder = file.toAbsolutePath().getParent();
+        if (folder == null) {
+            throw new IOException(file + " names no file");
+        }
         boolean posix = Files.getFileStore(existing(folder)).supportsFileAttributeView(PosixFileAttributeView.class);
         if (!Files.isDirectory(folder)) {
             Files.createDirectories(folder, attributes(posix, "rwx------"));

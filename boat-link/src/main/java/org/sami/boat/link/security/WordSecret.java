@@ -81,7 +81,8 @@ public final class WordSecret {
     /** Six digits that both sides show after a pairing, equal only if nobody is in between. */
     public static String checkCode(Fingerprint base, Fingerprint boat) {
         byte[] digest = Fingerprint.sha256(("SAMI check " + base + " " + boat).getBytes(StandardCharsets.UTF_8));
-        int number = ((digest[0] & 0x7f) << 24 | (digest[1] & 0xff) << 16 | (digest[2] & 0xff) << 8 | digest[3] & 0xff);
+        int number =
+                ((digest[0] & 0x7f) << 24 | (digest[1] & 0xff) << 16 | (digest[2] & 0xff) << 8 | (digest[3] & 0xff));
         String digits = String.format(Locale.ROOT, "%06d", number % 1_000_000);
         return digits.substring(0, 3) + " " + digits.substring(3);
     }

@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
         description = "Writes all keys of this base to one encrypted file, to take them to a second laptop.")
 final class ExportKeysCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
         description = "Takes the keys of such a file, in place of the keys of this base.")
 final class ImportKeysCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

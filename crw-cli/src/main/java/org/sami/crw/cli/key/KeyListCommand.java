@@ -20,6 +20,7 @@ import picocli.CommandLine.Spec;
                 "Lists the key of this base, the boats that are paired with it, and the keys that were withdrawn.")
 final class KeyListCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

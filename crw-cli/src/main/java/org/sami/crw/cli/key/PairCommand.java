@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
         description = "Pairs the boat at an address, which shows six words (crw boat --pair).")
 final class PairCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

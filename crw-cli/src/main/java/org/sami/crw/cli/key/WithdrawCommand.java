@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
         description = "Withdraws keys: the boats take them no longer once this base has commanded them again.")
 final class WithdrawCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

@@ -53,7 +53,8 @@ public final class TcpServerConfig {
      * or 8 MiB that a client does not take.
      */
     public static TcpServerConfig on(InetSocketAddress address) {
-        return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20, LinkSecurity.open(), Optional.empty());
+        return new TcpServerConfig(
+                address, 100, 16, 10_000, 10_000, 512, 8 << 20, LinkSecurity.open(), Optional.empty());
     }
 
     /** The same with other bounds on the messages waiting for a slow client. */
