@@ -40,9 +40,9 @@ class JobHelpWindowTest {
             robot.press(VK_F4, VK_CONTROL);
             robot.untilShown("try-out-panel");
             CommandRegistry commands = learner.window().context().commands();
-            robot.until("steps of the run were taken", () -> commands.get("try-back")
-                    .whyNot()
-                    .isEmpty());
+            robot.until(
+                    "steps of the run were taken",
+                    () -> commands.get("try-back").whyNot().isEmpty());
         }
     }
 

@@ -164,19 +164,24 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
             return there ? id : goneIds.getOrDefault(id, id);
         }
 
+        /** The id under which a vertex or an edge that is gone is drawn. */
+        private String goneId(String id) {
+            return Objects.requireNonNull(goneIds.get(id), () -> id + " is not gone");
+        }
+
         private Plan both(
                 List<Place> places, List<Transition> transitions, List<InEdge> inEdges, List<OutEdge> outEdges) {
             List<Place> allPlaces = new ArrayList<>(after.places());
-            places.forEach(p -> allPlaces.add(p.withId(goneIds.get(p.id())).withTransitionOrder(List.of())));
+            places.forEach(p -> allPlaces.add(p.withId(goneId(p.id())).withTransitionOrder(List.of())));
             List<Transition> allTransitions = new ArrayList<>(after.transitions());
-            transitions.forEach(t -> allTransitions.add(t.withId(goneIds.get(t.id()))));
+            transitions.forEach(t -> allTransitions.add(t.withId(goneId(t.id()))));
             List<InEdge> allIn = new ArrayList<>(after.inEdges());
-            inEdges.forEach(e -> allIn.add(e.withId(goneIds.get(e.id()))
+            inEdges.forEach(e -> allIn.add(e.withId(goneId(e.id()))
                     .withPlace(goneOrNow(e.place(), places.stream().anyMatch(p -> p.id().equals(e.place()))))
                     .withTransition(goneOrNow(
                             e.transition(), transitions.stream().anyMatch(t -> t.id().equals(e.transition()))))));
             List<OutEdge> allOut = new ArrayList<>(after.outEdges());
-            outEdges.forEach(e -> allOut.add(e.withId(goneIds.get(e.id()))
+            outEdges.forEach(e -> allOut.add(e.withId(goneId(e.id()))
                     .withPlace(goneOrNow(e.place(), places.stream().anyMatch(p -> p.id().equals(e.place()))))
                     .withTransition(goneOrNow(
                             e.transition(), transitions.stream().anyMatch(t -> t.id().equals(e.transition()))))));

@@ -169,8 +169,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     void abort(long mission, String boat, String reason) {
         questions.withdraw(mission, List.of(boat));
         boats.find(boat)
-                .ifPresent(proxy ->
-                        proxy.commands().withdraw(mission).forEach(command -> onFailed(command, reason)));
+                .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> onFailed(command, reason)));
     }
 
     @Override
