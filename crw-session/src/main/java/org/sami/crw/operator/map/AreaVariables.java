@@ -66,7 +66,7 @@ public final class AreaVariables {
     }
 
     public OperatingArea operatingArea() {
-        return OperatingArea.of(variables.get(Ids.NONE), remembered);
+        return OperatingArea.of(variables.getOrDefault(Ids.NONE, Map.of()), remembered);
     }
 
     public List<NamedArea> areas() {
