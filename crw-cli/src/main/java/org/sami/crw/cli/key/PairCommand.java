@@ -57,7 +57,7 @@ final class PairCommand implements Callable<Integer> {
         try {
             return BoatAddress.parse(text).toSocketAddress();
         } catch (IllegalArgumentException e) {
-            throw new UsageFault(e.getMessage());
+            throw new UsageFault(String.valueOf(e.getMessage()));
         }
     }
 
@@ -72,7 +72,7 @@ final class PairCommand implements Callable<Integer> {
         try {
             return WordSecret.parse(typed);
         } catch (IllegalArgumentException e) {
-            throw new UsageFault(e.getMessage());
+            throw new UsageFault(String.valueOf(e.getMessage()));
         }
     }
 

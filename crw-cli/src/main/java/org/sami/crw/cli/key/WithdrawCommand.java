@@ -60,7 +60,7 @@ final class WithdrawCommand implements Callable<Integer> {
             try {
                 return Fingerprint.parse(text);
             } catch (IllegalArgumentException e) {
-                throw new UsageFault(e.getMessage());
+                throw new UsageFault(String.valueOf(e.getMessage()));
             }
         }
         Optional<Peer> known = ring.peers().stream()
