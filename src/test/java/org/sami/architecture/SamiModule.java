@@ -65,12 +65,12 @@ enum SamiModule {
                     "org.sami.spn.wiring..",
                     "org.sami.spn.wizard.."),
             List.of(SPN_CORE, SPN_LANGUAGE)),
-    BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
+    BOAT_LINK("boat-link", 90, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 66, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     /** Control board, position and motors of a real hull, on streams. */
     BOAT_HULL("boat-server-android/hull", 45, List.of("org.sami.boat.hull.."), List.of(BOAT_SERVER, BOAT_LINK)),
     /** The app on the phone of a hull: Android around server and hull. */
-    BOAT_APP("boat-server-android/app", 4, List.of("org.sami.boat.app.."), List.of(BOAT_HULL, BOAT_SERVER, BOAT_LINK)),
+    BOAT_APP("boat-server-android/app", 47, List.of("org.sami.boat.app.."), List.of(BOAT_HULL, BOAT_SERVER, BOAT_LINK)),
     /** Planning over values: no engine and no boat. */
     CRW_SERVICES("crw-services", 116, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(

@@ -12,6 +12,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.MissionTitles;

@@ -18,7 +18,7 @@ import org.sami.crw.operator.alarm.BoatAlarms;
 import org.sami.crw.operator.alarm.FenceCheck;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
-import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.spn.value.GeoArea;
 
 /**

@@ -7,7 +7,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.sami.crw.fleet.FleetEvents;
+import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;

@@ -7,7 +7,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
-import org.sami.crw.fleet.FleetEvents;
+import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.link.ProxyConfig;

@@ -7,11 +7,6 @@ import java.util.List;
 
 /** How the connections of a boat or base are protected. Safe for use by several threads. */
 public interface LinkSecurity {
-    /** No protection: whoever reaches the port commands the boat. For simulated boats on loopback. */
-    static LinkSecurity open() {
-        return new OpenLinks();
-    }
-
     /**
      * Protects a socket that was accepted, and waits for the peer's part in that as long as the socket's read timeout allows.
      *

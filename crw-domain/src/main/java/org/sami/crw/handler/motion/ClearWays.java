@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.fleet.FleetEvent;
-import org.sami.crw.fleet.FleetEvents;
+import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.ProxyRegistry;

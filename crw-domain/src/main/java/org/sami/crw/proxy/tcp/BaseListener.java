@@ -4,6 +4,7 @@ import java.net.InetSocketAddress;
 import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.link.LinkAlarm;
 
 /** Gets to know what becomes of a base's links. Called on the base's thread. */
 public interface BaseListener {

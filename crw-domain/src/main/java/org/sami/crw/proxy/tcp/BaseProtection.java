@@ -12,6 +12,7 @@ import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.LinkRefusedException;
 import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
 
@@ -62,7 +63,7 @@ public final class BaseProtection implements LinkSecurity {
         InetSocketAddress address = (InetSocketAddress) socket.getRemoteSocketAddress();
         boolean plain = folder.isEmpty() && (open || address.getAddress().isLoopbackAddress());
         if (plain) {
-            return LinkSecurity.open().connect(socket);
+            return new OpenLinks().connect(socket);
         }
         KeyStoreFolder keys = new KeyStoreFolder(folder.orElseGet(BaseProtection::folderOfThisUser));
         if (!keys.exists()) {

@@ -18,6 +18,7 @@ import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TrafficRelay;
+import org.sami.crw.proxy.link.LinkAlarm;
 
 /**
  * The links of a base, and the boat that each carries. When a boat answers at a second address, the first link keeps it while frames arrive there,

@@ -2,6 +2,7 @@ package org.sami.crw.proxy.tcp;
 
 import java.util.Objects;
 import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
 import org.sami.crw.proxy.link.ProxyConfig;
 
 /**
@@ -47,7 +48,7 @@ public record TcpBaseConfig(
                 longestRetryMs,
                 maxQueuedFrames,
                 maxQueuedBytes,
-                LinkSecurity.open());
+                new OpenLinks());
     }
 
     /** The same with other protection. */

@@ -12,7 +12,7 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.link.LinkAlarm;
 
 /** What answers under another name at each connection. */
 @Timeout(300)

@@ -42,7 +42,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A base one of whose addresses talks rubbish: it survives, says what it hears, and its other boat drives on. */

@@ -18,7 +18,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.sami.crw.fleet.FleetEvents;
+import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.alarm.Alarm.Kind;

@@ -197,7 +197,7 @@ final class WordHover implements AWTEventListener, AutoCloseable {
                 shown.getToolTipText(new MouseEvent(shown, MouseEvent.MOUSE_MOVED, 0, 0, inside.x, inside.y, 0, false));
         String words = tip == null ? "" : tip.replaceAll("(?<=[^\\n]{60})\\n", " "); // lines broken for a tooltip
         boolean same = terms.stream().anyMatch(term -> words.contains(term.text()));
-        return same || words.startsWith("<html>") ? "" : words;
+        return same ? "" : words;
     }
 
     private static Point place(WordCard card, Rectangle box, Optional<Rectangle> beside, JLayeredPane pane) {

@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.link.security.PairingDesk;
 import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.BoatKeys;
@@ -53,8 +54,7 @@ public final class TcpServerConfig {
      * or 8 MiB that a client does not take.
      */
     public static TcpServerConfig on(InetSocketAddress address) {
-        return new TcpServerConfig(
-                address, 100, 16, 10_000, 10_000, 512, 8 << 20, LinkSecurity.open(), Optional.empty());
+        return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20, new OpenLinks(), Optional.empty());
     }
 
     /** The same with other bounds on the messages waiting for a slow client. */

@@ -1,4 +1,4 @@
-package org.sami.crw.proxy.tcp;
+package org.sami.crw.proxy.link;
 
 import java.net.InetSocketAddress;
 

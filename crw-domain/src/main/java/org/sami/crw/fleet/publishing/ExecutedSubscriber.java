@@ -1,8 +1,9 @@
-package org.sami.crw.fleet;
+package org.sami.crw.fleet.publishing;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.spn.host.ListenerList;
 
 /** A subscriber that is called on an executor of its own; one whose executor has stopped is called no longer. */

@@ -1,12 +1,13 @@
-package org.sami.crw.fleet;
+package org.sami.crw.fleet.publishing;
 
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.tcp.BaseListener;
-import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.task.TaskNews;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
