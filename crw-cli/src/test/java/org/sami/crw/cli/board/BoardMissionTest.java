@@ -120,7 +120,7 @@ class BoardMissionTest {
         assertThat(run.isDone()).as("the run has ended before").isFalse();
         int pulled = fastest();
         boards.get(pulled).pullCable();
-        Await.until("its motors have stopped", () -> speedMps(pulled) < 0.05);
+        Await.until("it only drifts", () -> speedMps(pulled) < 0.15); // the current has 0.1 m/s
         assertThat(boats.get(pulled).vehicle().boardState()).isEqualTo(BoardState.GONE);
         boards.get(pulled).putBackCable();
         Await.until("its board is back", () -> boats.get(pulled).vehicle().boardState() == BoardState.CONNECTED);
