@@ -297,6 +297,7 @@ class BoatProcessTest {
                                 "45.4,10.9",
                                 "--bind",
                                 "0.0.0.0",
+                                "--open",
                                 "--while-input"))
                 .redirectError(said.toFile())
                 .start();
@@ -308,11 +309,16 @@ class BoatProcessTest {
         }
 
         assertThat(Files.readAllLines(said))
-                .filteredOn(line -> line.contains("anybody who reaches 0.0.0.0:"))
-                .singleElement()
-                .asString()
-                .startsWith("anna: ")
-                .contains("can command it");
+                .containsOnlyOnce("anna: links are plain: whoever reaches the port commands it");
+    }
+
+    @Test
+    void refusesToBeReachedFromElsewhereWithoutKeysUnlessThatIsMeant() {
+        CommandResult refused = CommandResult.crw(
+                "boat", "--port", "0", "--name", "anna", "--at", "45.4,10.9", "--bind", "0.0.0.0");
+
+        assertThat(refused.exitCode()).isEqualTo(2);
+        assertThat(refused.err()).contains("whoever reaches 0.0.0.0 could command the boat", "--boat-keys", "--open");
     }
 
     @Test

@@ -33,6 +33,7 @@ class ThirdPartyNoticeTest {
             "crw-domain",
             "crw-report",
             "crw-services",
+            "hull",
             "crw-session",
             "crw-sim",
             "domain-config",

@@ -41,11 +41,11 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
     /**
      * Opens board and GPS, waits for a position, and serves.
      *
-     * @param links the boat's links, made of plain ones
+     * @param links makes the boat's links
      * @throws IOException that says what cannot be had, and what to do
      */
     public void run(
-            HullOptions options, PrintWriter out, Console console, UnaryOperator<TcpServerConfig> links, Waiter waiter)
+            HullOptions options, PrintWriter out, Console console, LinkMaker links, Waiter waiter)
             throws IOException, InterruptedException {
         DevicePort board = options.board();
         DevicePort gps = options.gps();
@@ -65,10 +65,20 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
             out.flush();
             boat.awaitPosition();
             Optional<Path> log = logFolder.map(folder -> folder.resolve(name + ".log"));
-            boat.serve(address, lostLink, log, console, links);
+            boat.serve(address, lostLink, log, console, links.make());
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
             waiter.await();
         }
+    }
+
+    /** Makes the boat's links when it begins to serve: words to pair with are shown for a time. */
+    public interface LinkMaker {
+        /**
+         * What makes the boat's links of plain ones.
+         *
+         * @throws IOException if keys cannot be read or written
+         */
+        UnaryOperator<TcpServerConfig> make() throws IOException;
     }
 
     private interface Opening {

@@ -10,12 +10,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
-import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatDefaults;
-import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.crw.cli.board.HullOptions;
 import org.sami.crw.cli.board.RealBoatRun;
 import org.sami.crw.cli.option.ConditionsOptions;
@@ -211,8 +209,12 @@ public final class BoatServerCommand implements Callable<Integer> {
             RealBoatRun run =
                     new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, Optional.ofNullable(log));
             Console console = new Console();
-            UnaryOperator<TcpServerConfig> links = keys.links(SteadyClock.ofThisMachine(), console::say);
-            run.run(hullOptions, spec.commandLine().getOut(), console, links, this::awaitEnd);
+            run.run(
+                    hullOptions,
+                    spec.commandLine().getOut(),
+                    console,
+                    () -> keys.links(SteadyClock.ofThisMachine(), console::say),
+                    this::awaitEnd);
         } catch (InterruptedException e) {
             spec.commandLine().getOut().printf("%s stops%n", name);
             spec.commandLine().getOut().flush();
