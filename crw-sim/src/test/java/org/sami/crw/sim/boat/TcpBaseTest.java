@@ -87,7 +87,7 @@ class TcpBaseTest {
         BoatOnTcp boat = fleet.boat("anna");
         TestRelay relay = fleet.relay(boat);
         try (TcpBase base = new TcpBase(
-                TcpBaseConfig.of(ProxyConfig.DEFAULT.withTelemetryHz(10), 5),
+                fleet.kindOfLinks().ofBase(TcpBaseConfig.of(ProxyConfig.DEFAULT.withTelemetryHz(10), 5)),
                 new SteadyClock(ProcessClock::ms),
                 new FailingListener())) {
             base.connect(relay.address());
@@ -459,7 +459,7 @@ class TcpBaseTest {
         BoatOnTcp berta = fleet.boat("berta");
         Base base = fleet.base("base");
         base.connect(berta.address(), "berta");
-        try (UnreadingPeer stuck = new UnreadingPeer("anna", bytesPerSecond)) {
+        try (UnreadingPeer stuck = new UnreadingPeer("anna", fleet.kindOfLinks().ofPeer("anna"), bytesPerSecond)) {
             base.connect(stuck.address(), "anna");
             List<Long> startedMs = new ArrayList<>();
             for (int i = 1; i <= 5; i++) {

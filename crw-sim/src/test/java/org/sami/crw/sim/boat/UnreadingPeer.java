@@ -15,6 +15,8 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.SecureLink;
 
 /** A boat that talks and hardly listens: it welcomes whoever connects, says that it lives, and reads little or nothing. */
 final class UnreadingPeer implements AutoCloseable {
@@ -23,11 +25,13 @@ final class UnreadingPeer implements AutoCloseable {
     private final CountDownLatch closing = new CountDownLatch(1);
     private final LinkCodec codec = new LinkCodec();
     private final String name;
+    private final LinkSecurity security;
     private final int readsPerSecond;
 
     /** A boat that reads so many bytes a second. */
-    UnreadingPeer(String name, int readsPerSecond) throws IOException {
+    UnreadingPeer(String name, LinkSecurity security, int readsPerSecond) throws IOException {
         this.name = name;
+        this.security = security;
         this.readsPerSecond = readsPerSecond;
         socket.setReceiveBufferSize(16 << 10);
         start(this::accept);
@@ -57,7 +61,8 @@ final class UnreadingPeer implements AutoCloseable {
 
     private void talk(Socket base) {
         try {
-            OutputStream out = base.getOutputStream();
+            SecureLink link = security.accept(base);
+            OutputStream out = link.out();
             out.write(codec.encode(0, new Welcome(name, "boot", Role.OBSERVER, "")));
             out.write(codec.encode(1, new Welcome(name, "boot", Role.COMMANDER, "")));
             out.write(codec.encode(2, new Progress("", 0, false)));
@@ -65,7 +70,7 @@ final class UnreadingPeer implements AutoCloseable {
             for (int times = 1; !closing.await(200, TimeUnit.MILLISECONDS); times++) {
                 out.write(codec.encode(sequence++, new Heartbeat(sequence)));
                 if (times % 5 == 0) {
-                    base.getInputStream().readNBytes(readsPerSecond);
+                    link.in().readNBytes(readsPerSecond);
                 }
             }
         } catch (IOException | InterruptedException e) {

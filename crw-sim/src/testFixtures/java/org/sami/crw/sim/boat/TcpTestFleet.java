@@ -70,6 +70,11 @@ final class TcpTestFleet implements AutoCloseable {
         return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
     }
 
+    /** The links of this fleet. */
+    TestLinks kindOfLinks() {
+        return links;
+    }
+
     BoatOnTcp boat(String name) throws IOException {
         return boat(name, 0, logs);
     }

@@ -7,6 +7,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.link.security.PairingDesk;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.TlsLinks;
@@ -31,6 +33,11 @@ class TestLinks {
 
     TcpBaseConfig ofBase(TcpBaseConfig plain) {
         return plain;
+    }
+
+    /** The boat's part in a link, for who speaks as a boat and is none. */
+    LinkSecurity ofPeer(String name) {
+        return new OpenLinks();
     }
 
     /** Links over TLS. All bases have one key, each boat has its own, also after a restart. */
@@ -62,6 +69,11 @@ class TestLinks {
         @Override
         TcpBaseConfig ofBase(TcpBaseConfig plain) {
             return plain.withSecurity(TlsLinks.of(base));
+        }
+
+        @Override
+        LinkSecurity ofPeer(String name) {
+            return TlsLinks.of(boat(name));
         }
     }
 }
