@@ -87,11 +87,12 @@ class ShowCheckTest {
     }
 
     @Test
-    void anEventThatNoLessonHasIntroducedIsNamed() {
+    void anEventThatNoLessonHasIntroducedIsMissingInThePalette() {
         assertThat(
                         check(
                                 "[{'do': 'add', 'item': 'palette-event-timer-expired', 'on': 't', 'id': 'e', 'sequence': 'alone'}]"))
-                .anyMatch(f ->
-                        f.pointer().equals("/steps/0/script") && f.message().contains("uses TimerExpired"));
+                .singleElement()
+                .matches(f -> f.pointer().equals("/steps/0/script/0/item"))
+                .matches(f -> f.message().contains("The palette has no item \"palette-event-timer-expired\""));
     }
 }
