@@ -314,8 +314,8 @@ class BoatProcessTest {
 
     @Test
     void refusesToBeReachedFromElsewhereWithoutKeysUnlessThatIsMeant() {
-        CommandResult refused = CommandResult.crw(
-                "boat", "--port", "0", "--name", "anna", "--at", "45.4,10.9", "--bind", "0.0.0.0");
+        CommandResult refused =
+                CommandResult.crw("boat", "--port", "0", "--name", "anna", "--at", "45.4,10.9", "--bind", "0.0.0.0");
 
         assertThat(refused.exitCode()).isEqualTo(2);
         assertThat(refused.err()).contains("whoever reaches 0.0.0.0 could command the boat", "--boat-keys", "--open");

@@ -44,8 +44,7 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
      * @param links makes the boat's links
      * @throws IOException that says what cannot be had, and what to do
      */
-    public void run(
-            HullOptions options, PrintWriter out, Console console, LinkMaker links, Waiter waiter)
+    public void run(HullOptions options, PrintWriter out, Console console, LinkMaker links, Waiter waiter)
             throws IOException, InterruptedException {
         DevicePort board = options.board();
         DevicePort gps = options.gps();
