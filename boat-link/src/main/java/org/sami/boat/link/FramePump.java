@@ -41,6 +41,11 @@ public final class FramePump {
         return queue.offer(frame);
     }
 
+    /** Sends nothing more, and lets {@link #write} end when what waits has been written. */
+    public void finish() {
+        queue.finish();
+    }
+
     /** Forgets what waits to be sent, and lets {@link #write} end. */
     public void close() {
         queue.close();
@@ -60,7 +65,7 @@ public final class FramePump {
         }
     }
 
-    /** Writes what is sent, until {@link #close}. */
+    /** Writes what is sent, until {@link #finish} or {@link #close}. */
     public void write(OutputStream stream) throws IOException, InterruptedException {
         OutputStream out = new BufferedOutputStream(stream);
         for (Optional<byte[]> next = queue.take(); next.isPresent(); next = queue.take()) {

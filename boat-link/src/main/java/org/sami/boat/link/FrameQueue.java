@@ -12,6 +12,7 @@ final class FrameQueue {
     private final int maxFrames;
     private final int maxBytes;
     private long bytes;
+    private boolean finished;
     private boolean closed;
 
     /** A queue for so many frames and so many bytes of them. */
@@ -20,10 +21,10 @@ final class FrameQueue {
         this.maxBytes = maxBytes;
     }
 
-    /** Adds a frame. Returns false, and takes nothing, if it does not fit; a single frame always fits. */
+    /** Adds a frame. Returns false, and takes nothing, if it does not fit; a single frame always fits. One that was finished or closed takes nothing. */
     synchronized boolean offer(byte[] frame) {
         boolean fits = frames.isEmpty() || (frames.size() < maxFrames && bytes + frame.length <= maxBytes);
-        if (fits && !closed) {
+        if (fits && !closed && !finished) {
             frames.add(frame);
             bytes += frame.length;
             notifyAll();
@@ -31,12 +32,12 @@ final class FrameQueue {
         return fits;
     }
 
-    /** The next frame, waited for; empty once the queue is closed. */
+    /** The next frame, waited for; empty once the queue is closed, or was finished and nothing waits. */
     synchronized Optional<byte[]> take() throws InterruptedException {
-        while (frames.isEmpty() && !closed) {
+        while (frames.isEmpty() && !closed && !finished) {
             wait();
         }
-        if (closed) {
+        if (frames.isEmpty()) {
             return Optional.empty();
         }
         byte[] frame = frames.remove();
@@ -47,6 +48,12 @@ final class FrameQueue {
     /** Whether nothing waits. */
     synchronized boolean isEmpty() {
         return frames.isEmpty();
+    }
+
+    /** Takes nothing more; what waits can still be taken. */
+    synchronized void finish() {
+        finished = true;
+        notifyAll();
     }
 
     /** Forgets what waits and takes nothing more. */

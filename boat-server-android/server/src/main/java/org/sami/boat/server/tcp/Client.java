@@ -7,10 +7,13 @@ import org.sami.boat.server.ServerSession;
 
 /** What the boat's thread knows of a connection. */
 final class Client {
+    private static final long LAST_MESSAGE_WITHIN_MS = 1000;
+
     private final ClientConnection connection;
     private final ServerSession session;
     private final long sinceMs;
     private long greetedMs = Long.MAX_VALUE;
+    private long leavingMs = Long.MAX_VALUE;
     private long ticksSinceFrame;
 
     Client(ClientConnection connection, ServerSession session, long nowMs) {
@@ -90,8 +93,15 @@ final class Client {
         session.turnAway(reason, nowMs);
     }
 
-    /** Closes the connection of a dismissed client. */
-    void closeIfLeaving() {
-        session.dismissal().ifPresent(connection::close);
+    /** Closes the connection of a dismissed client once its last message has left, or does not leave for long. */
+    void closeIfLeaving(long nowMs) {
+        session.dismissal().ifPresent(why -> {
+            leavingMs = Math.min(leavingMs, nowMs);
+            if (nowMs - leavingMs < LAST_MESSAGE_WITHIN_MS) {
+                connection.closeOnceSent(why);
+            } else {
+                connection.close(why);
+            }
+        });
     }
 }

@@ -42,6 +42,7 @@ final class ClientConnection implements FrameSink {
     private final LinkSecurity security;
     private final FramePump pump;
     private volatile Optional<SecureLink> link = Optional.empty(); // once both sides are known to each other
+    private volatile Optional<String> leaving = Optional.empty(); // why it is closed once all is sent
     private final FrameThreads threads;
 
     /** A client's socket; the numbers of connections grow. */
@@ -84,8 +85,14 @@ final class ClientConnection implements FrameSink {
     /** Closes the socket, which ends both threads. */
     void close(String why) {
         if (threads.close()) {
-            owner.closed(this, why);
+            owner.closed(this, leaving.orElse(why));
         }
+    }
+
+    /** Sends nothing more, and closes the socket when what waits has been written. */
+    void closeOnceSent(String why) {
+        leaving = Optional.of(why);
+        pump.finish();
     }
 
     /** Waits until both threads have ended, after {@link #close}; not for these threads themselves. */
@@ -116,6 +123,7 @@ final class ClientConnection implements FrameSink {
     private void write() {
         try {
             pump.write(link.get().out());
+            leaving.ifPresent(this::close);
         } catch (IOException | InterruptedException e) {
             close("the link broke: " + e.getMessage());
         }

@@ -197,7 +197,7 @@ public final class TcpBoatServer implements Closeable {
             beforeTick.accept(nowMs);
             boat.tick(nowMs);
             for (Client client : new ArrayList<>(clients.values())) {
-                client.closeIfLeaving();
+                client.closeIfLeaving(nowMs);
                 if (client.tick() * config.tickMs() > config.silentAfterMs()) {
                     client.connection().close("it says nothing that can be read");
                 }
