@@ -128,7 +128,7 @@ enum SamiModule {
     /** The command crw. */
     CRW_CLI(
             "crw-cli",
-            120,
+            150,
             List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
             List.of(
                     CRW_SIM,
