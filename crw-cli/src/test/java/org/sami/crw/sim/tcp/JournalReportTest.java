@@ -1,6 +1,7 @@
 package org.sami.crw.sim.tcp;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -66,11 +67,18 @@ class JournalReportTest {
         assertThat(own.path("outcome").asText()).isEqualTo("ended");
         List<String> others = new ArrayList<>();
         own.fieldNames().forEachRemaining(member -> {
-            if (!NOT_IN_THE_JOURNAL.contains(member) && !told.path(member).equals(own.path(member))) {
+            if (!NOT_IN_THE_JOURNAL.contains(member)
+                    && !member.equals("closestApproach")
+                    && !told.path(member).equals(own.path(member))) {
                 others.add(member + ": " + told.path(member) + " for " + own.path(member));
             }
         });
         assertThat(others).isEmpty();
+        JsonNode approach = told.path("closestApproach");
+        assertThat(approach.path("boats")).isEqualTo(own.path("closestApproach").path("boats"));
+        assertThat(approach.path("distanceM").asDouble())
+                .as("a journal's positions are rounded to a centimetre")
+                .isCloseTo(own.path("closestApproach").path("distanceM").asDouble(), within(0.03));
     }
 
     private static String address(BoatOnTcp boat) {
