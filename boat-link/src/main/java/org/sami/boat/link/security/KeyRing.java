@@ -77,13 +77,18 @@ public final class KeyRing {
         keep(next);
     }
 
-    /** Withdraws keys, known or not. Returns those that were not withdrawn before. */
+    /**
+     * Withdraws keys, known or not. A peer's key is withdrawn even where no more withdrawn keys are remembered; it is then a key that nobody knows.
+     *
+     * @return those that were not withdrawn before
+     */
     public synchronized List<Fingerprint> withdraw(List<Fingerprint> keys) throws IOException {
         Content next = content.copy();
         List<Fingerprint> news = new ArrayList<>();
         for (Fingerprint key : keys) {
-            next.peers.remove(key);
-            if (next.withdrawn.size() < MOST_PEERS && next.withdrawn.add(key)) {
+            boolean known = next.peers.remove(key) != null;
+            boolean remembered = next.withdrawn.size() < MOST_PEERS && next.withdrawn.add(key);
+            if (known || remembered) {
                 news.add(key);
             }
         }
