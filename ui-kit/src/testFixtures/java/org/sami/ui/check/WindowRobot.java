@@ -11,9 +11,6 @@ import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.dnd.DragSource;
-import java.awt.dnd.DragSourceAdapter;
-import java.awt.dnd.DragSourceDragEvent;
-import java.awt.dnd.DragSourceDropEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -492,42 +489,6 @@ public final class WindowRobot {
         } finally {
             robot.setAutoWaitForIdle(false);
             DragSource.getDefaultDragSource().removeDragSourceListener(seen);
-        }
-    }
-
-    /** Where a drag was seen last, and what became of it. */
-    private static final class SeenDrag extends DragSourceAdapter {
-        private volatile Optional<Point> at = Optional.empty();
-        private volatile boolean over;
-        private volatile boolean taken;
-
-        @Override
-        public void dragEnter(DragSourceDragEvent e) {
-            at = Optional.of(e.getLocation());
-        }
-
-        @Override
-        public void dragOver(DragSourceDragEvent e) {
-            at = Optional.of(e.getLocation());
-        }
-
-        @Override
-        public void dragDropEnd(DragSourceDropEvent e) {
-            taken = e.getDropSuccess();
-            over = true;
-        }
-
-        boolean isAt(Point point) {
-            return at.filter(seen -> Math.abs(seen.x - point.x) < 3 && Math.abs(seen.y - point.y) < 3)
-                    .isPresent();
-        }
-
-        boolean isOver() {
-            return over;
-        }
-
-        boolean isTaken() {
-            return taken;
         }
     }
 }
