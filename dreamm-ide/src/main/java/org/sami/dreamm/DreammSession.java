@@ -11,10 +11,10 @@ import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.learn.CourseAccess;
-import org.sami.dreamm.learn.CourseAtHand;
 import org.sami.dreamm.learn.Learning;
 import org.sami.dreamm.learn.LessonListener;
 import org.sami.dreamm.learn.LessonModel;
+import org.sami.dreamm.learn.LoadedCourse;
 import org.sami.dreamm.learn.mode.LessonProfile;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.start.AuthorDirectory;
@@ -76,9 +76,9 @@ final class DreammSession implements CourseAccess, LessonListener {
      *
      * @throws IOException if that cannot be, with the reason in a sentence
      */
-    CourseAtHand readCourse(Optional<String> named) throws IOException {
+    LoadedCourse readCourse(Optional<String> named) throws IOException {
         String learner = named.orElseGet(this::lastLearner);
-        return CourseAtHand.read(files, first.domain(), new Learners(data.learners()), learner);
+        return LoadedCourse.read(files, first.domain(), new Learners(data.learners()), learner);
     }
 
     /** Who learned last on this machine, else its user. */
@@ -184,7 +184,7 @@ final class DreammSession implements CourseAccess, LessonListener {
     }
 
     /** Opens the window of the lesson at which a learner is. */
-    DreammWindow openCourse(CourseAtHand course, RecoveryFolder recovery) {
+    DreammWindow openCourse(LoadedCourse course, RecoveryFolder recovery) {
         LessonModel model = course.model();
         lesson = Optional.of(model);
         grader = Optional.of(new JobGrader(model.course(), first.domain()));

@@ -7,7 +7,7 @@ import java.util.function.IntConsumer;
 import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.file.UnsavedWork;
-import org.sami.dreamm.learn.CourseAtHand;
+import org.sami.dreamm.learn.LoadedCourse;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
@@ -52,7 +52,7 @@ final class DreammStart {
                 RecoveryFolder.take(data.recovery(), first.domain().vocabulary());
         WindowSettings settings = new WindowSettings(data.settings());
         DreammSession session = new DreammSession(options, first, data, files, settings, ended);
-        Optional<CourseAtHand> course = options.learn().wanted()
+        Optional<LoadedCourse> course = options.learn().wanted()
                 ? Optional.of(session.readCourse(options.learn().learner()))
                 : Optional.empty();
         DreammWindow window = EventThread.get(() -> {

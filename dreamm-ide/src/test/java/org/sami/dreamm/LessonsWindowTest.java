@@ -95,7 +95,7 @@ class LessonsWindowTest {
     @MethodSource("lessons")
     void theLessonIsTakenByPaletteKeysAndEditorsInItsMode(String id) {
         Lesson lesson = COURSE.lesson(id).orElseThrow();
-        StepHand hand = new StepHand(learner, COURSE, DOMAIN.vocabulary());
+        StepGestures hand = new StepGestures(learner, COURSE, DOMAIN.vocabulary());
         List<Step> steps = lesson.steps().stream()
                 .filter(step -> WHOLE.contains(id) || (step instanceof Step.Job job && JOBS.contains(job.job())))
                 .toList();
@@ -116,7 +116,7 @@ class LessonsWindowTest {
 
     /** Looks at menus, palette and inspector, with each kind of element selected. */
     private static void onlyTaughtThingsAreVisible(Lesson lesson) {
-        NetHand net = new NetHand(learner.robot, learner::context);
+        NetGestures net = new NetGestures(learner.robot, learner::context);
         List<String> order = COURSE.lessons().stream().map(Lesson::id).toList();
         Set<String> visible = new TreeSet<>(VisibleThings.now());
         Plan plan = net.plan();
@@ -168,6 +168,6 @@ class LessonsWindowTest {
         Job job = JobReader.read(COURSE, lesson, name, DOMAIN.vocabulary()).orThrow();
         Project solution = GRADER.solution(lesson, job).orThrow();
         String words = COURSE.jobs().get(lesson + "/" + name);
-        new JobHand(learner.robot, learner::context, String.valueOf(words)).draw(solution);
+        new JobGestures(learner.robot, learner::context, String.valueOf(words)).draw(solution);
     }
 }

@@ -43,7 +43,7 @@ public final class ReplayedJournal {
         List<TelemetryRow> ordered = new ArrayList<>(telemetry.rows());
         ordered.sort(Comparator.comparingLong(TelemetryRow::atMillis)); // those of one moment stay in order
         rows = List.copyOf(ordered);
-        timeLine = SessionTimeLine.of(engine, entries, rows);
+        timeLine = SessionTimeLineBuilder.of(engine, entries, rows);
         List<String> wrong = Stream.concat(reader.recovery().damage().stream(), telemetry.damage().stream())
                 .toList();
         damage = wrong.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", wrong));

@@ -21,8 +21,8 @@ import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.context.NetPreview;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
-import org.sami.dreamm.help.word.Spoken;
-import org.sami.dreamm.help.word.Worded;
+import org.sami.dreamm.help.word.ShownText;
+import org.sami.dreamm.help.word.TermSource;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.palette.IdentityMarks;
 import org.sami.palette.SemanticColor;
@@ -40,7 +40,7 @@ import org.sami.ui.net.NetView;
 import org.sami.ui.value.WrappedText;
 
 /** The net of the open plan, as its author sees and changes it (thesis 5.1). */
-public final class ModelView extends JPanel implements NetDropTarget, Worded {
+public final class ModelView extends JPanel implements NetDropTarget, TermSource {
     private static final double REACH_PX = 4;
     private static final String[] MENU = {
         "net-rename",
@@ -316,7 +316,7 @@ public final class ModelView extends JPanel implements NetDropTarget, Worded {
     }
 
     @Override
-    public Optional<Spoken> wordsAt(Component inner, Point at) {
+    public Optional<ShownText> wordsAt(Component inner, Point at) {
         if (inner != view.canvas()) {
             return Optional.empty();
         }
@@ -329,7 +329,7 @@ public final class ModelView extends JPanel implements NetDropTarget, Worded {
                         .edgeAt(point.x(), point.y(), REACH_PX / view.zoom())
                         .map(Edge::id))
                 .flatMap(id -> NetWords.of(net.plan(), id))
-                .map(words -> Spoken.all(words, new Rectangle(at.x - reach, at.y - reach, 2 * reach, 2 * reach)));
+                .map(words -> ShownText.all(words, new Rectangle(at.x - reach, at.y - reach, 2 * reach, 2 * reach)));
     }
 
     @Override

@@ -33,8 +33,8 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
-import org.sami.dreamm.help.word.Spoken;
-import org.sami.dreamm.help.word.Worded;
+import org.sami.dreamm.help.word.ShownText;
+import org.sami.dreamm.help.word.TermSource;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.ui.look.ElidedText;
@@ -44,7 +44,7 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 
 /** A list of what can be added, by groups, with a field above it that narrows it by typing. Items can be dragged; Enter takes one. */
-public final class PaletteList extends JPanel implements Explained, Worded {
+public final class PaletteList extends JPanel implements Explained, TermSource {
     private static final int ROWS = 8;
 
     private final transient DreammContext context;
@@ -199,10 +199,10 @@ public final class PaletteList extends JPanel implements Explained, Worded {
     }
 
     @Override
-    public Optional<Spoken> wordsAt(Component inner, Point at) {
+    public Optional<ShownText> wordsAt(Component inner, Point at) {
         int row = inner == list ? list.locationToIndex(at) : -1;
         return row >= 0 && list.getCellBounds(row, row).contains(at) && rows.get(row) instanceof PaletteItem item
-                ? Optional.of(Spoken.all(words(item), list.getCellBounds(row, row)))
+                ? Optional.of(ShownText.all(words(item), list.getCellBounds(row, row)))
                 : Optional.empty();
     }
 

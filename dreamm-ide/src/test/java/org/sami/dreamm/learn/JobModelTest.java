@@ -29,11 +29,11 @@ class JobModelTest {
 
     private final List<Runnable> work = new ArrayList<>();
     private LearnerScene scene;
-    private Desk desk;
+    private TestJobEditor editor;
     private JobModel jobs;
 
     /** An editor without a window and without a panel to try plans in. */
-    private static final class Desk implements JobEditor {
+    private static final class TestJobEditor implements JobEditor {
         private final ProjectDocument document = new ProjectDocument(
                 LearnerScene.DOMAIN.vocabulary(),
                 new Project("none", "", "crw", List.of(), List.of(), List.of()),
@@ -74,9 +74,9 @@ class JobModelTest {
     @BeforeEach
     void begin() {
         scene = new LearnerScene(folder);
-        desk = new Desk();
+        editor = new TestJobEditor();
         JobGrader grader = new JobGrader(scene.model.course(), LearnerScene.DOMAIN);
-        jobs = new JobModel(scene.model, grader, desk, work::add, Runnable::run);
+        jobs = new JobModel(scene.model, grader, editor, work::add, Runnable::run);
         jobs.showStep();
         scene.model.go(JOB);
         jobs.showStep();
@@ -88,7 +88,7 @@ class JobModelTest {
     }
 
     private void solve() {
-        desk.replace("Solve", scene.model.course().project("01-one", "wait").orElseThrow());
+        editor.replace("Solve", scene.model.course().project("01-one", "wait").orElseThrow());
     }
 
     private void runWork() {
@@ -99,14 +99,14 @@ class JobModelTest {
 
     @Test
     void thePlanOfTheJobIsOpenedFromTheFileOfTheLearner() {
-        assertThat(desk.project()
+        assertThat(editor.project()
                         .plan("wait")
                         .orElseThrow()
                         .place("end")
                         .orElseThrow()
                         .end())
                 .isFalse();
-        assertThat(desk.document.file()).contains(folder.resolve("ada/jobs/02-two/end.json"));
+        assertThat(editor.document.file()).contains(folder.resolve("ada/jobs/02-two/end.json"));
     }
 
     @Test
@@ -156,7 +156,8 @@ class JobModelTest {
         assertThat(jobs.nextHelp()).isEmpty();
         assertThat(scene.record.on(JOB).hints()).isEqualTo(3);
         assertThat(scene.record.on(JOB).solutionSeen()).isTrue();
-        assertThat(desk.compared.orElseThrow().place("end").orElseThrow().end()).isTrue();
+        assertThat(editor.compared.orElseThrow().place("end").orElseThrow().end())
+                .isTrue();
         assertThat(jobs.example()).isPresent();
     }
 
@@ -164,7 +165,7 @@ class JobModelTest {
     void aJobIsBegunAnewAndThatIsTakenBack() {
         solve();
         jobs.startOver();
-        assertThat(desk.project()
+        assertThat(editor.project()
                         .plan("wait")
                         .orElseThrow()
                         .place("end")
@@ -172,8 +173,8 @@ class JobModelTest {
                         .end())
                 .isFalse();
 
-        desk.document.undo();
-        assertThat(desk.project()
+        editor.document.undo();
+        assertThat(editor.project()
                         .plan("wait")
                         .orElseThrow()
                         .place("end")
@@ -184,11 +185,11 @@ class JobModelTest {
 
     @Test
     void besideAnotherStepThePlanStaysThatWasOpen() {
-        Project before = desk.project();
+        Project before = editor.project();
         scene.model.back();
         jobs.showStep();
 
-        assertThat(desk.project()).isEqualTo(before);
+        assertThat(editor.project()).isEqualTo(before);
         assertThat(jobs.job()).isEmpty();
         assertThat(jobs.whyNotCheck()).contains("this step has no job");
     }

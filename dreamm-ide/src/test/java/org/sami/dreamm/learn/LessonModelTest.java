@@ -124,7 +124,7 @@ class LessonModelTest {
         Files.createDirectories(file.getParent());
         Files.writeString(file, "{\"formatVersion\": 1, \"learner\": ");
 
-        CourseAtHand read = CourseAtHand.read(LearnerScene.FILES, LearnerScene.DOMAIN, scene.learners, "bert");
+        LoadedCourse read = LoadedCourse.read(LearnerScene.FILES, LearnerScene.DOMAIN, scene.learners, "bert");
 
         assertThat(read.notes()).singleElement().asString().contains("bert", "progress-broken-1.json");
         assertThat(read.model().step().id()).isEqualTo("places");

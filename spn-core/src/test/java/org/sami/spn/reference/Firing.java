@@ -25,14 +25,14 @@ import org.sami.spn.value.Value;
 /** Fires a transition, in the order of R-FIRE-1. */
 final class Firing {
     /** A token selected for an out edge: a copy of the pool, a token of an instance's end places, both, or a new one. */
-    private record Selected(Token token, Optional<Copy> copy, Optional<Instance> instance) {}
+    private record SelectedTokens(Token token, Optional<Copy> copy, Optional<Instance> instance) {}
 
     /** What one firing does. */
     private static final class Moves {
         final Set<Copy> removed = new LinkedHashSet<>();
         final Map<Instance, List<Token>> usedBack = new LinkedHashMap<>();
         final Map<Copy, Set<Instance>> removedAsReturned = new LinkedHashMap<>();
-        final Map<OutEdge, List<Selected>> added = new LinkedHashMap<>();
+        final Map<OutEdge, List<SelectedTokens>> added = new LinkedHashMap<>();
     }
 
     private final World world;
@@ -66,7 +66,7 @@ final class Firing {
         List<Visit> entered = new ArrayList<>();
         for (OutEdge edge : m.outEdges(t)) {
             List<Token> tokens =
-                    moves.added.get(edge).stream().map(Selected::token).toList();
+                    moves.added.get(edge).stream().map(SelectedTokens::token).toList();
             if (isEntered(m, edge, tokens)) {
                 entered.add(places.add(m, m.place(edge.place()), tokens));
             }
@@ -130,12 +130,12 @@ final class Firing {
     private Moves select(Mission m, Transition t, List<Pending> used) {
         Moves moves = new Moves();
         for (OutEdge edge : m.outEdges(t)) {
-            List<Selected> onEdge = new ArrayList<>();
+            List<SelectedTokens> onEdge = new ArrayList<>();
             for (OutRequirement requirement : edge.requirements()) {
                 if (requirement.kind() == TokenKind.UNCONDITIONAL) {
                     continue;
                 }
-                List<Selected> selected = selected(m, t, used, requirement);
+                List<SelectedTokens> selected = selected(m, t, used, requirement);
                 Map<Instance, List<Token>> usedHere = new LinkedHashMap<>();
                 boolean noneNamed = requirement.kind() == TokenKind.RELEVANT
                         && requirement.action() != Action.ADD
@@ -144,7 +144,7 @@ final class Firing {
                     world.note(NoteKind.SHORT_OF_TOKENS, m.id, t.id());
                 }
                 if (requirement.action() != Action.ADD) {
-                    for (Selected s : selected) {
+                    for (SelectedTokens s : selected) {
                         s.copy().ifPresent(moves.removed::add);
                         if (s.instance().isPresent() && s.copy().isPresent()) {
                             moves.removedAsReturned
@@ -175,7 +175,7 @@ final class Firing {
     }
 
     /** Adds a token to an edge once (R-OUT-6). */
-    private static boolean isOn(List<Selected> onEdge, Selected s) {
+    private static boolean isOn(List<SelectedTokens> onEdge, SelectedTokens s) {
         if (s.copy().isPresent()) {
             return onEdge.stream()
                     .anyMatch(o -> o.copy().equals(s.copy())
@@ -188,9 +188,9 @@ final class Firing {
     }
 
     /** What one requirement selects (R-OUT-2). */
-    private List<Selected> selected(Mission m, Transition t, List<Pending> used, OutRequirement r) {
+    private List<SelectedTokens> selected(Mission m, Transition t, List<Pending> used, OutRequirement r) {
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
-            List<Selected> all = subMissionTokens(m, t, used);
+            List<SelectedTokens> all = subMissionTokens(m, t, used);
             return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
         }
         if (r.action() == Action.ADD && r.kind() == TokenKind.RELEVANT) {
@@ -199,21 +199,21 @@ final class Firing {
                     .flatMap(p -> p.names().stream())
                     .distinct()
                     .limit(r.takesAll() ? Integer.MAX_VALUE : r.n())
-                    .map(name -> new Selected(name, Optional.empty(), Optional.empty()))
+                    .map(name -> new SelectedTokens(name, Optional.empty(), Optional.empty()))
                     .toList();
         }
         if (r.action() == Action.ADD && r.kind() == TokenKind.GENERIC && !r.takesAll()) {
             // R-OUT-4
-            List<Selected> made = new ArrayList<>();
+            List<SelectedTokens> made = new ArrayList<>();
             for (int i = 0; i < r.n(); i++) {
-                made.add(new Selected(Token.GENERIC, Optional.empty(), Optional.empty()));
+                made.add(new SelectedTokens(Token.GENERIC, Optional.empty(), Optional.empty()));
             }
             return made;
         }
         Set<Token> relevant = enabling.relevant(used);
-        List<Selected> all = enabling.pool(m, t, used).stream()
+        List<SelectedTokens> all = enabling.pool(m, t, used).stream()
                 .filter(copy -> enabling.isOfKind(r.kind(), r.task(), copy.token, relevant))
-                .map(copy -> new Selected(copy.token, Optional.of(copy), Optional.empty()))
+                .map(copy -> new SelectedTokens(copy.token, Optional.of(copy), Optional.empty()))
                 .toList();
         // R-OUT-5
         return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
@@ -222,8 +222,8 @@ final class Firing {
     // ---- Sub-mission tokens (R-SUB-4)
 
     /** What came back (R-SUB-4), each with the parent's copy that came back, if there is one. */
-    private List<Selected> subMissionTokens(Mission m, Transition t, List<Pending> used) {
-        List<Selected> tokens = new ArrayList<>();
+    private List<SelectedTokens> subMissionTokens(Mission m, Transition t, List<Pending> used) {
+        List<SelectedTokens> tokens = new ArrayList<>();
         for (Place place : m.inPlaces(t)) {
             List<Copy> free = new ArrayList<>(enabling.poolIn(m, t, place, used));
             List<Returned> returns = enabling.returnsUsed(m, t, place, used);
@@ -242,13 +242,13 @@ final class Firing {
         return tokens;
     }
 
-    private static Selected cameBack(Token token, Instance instance, List<Copy> free) {
+    private static SelectedTokens cameBack(Token token, Instance instance, List<Copy> free) {
         Optional<Copy> came = free.stream()
                 .filter(c -> c.token.equals(token)
                         && instance.visit.map(v -> v == c.visit).orElse(true))
                 .findFirst();
         came.ifPresent(free::remove);
-        return new Selected(token, came, Optional.of(instance));
+        return new SelectedTokens(token, came, Optional.of(instance));
     }
 
     private void useUpSubMissionTokens(Moves moves) {

@@ -75,13 +75,13 @@ class SpoiltEngineTest {
                 arguments(
                         "R-LOOK-2",
                         "nobody looks at inhibited transitions when tokens leave",
-                        "WorkList.java",
+                        "FiringAgenda.java",
                         "if (t.hasInputs() || t.inhibitedBy(place.place.index)) {",
                         "if (t.hasInputs()) {"),
                 arguments(
                         "R-OUT-6",
                         "an edge adds a token at each requirement",
-                        "Selected.java",
+                        "SelectedTokens.java",
                         "e.addedBy = edge;",
                         "e.addedBy = 0;"),
                 arguments(
@@ -322,7 +322,7 @@ class SpoiltEngineTest {
                 arguments(
                         "R-VIS-8",
                         "a firing tells moves that it does not make",
-                        "Selected.java",
+                        "SelectedTokens.java",
                         "moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));",
                         "moves.add(new TokenMove(token, out.place().inMoves, out.place().inMoves));"),
                 arguments(

@@ -55,7 +55,10 @@ public final class TlsLinks implements LinkSecurity {
         this.versions = versions;
         try {
             context = SSLContext.getInstance("TLS");
-            context.init(new KeyManager[] {new OneKey(identity)}, new TrustManager[] {new AnyKey()}, null);
+            context.init(
+                    new KeyManager[] {new OwnKeyManager(identity)},
+                    new TrustManager[] {new AnyKeyTrustManager()},
+                    null);
         } catch (GeneralSecurityException e) {
             throw new IllegalStateException("every Java and every Android has TLS", e);
         }
@@ -76,7 +79,7 @@ public final class TlsLinks implements LinkSecurity {
         SSLSocket secured = layered(socket);
         secured.setUseClientMode(false);
         secured.setNeedClientAuth(true);
-        return shaken(secured);
+        return handshake(secured);
     }
 
     @Override
@@ -84,7 +87,7 @@ public final class TlsLinks implements LinkSecurity {
         InetSocketAddress address = (InetSocketAddress) socket.getRemoteSocketAddress();
         SSLSocket secured = layered(socket);
         secured.setUseClientMode(true);
-        SecureLink link = shaken(secured);
+        SecureLink link = handshake(secured);
         Fingerprint peer = link.peer().orElseThrow(() -> new LinkRefusedException("it shows no key"));
         if (!pinned.test(peer)) {
             throw new LinkRefusedException("its key " + peer.shortText()
@@ -105,14 +108,14 @@ public final class TlsLinks implements LinkSecurity {
                 .createSocket(socket, address.getAddress().getHostAddress(), address.getPort(), true);
     }
 
-    private SecureLink shaken(SSLSocket socket) throws IOException {
+    private SecureLink handshake(SSLSocket socket) throws IOException {
         List<String> spoken = new ArrayList<>(versions);
         spoken.retainAll(Arrays.asList(socket.getSupportedProtocols()));
         socket.setEnabledProtocols(spoken.toArray(new String[0]));
         try {
             socket.startHandshake();
             Certificate[] chain = socket.getSession().getPeerCertificates();
-            return new Shaken(socket, Fingerprint.of(chain[0].getPublicKey()));
+            return new EstablishedLink(socket, Fingerprint.of(chain[0].getPublicKey()));
         } catch (IOException e) {
             boolean plain = String.valueOf(e.getMessage()).contains("unrecognized SSL message");
             String why = plain ? "it speaks plain, and only protected links are taken here" : words(e);
@@ -126,14 +129,14 @@ public final class TlsLinks implements LinkSecurity {
 
     /** The version of the protocol that a link speaks. */
     static String version(SecureLink link) {
-        return ((Shaken) link).socket.getSession().getProtocol();
+        return ((EstablishedLink) link).socket.getSession().getProtocol();
     }
 
-    private static final class Shaken implements SecureLink {
+    private static final class EstablishedLink implements SecureLink {
         private final SSLSocket socket;
         private final Fingerprint peer;
 
-        Shaken(SSLSocket socket, Fingerprint peer) {
+        EstablishedLink(SSLSocket socket, Fingerprint peer) {
             this.socket = socket;
             this.peer = peer;
         }

@@ -24,7 +24,7 @@ import org.robolectric.shadows.ShadowPowerManager;
 import org.robolectric.shadows.ShadowService;
 import org.robolectric.shadows.ShadowWifiManager;
 import org.sami.boat.app.boat.BoatOnPhone;
-import org.sami.boat.app.boat.StatusOnBoard;
+import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.server.testing.Await;
 
 /** The life of the service. */
@@ -127,7 +127,7 @@ public class BoatServiceTest {
     public void withoutPermissionsItWaitsForAPositionAndSaysSo() {
         controller.create().startCommand(0, 1);
 
-        assertThat(boat().status().serving()).isEqualTo(StatusOnBoard.Serving.WAITS_FOR_POSITION);
+        assertThat(boat().status().serving()).isEqualTo(PhoneStatus.Serving.WAITS_FOR_POSITION);
         assertThat(boat().status().pose().isLocated()).isFalse();
     }
 

@@ -10,18 +10,18 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.KeyRing;
-import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.Peer;
 
 /** What clients may do by their keys, on a boat that speaks with protection. Safe for use by several threads. */
 public final class BoatKeys {
     private final KeyRing ring;
-    private final PairingDesk desk;
+    private final PairingResponder responder;
 
     /** The keys of a boat, and where bases are paired with it. */
-    public BoatKeys(KeyRing ring, PairingDesk desk) {
+    public BoatKeys(KeyRing ring, PairingResponder responder) {
         this.ring = ring;
-        this.desk = desk;
+        this.responder = responder;
     }
 
     /** The most that a key is granted; empty for a stranger. */
@@ -38,7 +38,7 @@ public final class BoatKeys {
 
     /** Pairs a base, or throws the reason. */
     Paired pair(Fingerprint key, Pair request, String boatId, long nowMs) throws IOException {
-        return new Paired(boatId, desk.pair(key, request.clientId(), request.proof(), nowMs));
+        return new Paired(boatId, responder.pair(key, request.clientId(), request.proof(), nowMs));
     }
 
     /** Withdraws keys but that of who asks. */

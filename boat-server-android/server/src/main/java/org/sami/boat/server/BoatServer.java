@@ -62,7 +62,7 @@ public final class BoatServer {
     private final CommandLedger ledger = new CommandLedger();
     private final ModeControl modes;
     private final CommandExecutor executor;
-    private final SensorWatch sensors;
+    private final SensorSampler sensors;
     private final BatteryWatch battery;
     private final MotionReports motion;
     private final EpochGuard epochs;
@@ -87,7 +87,7 @@ public final class BoatServer {
         epochs = new EpochGuard(log);
         modes = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, modes);
-        sensors = new SensorWatch(vehicle);
+        sensors = new SensorSampler(vehicle);
         battery = new BatteryWatch(config, vehicle, modes.homeward().waysHome());
         reportedLevel = battery.level();
         motion = new MotionReports(vehicle);

@@ -19,16 +19,16 @@ final class SteeringControl {
 
     private final Vehicle vehicle;
     private final double fullThrustSpeedMps;
-    private final ControlLoop heading;
-    private final ControlLoop speed;
+    private final PidController heading;
+    private final PidController speed;
     private boolean hadThrust = true; // the motors gave all the thrust that was asked for last
     private boolean stands; // has to stand
 
     SteeringControl(Vehicle vehicle, ServerConfig config) {
         this.vehicle = vehicle;
         fullThrustSpeedMps = config.fullThrustSpeedMps();
-        heading = new ControlLoop(config.headingGains());
-        speed = new ControlLoop(config.speedGains());
+        heading = new PidController(config.headingGains());
+        speed = new PidController(config.speedGains());
     }
 
     /** Sets the gains of a loop, which is reset. */
@@ -40,7 +40,7 @@ final class SteeringControl {
         return loop(axis).gains();
     }
 
-    private ControlLoop loop(GainAxis axis) {
+    private PidController loop(GainAxis axis) {
         return axis == GainAxis.HEADING ? heading : speed;
     }
 

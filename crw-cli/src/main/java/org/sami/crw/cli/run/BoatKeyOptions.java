@@ -9,7 +9,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
-import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.crw.cli.output.UsageFault;
@@ -62,16 +62,16 @@ final class BoatKeyOptions {
             return UnaryOperator.identity();
         }
         KeyRing keys = new KeyStoreFolder(folder).open();
-        PairingDesk desk = new PairingDesk(
+        PairingResponder responder = new PairingResponder(
                 keys,
                 (base, code) -> say.accept("paired with " + base.name() + "; check code " + code
                         + ": the base shows the same, or somebody is in between"));
         say.accept("its key is " + keys.identity().fingerprint().shortText() + ", it knows "
                 + keys.peers().size() + (keys.peers().size() == 1 ? " base" : " bases"));
         if (pair) {
-            WordSecret words = desk.open(observer ? Role.OBSERVER : Role.COMMANDER, clock.getAsLong());
+            WordSecret words = responder.open(observer ? Role.OBSERVER : Role.COMMANDER, clock.getAsLong());
             say.accept("to pair a base within five minutes, type there: " + words);
         }
-        return plain -> plain.withKeys(keys, desk);
+        return plain -> plain.withKeys(keys, responder);
     }
 }

@@ -20,7 +20,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
-import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
@@ -37,15 +37,15 @@ class KeysCommandTest {
     private final SteadyClock clock = new SteadyClock(ProcessClock::ms);
     private final List<String> codes = new CopyOnWriteArrayList<>();
     private KeyRing keys;
-    private PairingDesk desk;
+    private PairingResponder responder;
     private BoatOnTcp boat;
 
     @BeforeEach
     void launch() throws IOException {
         keys = new KeyStoreFolder(folder.resolve("anna-keys")).open();
-        desk = new PairingDesk(keys, (base, code) -> codes.add(code));
+        responder = new PairingResponder(keys, (base, code) -> codes.add(code));
         BoatSettings settings = BoatSettings.of("anna", TcpTestFleet.port(0), TcpTestFleet.PIER, 1);
-        boat = new BoatOnTcp(settings, clock, TcpServerListener.NONE, plain -> plain.withKeys(keys, desk));
+        boat = new BoatOnTcp(settings, clock, TcpServerListener.NONE, plain -> plain.withKeys(keys, responder));
     }
 
     @AfterEach
@@ -71,7 +71,8 @@ class KeysCommandTest {
 
     @Test
     void pairedBaseStopsTheBoatAndAStrangerIsToldToPair() {
-        assertThat(pair("mine", desk.open(Role.COMMANDER, clock.getAsLong())).out())
+        assertThat(pair("mine", responder.open(Role.COMMANDER, clock.getAsLong()))
+                        .out())
                 .contains(
                         "paired with anna, key " + keys.identity().fingerprint().shortText())
                 .contains("check code " + codes.get(0));
@@ -86,7 +87,7 @@ class KeysCommandTest {
 
     @Test
     void wrongWordsAreRefusedWithTheReasonAndNothingIsKept() {
-        desk.open(Role.COMMANDER, clock.getAsLong());
+        responder.open(Role.COMMANDER, clock.getAsLong());
 
         CommandResult refused = pair("mine", WordSecret.random());
 
@@ -100,7 +101,7 @@ class KeysCommandTest {
 
     @Test
     void keysGoToASecondLaptopInAFileThatOnlyItsPasswordOpens() throws IOException {
-        pair("mine", desk.open(Role.COMMANDER, clock.getAsLong()));
+        pair("mine", responder.open(Role.COMMANDER, clock.getAsLong()));
         Path file = folder.resolve("fleet.keys");
         Path password = Files.writeString(folder.resolve("password"), "in the boat house\n");
         Path other = Files.writeString(folder.resolve("other"), "in the other house\n");
@@ -120,8 +121,8 @@ class KeysCommandTest {
 
     @Test
     void withdrawnKeyIsCarriedToTheBoatByABaseThatCommandsIt() throws IOException {
-        pair("lost", desk.open(Role.COMMANDER, clock.getAsLong()));
-        pair("mine", desk.open(Role.COMMANDER, clock.getAsLong()));
+        pair("lost", responder.open(Role.COMMANDER, clock.getAsLong()));
+        pair("mine", responder.open(Role.COMMANDER, clock.getAsLong()));
         String lost = new KeyStoreFolder(folder.resolve("lost"))
                 .open()
                 .identity()

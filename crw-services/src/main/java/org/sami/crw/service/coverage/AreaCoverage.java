@@ -109,8 +109,7 @@ public final class AreaCoverage {
                 lines.add(line(track));
             }
         }
-        Geometry rest =
-                lines.isEmpty() ? region : UncoveredArea.of(region, lines, spacingM / 2, MainDirection.ofRad(lines));
+        Geometry rest = lines.isEmpty() ? region : UncoveredArea.of(region, lines, spacingM / 2, MeanAxis.ofRad(lines));
         return new Left(rest.getArea(), UncoveredArea.areas(rest, plane), largest(rest));
     }
 

@@ -9,7 +9,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.OpenLinks;
-import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.tcp.TcpServerConfig;
@@ -63,7 +63,7 @@ class TestLinks {
         @Override
         UnaryOperator<TcpServerConfig> ofBoat(String name) {
             KeyRing ring = boat(name);
-            return plain -> plain.withKeys(ring, new PairingDesk(ring));
+            return plain -> plain.withKeys(ring, new PairingResponder(ring));
         }
 
         @Override

@@ -35,42 +35,42 @@ final class ShownWords {
     // ---- At a point
 
     /** What a component shows at a point; empty where that is no text, or text that is typed. */
-    static Optional<Spoken> at(Component component, Point at) {
+    static Optional<ShownText> at(Component component, Point at) {
         for (Component each = component; each != null; each = each.getParent()) {
-            if (each instanceof Worded worded) {
-                Optional<Spoken> words = worded.wordsAt(component, at);
+            if (each instanceof TermSource worded) {
+                Optional<ShownText> words = worded.wordsAt(component, at);
                 if (words.isPresent()) {
                     return words;
                 }
             }
         }
         return SwingUtilities.getAncestorOfClass(JComboBox.class, component) instanceof JComboBox<?> combo
-                ? Optional.of(Spoken.all(chosen(combo), whole(component)))
+                ? Optional.of(ShownText.all(chosen(combo), whole(component)))
                 : plain(component, at);
     }
 
-    private static Optional<Spoken> plain(Component component, Point at) {
+    private static Optional<ShownText> plain(Component component, Point at) {
         if (component instanceof JComboBox<?> combo) {
-            return Optional.of(Spoken.all(chosen(combo), whole(component)));
+            return Optional.of(ShownText.all(chosen(combo), whole(component)));
         } else if (component instanceof JLabel label) {
             return label(label, at);
         } else if (component instanceof AbstractButton button) {
-            return Optional.of(Spoken.all(words(button), whole(button)));
+            return Optional.of(ShownText.all(words(button), whole(button)));
         } else if (component instanceof JTextComponent text) {
             return text.isEditable() ? Optional.empty() : text(text, at);
         } else if (component instanceof JTableHeader header) {
             int column = header.columnAtPoint(at);
             return column < 0
                     ? Optional.empty()
-                    : Optional.of(Spoken.all(header.getTable().getColumnName(column), header.getHeaderRect(column)));
+                    : Optional.of(ShownText.all(header.getTable().getColumnName(column), header.getHeaderRect(column)));
         } else if (component instanceof JTabbedPane tabs) {
             int tab = tabs.indexAtLocation(at.x, at.y);
-            return tab < 0 ? Optional.empty() : Optional.of(Spoken.all(tabs.getTitleAt(tab), tabs.getBoundsAt(tab)));
+            return tab < 0 ? Optional.empty() : Optional.of(ShownText.all(tabs.getTitleAt(tab), tabs.getBoundsAt(tab)));
         }
         return cell(component, at);
     }
 
-    private static Optional<Spoken> cell(Component component, Point at) {
+    private static Optional<ShownText> cell(Component component, Point at) {
         if (component instanceof JList<?> list) {
             int row = list.locationToIndex(at);
             Rectangle box = row < 0 ? null : list.getCellBounds(row, row);
@@ -112,20 +112,20 @@ final class ShownWords {
     }
 
     /** What a renderer draws in the box of a cell: the word at the point, else all of the cell. */
-    private static Optional<Spoken> drawn(Component cell, Rectangle box, Point at) {
+    private static Optional<ShownText> drawn(Component cell, Rectangle box, Point at) {
         CellRendererPane pane = new CellRendererPane();
         pane.add(cell);
         cell.setBounds(0, 0, box.width, box.height);
         cell.validate();
         Point inside = new Point(at.x - box.x, at.y - box.y);
         Component inner = SwingUtilities.getDeepestComponentAt(cell, inside.x, inside.y);
-        Optional<Spoken> words =
+        Optional<ShownText> words =
                 inner == null ? Optional.empty() : plain(inner, SwingUtilities.convertPoint(cell, inside, inner));
         pane.removeAll();
-        return words.map(found -> new Spoken(found.text(), found.at(), box));
+        return words.map(found -> new ShownText(found.text(), found.at(), box));
     }
 
-    private static Optional<Spoken> label(JLabel label, Point at) {
+    private static Optional<ShownText> label(JLabel label, Point at) {
         String text = label.getText();
         if (text == null || text.isBlank()) {
             return Optional.empty();
@@ -156,7 +156,7 @@ final class ShownWords {
         int index = indexAt(shown, metrics, at.x - letters.x);
         return index < 0 || !letters.contains(at)
                 ? Optional.empty()
-                : Optional.of(new Spoken(text, Math.min(index, text.length() - 1), letters));
+                : Optional.of(new ShownText(text, Math.min(index, text.length() - 1), letters));
     }
 
     private static int indexAt(String text, FontMetrics metrics, int x) {
@@ -168,7 +168,7 @@ final class ShownWords {
         return -1;
     }
 
-    private static Optional<Spoken> text(JTextComponent text, Point at) {
+    private static Optional<ShownText> text(JTextComponent text, Point at) {
         int index = text.viewToModel2D(at);
         try {
             Rectangle2D letter = text.modelToView2D(index);
@@ -178,7 +178,7 @@ final class ShownWords {
                     && Math.abs(at.x - letter.getX()) < 2 * letter.getHeight();
             int character = there && at.x < letter.getX() ? index - 1 : index;
             return there && character >= 0
-                    ? Optional.of(new Spoken(text.getText(), character, around(at, letter)))
+                    ? Optional.of(new ShownText(text.getText(), character, around(at, letter)))
                     : Optional.empty();
         } catch (BadLocationException gone) {
             return Optional.empty();
@@ -214,7 +214,7 @@ final class ShownWords {
     /** The words that explain a component: what is selected in it, what it says, its label and its tooltip. */
     static String of(Component component) {
         for (Component each = component; each != null; each = each.getParent()) {
-            if (each instanceof Worded worded && worded.words().isPresent()) {
+            if (each instanceof TermSource worded && worded.words().isPresent()) {
                 return worded.words().orElseThrow();
             }
         }

@@ -65,7 +65,7 @@ public final class WordCommands implements AutoCloseable {
     private void explainHere(Window owner) {
         hover.hide();
         Component focused = focused();
-        Spoken spoken = Spoken.all(focused == null ? "" : ShownWords.of(focused), new Rectangle());
+        ShownText spoken = ShownText.all(focused == null ? "" : ShownWords.of(focused), new Rectangle());
         words.find(spoken, (glossary, terms) -> {
             if (terms.isEmpty()) {
                 context.notices()

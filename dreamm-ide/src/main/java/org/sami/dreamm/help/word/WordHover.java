@@ -156,7 +156,7 @@ final class WordHover implements AWTEventListener, AutoCloseable {
         return Optional.ofNullable(SwingUtilities.getDeepestComponentAt(in, inside.x, inside.y));
     }
 
-    private void show(Component component, Point inside, Spoken spoken, Glossary glossary, List<Term> terms) {
+    private void show(Component component, Point inside, ShownText spoken, Glossary glossary, List<Term> terms) {
         JRootPane root = root(component);
         if (root == null) {
             return;

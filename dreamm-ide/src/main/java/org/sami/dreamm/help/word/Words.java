@@ -22,7 +22,7 @@ final class Words {
     }
 
     /** Gives the terms of some words and the glossary: at once where it was read, else when it is. */
-    void find(Spoken spoken, BiConsumer<Glossary, List<Term>> then) {
+    void find(ShownText spoken, BiConsumer<Glossary, List<Term>> then) {
         whenRead(read -> then.accept(read, spoken.terms(read)));
     }
 

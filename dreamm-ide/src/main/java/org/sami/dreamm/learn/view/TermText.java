@@ -28,8 +28,8 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.jspecify.annotations.Nullable;
-import org.sami.dreamm.help.word.Spoken;
-import org.sami.dreamm.help.word.Worded;
+import org.sami.dreamm.help.word.ShownText;
+import org.sami.dreamm.help.word.TermSource;
 import org.sami.lessons.course.Paragraph;
 import org.sami.lessons.course.Paragraph.Span;
 import org.sami.palette.SemanticColor;
@@ -40,7 +40,7 @@ import org.sami.ui.look.Look;
  * A paragraph that wraps, with bold words and terms of the glossary. A term shows its two sentences under the pointer, and is opened by a click; with the focus,
  * Left and Right choose a term and Enter opens it.
  */
-final class TermText extends JComponent implements Worded {
+final class TermText extends JComponent implements TermSource {
     private static final int ITEM_INDENT = 18;
     private static final double LEADING = 1.3;
 
@@ -154,7 +154,7 @@ final class TermText extends JComponent implements Worded {
     }
 
     @Override
-    public Optional<Spoken> wordsAt(Component inner, Point at) {
+    public Optional<ShownText> wordsAt(Component inner, Point at) {
         int span = termAt(at);
         return span < 0
                 ? Optional.empty()
@@ -162,7 +162,7 @@ final class TermText extends JComponent implements Worded {
                         .filter(piece ->
                                 piece.word().span() == span && piece.box().contains(at))
                         .findFirst()
-                        .map(piece -> Spoken.all(paragraph.spans().get(span).words(), piece.box()));
+                        .map(piece -> ShownText.all(paragraph.spans().get(span).words(), piece.box()));
     }
 
     @Override

@@ -85,7 +85,7 @@ public final class Firing {
     }
 
     /** Tokens that copy themselves would fill the memory long before their firings are counted as a livelock. */
-    private boolean addsTooMany(Selected selected) {
+    private boolean addsTooMany(SelectedTokens selected) {
         long added = 0;
         for (List<Token> one : selected.added) {
             added += one.size();
@@ -96,7 +96,7 @@ public final class Firing {
     private void fire(TransitionState t, List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {
         MissionState m = t.mission;
         CompiledTransition ct = t.transition;
-        Selected selected = selection.select(t, relevant, scope);
+        SelectedTokens selected = selection.select(t, relevant, scope);
         if (addsTooMany(selected)) {
             rules.missionEnd.halt(
                     m,
@@ -180,7 +180,7 @@ public final class Firing {
     }
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
-    private List<Visit> move(MissionState m, CompiledTransition t, Selected selected) {
+    private List<Visit> move(MissionState m, CompiledTransition t, SelectedTokens selected) {
         rules.removal.remove(selected.removed);
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
@@ -194,8 +194,8 @@ public final class Firing {
     }
 
     /** Uses up completions and returns of sub-missions; the returns of static instances that it used, with what it used of them. */
-    private List<Return> useReturns(MissionState m, CompiledTransition t, Selected selected, FiringScope scope) {
-        for (Selected.UsedReturn used : selected.usedReturns) {
+    private List<Return> useReturns(MissionState m, CompiledTransition t, SelectedTokens selected, FiringScope scope) {
+        for (SelectedTokens.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
         List<Return> result = new ArrayList<>(0);

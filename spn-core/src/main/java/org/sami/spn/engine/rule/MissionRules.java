@@ -16,7 +16,7 @@ import org.sami.spn.value.TaskId;
 final class MissionRules {
     final RuleStep step;
     final NetState state;
-    final WorkList work;
+    final FiringAgenda work;
     final TokenPool pool = new TokenPool();
     final Enabling enabling;
     final PendingOccurrences pendings;
@@ -42,7 +42,7 @@ final class MissionRules {
      *
      * @param autonomy answers a question that is not left to the operator
      */
-    MissionRules(RuleStep step, WorkList work, Consumer<OpenDecision> autonomy) {
+    MissionRules(RuleStep step, FiringAgenda work, Consumer<OpenDecision> autonomy) {
         this.step = step;
         this.state = step.state;
         this.work = work;

@@ -36,9 +36,9 @@ public final class PendingOccurrences {
     private static final NamedToken[] NOBODY = {};
     private final RuleStep step;
     private final Enabling enabling;
-    private final WorkList work;
+    private final FiringAgenda work;
 
-    PendingOccurrences(RuleStep step, Enabling enabling, WorkList work) {
+    PendingOccurrences(RuleStep step, Enabling enabling, FiringAgenda work) {
         this.step = step;
         this.enabling = enabling;
         this.work = work;

@@ -24,12 +24,12 @@ final class ReturnedTokens {
     private final TransitionState t;
     private final CompiledTransition.Out out;
     private final OutRequirement requirement;
-    private final Selected result;
+    private final SelectedTokens result;
     private final List<Token> added;
     private final long firing;
     private final long edge;
     private final long pick;
-    private final List<Selected.UsedReturn> used = new ArrayList<>(0);
+    private final List<SelectedTokens.UsedReturn> used = new ArrayList<>(0);
     private int left;
 
     ReturnedTokens(
@@ -38,7 +38,7 @@ final class ReturnedTokens {
             TransitionState t,
             CompiledTransition.Out out,
             OutRequirement requirement,
-            Selected result,
+            SelectedTokens result,
             List<Token> added,
             long firing,
             long edge) {
@@ -118,7 +118,7 @@ final class ReturnedTokens {
             return;
         }
         if (requirement.action() != Action.ADD) {
-            useUp(new Selected.UsedReturn(instance, token));
+            useUp(new SelectedTokens.UsedReturn(instance, token));
         }
         if (requirement.action() != Action.CONSUME && (token.equals(Token.GENERIC) || !added.contains(token))) {
             result.make(token, out, added);
@@ -126,7 +126,7 @@ final class ReturnedTokens {
     }
 
     /** Each requirement selects from the same tokens: what several select is used up once. */
-    private void useUp(Selected.UsedReturn token) {
+    private void useUp(SelectedTokens.UsedReturn token) {
         used.add(token);
         if (Collections.frequency(result.usedReturns, token) < Collections.frequency(used, token)) {
             result.usedReturns.add(token);

@@ -31,12 +31,12 @@ public final class Rules {
     public final RobotRemoval robotRemoval;
 
     private final RuleStep step;
-    private final WorkList work;
+    private final FiringAgenda work;
 
     public Rules(NetState state) {
         this.state = state;
         step = new RuleStep(state);
-        work = new WorkList(this::lookAt);
+        work = new FiringAgenda(this::lookAt);
         MissionRules missions = new MissionRules(step, work, this::byAutonomy);
         firing = new Firing(step, missions);
         decisions = new Decisions(step, missions);

@@ -32,8 +32,8 @@ final class Selection {
         this.pool = pool;
     }
 
-    Selected select(TransitionState t, RelevantTokens relevant, FiringScope scope) {
-        Selected result = new Selected();
+    SelectedTokens select(TransitionState t, RelevantTokens relevant, FiringScope scope) {
+        SelectedTokens result = new SelectedTokens();
         long firing = ++step.state.stamp;
         for (CompiledTransition.Out out : t.transition.outs) {
             List<Token> added = new ArrayList<>(2);
@@ -53,7 +53,7 @@ final class Selection {
             OutRequirement r,
             RelevantTokens relevant,
             FiringScope scope,
-            Selected result,
+            SelectedTokens result,
             List<Token> added,
             long firing,
             long edge) {
@@ -87,7 +87,7 @@ final class Selection {
         picked.clear();
     }
 
-    private void pick(TransitionState t, OutRequirement r, FiringScope scope, Selected result) {
+    private void pick(TransitionState t, OutRequirement r, FiringScope scope, SelectedTokens result) {
         int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
         int found = 0;
         for (CompiledPlace place : t.transition.inPlaces) {
@@ -113,7 +113,11 @@ final class Selection {
 
     /** Makes a token for each of the first names, even if such a token stands elsewhere. */
     private static void addRelevant(
-            OutRequirement r, RelevantTokens relevant, CompiledTransition.Out out, Selected result, List<Token> added) {
+            OutRequirement r,
+            RelevantTokens relevant,
+            CompiledTransition.Out out,
+            SelectedTokens result,
+            List<Token> added) {
         int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
         List<Token> chosen = new ArrayList<>();
         for (NamedToken n : relevant.names) {
@@ -130,7 +134,7 @@ final class Selection {
     }
 
     private void pickRelevant(
-            TransitionState t, OutRequirement r, RelevantTokens relevant, FiringScope scope, Selected result) {
+            TransitionState t, OutRequirement r, RelevantTokens relevant, FiringScope scope, SelectedTokens result) {
         CompiledPlace[] places = t.transition.inPlaces;
         for (Token token : relevant.tokens) {
             for (CompiledPlace place : places) {

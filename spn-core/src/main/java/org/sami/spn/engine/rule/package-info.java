@@ -4,7 +4,7 @@
  * <p>Belongs here: when a transition is looked at, enabled and fired, and what follows from it. Does not belong here: bytes,
  * answers to questions from outside. Knows {@code state} and {@code net}.
  *
- * <p>Read {@code WorkList}, {@code Enabling}, {@code Selection}, {@code Firing}, {@code Visits}, {@code Routing}, then the rest in
+ * <p>Read {@code FiringAgenda}, {@code Enabling}, {@code Selection}, {@code Firing}, {@code Visits}, {@code Routing}, then the rest in
  * any order. A rule gets those that it uses; only the rules of {@code MissionRules} know all of one another, as one ends what another
  * began.
  */

@@ -58,7 +58,7 @@ public final class BoatOnPhone implements Closeable {
     private final PhoneHealth health;
     private final SteadyClock clock;
     private final PhoneNews listener;
-    private final StopOnBoard stop;
+    private final PhoneStop stop;
     private final PositionFilter position = new PositionFilter();
     private final BoardVehicle board;
     private final PhoneVehicle vehicle;
@@ -93,7 +93,7 @@ public final class BoatOnPhone implements Closeable {
         this.health = Objects.requireNonNull(health, "health");
         this.clock = Objects.requireNonNull(clock, "clock");
         this.listener = Objects.requireNonNull(listener, "listener");
-        stop = new StopOnBoard(files);
+        stop = new PhoneStop(files);
         board = new BoardVehicle(hullSettings(), position, boardPort, clock, new Board());
         vehicle = new PhoneVehicle(board, health, stop);
         starter = Executors.newSingleThreadScheduledExecutor(work -> {
@@ -167,7 +167,7 @@ public final class BoatOnPhone implements Closeable {
     }
 
     /** Whether it is stopped on board. */
-    public StopOnBoard stop() {
+    public PhoneStop stop() {
         return stop;
     }
 
@@ -207,13 +207,13 @@ public final class BoatOnPhone implements Closeable {
     }
 
     /** How the boat is. */
-    public StatusOnBoard status() {
+    public PhoneStatus status() {
         Optional<Running> now = running;
-        StatusOnBoard.Serving serving = now.isPresent()
-                ? StatusOnBoard.Serving.SERVES
-                : fault.isEmpty() ? StatusOnBoard.Serving.WAITS_FOR_POSITION : StatusOnBoard.Serving.FAILED;
+        PhoneStatus.Serving serving = now.isPresent()
+                ? PhoneStatus.Serving.SERVES
+                : fault.isEmpty() ? PhoneStatus.Serving.WAITS_FOR_POSITION : PhoneStatus.Serving.FAILED;
         long nowMs = clock.getAsLong();
-        return new StatusOnBoard(
+        return new PhoneStatus(
                 settings,
                 port(),
                 serving,

@@ -12,9 +12,9 @@ import org.sami.boat.server.vehicle.Vehicle;
 final class PhoneVehicle implements Vehicle {
     private final Vehicle hull;
     private final PhoneHealth phone;
-    private final StopOnBoard stop;
+    private final PhoneStop stop;
 
-    PhoneVehicle(Vehicle hull, PhoneHealth phone, StopOnBoard stop) {
+    PhoneVehicle(Vehicle hull, PhoneHealth phone, PhoneStop stop) {
         this.hull = hull;
         this.phone = phone;
         this.stop = stop;

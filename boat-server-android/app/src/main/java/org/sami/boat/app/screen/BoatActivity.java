@@ -24,7 +24,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.app.R;
 import org.sami.boat.app.boat.BoatOnPhone;
-import org.sami.boat.app.boat.StatusOnBoard;
+import org.sami.boat.app.boat.PhoneStatus;
 
 /** The first screen: how the boat is, and the stop. */
 public final class BoatActivity extends Activity {
@@ -138,11 +138,11 @@ public final class BoatActivity extends Activity {
     }
 
     private void show() {
-        Optional<StatusOnBoard> status = service.boat().map(BoatOnPhone::status);
+        Optional<PhoneStatus> status = service.boat().map(BoatOnPhone::status);
         boolean locked = lock.isLocked(now());
         boolean stopped = status.isPresent() && status.get().isStopped();
         ((TextView) findViewById(R.id.name))
-                .setText(status.map(StatusOnBoard::name).orElse(getString(R.string.app)));
+                .setText(status.map(PhoneStatus::name).orElse(getString(R.string.app)));
         fill(status.map(boat -> rows.of(boat, PhoneAddress.now())).orElseGet(this::noBoat));
         button(R.id.stop).setText(stopText(locked, stopped));
         button(R.id.lock).setText(locked ? R.string.hold_to_unlock : R.string.lock);

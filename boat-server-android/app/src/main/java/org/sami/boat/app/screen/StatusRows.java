@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.sami.boat.app.R;
 import org.sami.boat.app.boat.PhoneHealth;
-import org.sami.boat.app.boat.StatusOnBoard;
+import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.app.screen.StatusRow.Level;
 import org.sami.boat.hull.board.BoardState;
 import org.sami.boat.hull.position.Pose;
@@ -28,7 +28,7 @@ final class StatusRows {
      *
      * @param address of the phone in its network; empty if it is in none
      */
-    List<StatusRow> of(StatusOnBoard boat, String address) {
+    List<StatusRow> of(PhoneStatus boat, String address) {
         List<StatusRow> rows = new ArrayList<>();
         for (String trouble : boat.troubles()) {
             rows.add(row(R.string.trouble, trouble, Level.BAD));
@@ -43,7 +43,7 @@ final class StatusRows {
         return rows;
     }
 
-    private StatusRow link(StatusOnBoard boat, String address) {
+    private StatusRow link(PhoneStatus boat, String address) {
         if (address.isEmpty()) {
             return row(R.string.link, texts.getString(R.string.no_network), Level.BAD);
         }
@@ -59,7 +59,7 @@ final class StatusRows {
         }
     }
 
-    private StatusRow commander(StatusOnBoard boat) {
+    private StatusRow commander(PhoneStatus boat) {
         String mode = boat.mode().map(now -> now.name().replace('_', ' ')).orElse("");
         if (!boat.commandedBy().isPresent()) {
             return row(
@@ -70,7 +70,7 @@ final class StatusRows {
         return row(R.string.commander, boat.commandedBy().get() + "\n" + mode, Level.GOOD);
     }
 
-    private StatusRow gps(StatusOnBoard boat) {
+    private StatusRow gps(PhoneStatus boat) {
         Pose pose = boat.pose();
         if (boat.doubts().contains(PositionDoubt.GPS_IMPLAUSIBLE)) {
             return row(R.string.gps, PositionDoubt.GPS_IMPLAUSIBLE.words(), Level.BAD);
@@ -82,7 +82,7 @@ final class StatusRows {
         return row(R.string.gps, value, pose.positionErrorM() <= SHARP_M ? Level.GOOD : Level.DOUBTFUL);
     }
 
-    private StatusRow compass(StatusOnBoard boat) {
+    private StatusRow compass(PhoneStatus boat) {
         Pose pose = boat.pose();
         Set<PositionDoubt> doubts = boat.doubts();
         if (!pose.isComplete()) {
@@ -99,13 +99,13 @@ final class StatusRows {
         return row(R.string.compass, value, Level.GOOD);
     }
 
-    private StatusRow board(StatusOnBoard boat) {
+    private StatusRow board(PhoneStatus boat) {
         return boat.board() == BoardState.CONNECTED
                 ? row(R.string.board, texts.getString(R.string.board_reports), Level.GOOD)
                 : row(R.string.board, boat.boardTrouble(), Level.BAD);
     }
 
-    private StatusRow battery(StatusOnBoard boat) {
+    private StatusRow battery(PhoneStatus boat) {
         if (Double.isNaN(boat.boardVolts())) {
             return row(R.string.battery, texts.getString(R.string.unknown), Level.DOUBTFUL);
         }
@@ -116,7 +116,7 @@ final class StatusRows {
                 level(boat.boardPercent(), BoatDefaults.LOW_BATTERY_PERCENT, BoatDefaults.CRITICAL_BATTERY_PERCENT));
     }
 
-    private StatusRow phone(StatusOnBoard boat) {
+    private StatusRow phone(PhoneStatus boat) {
         if (Double.isNaN(boat.phonePercent())) {
             return row(R.string.phone, texts.getString(R.string.unknown), Level.DOUBTFUL);
         }

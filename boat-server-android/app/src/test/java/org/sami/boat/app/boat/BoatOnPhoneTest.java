@@ -85,7 +85,7 @@ class BoatOnPhoneTest {
     private void awaitServing(BoatOnPhone boat, double lat, double lon) {
         Await.until("serves", () -> {
             fix(boat, lat, lon);
-            return boat.status().serving() == StatusOnBoard.Serving.SERVES;
+            return boat.status().serving() == PhoneStatus.Serving.SERVES;
         });
     }
 
@@ -93,7 +93,7 @@ class BoatOnPhoneTest {
     void servesAsSoonAsItKnowsWhereItIs() throws Exception {
         try (BoatOnPhone boat = begin()) {
             Await.until("board", () -> boat.status().board() == BoardState.CONNECTED);
-            assertThat(boat.status().serving()).isEqualTo(StatusOnBoard.Serving.WAITS_FOR_POSITION);
+            assertThat(boat.status().serving()).isEqualTo(PhoneStatus.Serving.WAITS_FOR_POSITION);
 
             awaitServing(boat, LAT, LON);
             try (LoopbackBase base = new LoopbackBase(boat.status().port(), "anna")) {
@@ -202,7 +202,7 @@ class BoatOnPhoneTest {
             try (ServerSocket other = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
                 Await.until("fault", () -> {
                     fix(boat, LAT, LON);
-                    return boat.status().serving() == StatusOnBoard.Serving.FAILED;
+                    return boat.status().serving() == PhoneStatus.Serving.FAILED;
                 });
                 assertThat(boat.status().troubles().get(0)).startsWith("the boat's server cannot begin: ");
                 assertThat(other.isBound()).isTrue();

@@ -14,8 +14,8 @@ import org.sami.boat.hull.position.Pose;
 import org.sami.boat.hull.position.PositionFilter;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.hull.settings.MotorDrive;
-import org.sami.boat.hull.stream.KeptPort;
 import org.sami.boat.hull.stream.PortListener;
+import org.sami.boat.hull.stream.ReconnectingPort;
 import org.sami.boat.hull.stream.StreamPort;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.vehicle.Sensor;
@@ -34,13 +34,13 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     private static final long GARBLED_SAID_MS = 10_000;
     private static final String BATTERY = "battery";
 
-    private final BoardLink link;
+    private final MotorArbiter link;
     private final BoardSensors sensors = new BoardSensors();
     private final BatteryGauge battery = new BatteryGauge();
     private final PositionFilter position;
     private final SteadyClock clock;
     private final BoardListener listener;
-    private final KeptPort port;
+    private final ReconnectingPort port;
     private final ScheduledExecutorService threads;
     private final String portName;
     private volatile String lostWhy = "not opened yet";
@@ -56,12 +56,12 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     /** A vehicle whose board is not opened yet. */
     public BoardVehicle(
             HullSettings hull, PositionFilter position, StreamPort board, SteadyClock clock, BoardListener listener) {
-        link = new BoardLink(hull);
+        link = new MotorArbiter(hull);
         this.position = Objects.requireNonNull(position, "position");
         this.clock = Objects.requireNonNull(clock, "clock");
         this.listener = Objects.requireNonNull(listener, "listener");
         portName = board.name();
-        port = new KeptPort(board, BoardLines.MAX_BYTES, new Port());
+        port = new ReconnectingPort(board, BoardLines.MAX_BYTES, new Port());
         threads = Executors.newScheduledThreadPool(2, work -> {
             Thread thread = new Thread(work, portName + "-commands");
             thread.setDaemon(true);

@@ -9,8 +9,8 @@ import org.sami.boat.hull.nmea.NmeaReader;
 import org.sami.boat.hull.nmea.NmeaSentence;
 import org.sami.boat.hull.position.GpsFix;
 import org.sami.boat.hull.position.PositionFilter;
-import org.sami.boat.hull.stream.KeptPort;
 import org.sami.boat.hull.stream.PortListener;
+import org.sami.boat.hull.stream.ReconnectingPort;
 import org.sami.boat.hull.stream.StreamPort;
 import org.sami.boat.link.SteadyClock;
 
@@ -20,7 +20,7 @@ public final class GpsSource implements Closeable {
     private final PositionFilter filter;
     private final SteadyClock clock;
     private final HullNews news;
-    private final KeptPort port;
+    private final ReconnectingPort port;
     private final boolean gpsd;
     private volatile boolean declinationGiven;
 
@@ -31,7 +31,8 @@ public final class GpsSource implements Closeable {
         this.clock = clock;
         this.news = news;
         Consumer<String> lines = gpsd ? new GpsdReader(this::fix)::line : new NmeaReader(new NmeaSink())::line;
-        port = new KeptPort(device, gpsd ? GpsdReader.MAX_BYTES : NmeaSentence.MAX_BYTES + 2, new Listener(lines));
+        port = new ReconnectingPort(
+                device, gpsd ? GpsdReader.MAX_BYTES : NmeaSentence.MAX_BYTES + 2, new Listener(lines));
     }
 
     /** A receiver that sends NMEA 0183; its headings are the compass. */

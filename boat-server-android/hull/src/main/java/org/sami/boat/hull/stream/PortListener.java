@@ -1,6 +1,6 @@
 package org.sami.boat.hull.stream;
 
-/** Receives what a {@link KeptPort} reads and how the port is; called on the port's thread. */
+/** Receives what a {@link ReconnectingPort} reads and how the port is; called on the port's thread. */
 public interface PortListener {
     /** The port is open. */
     void opened();

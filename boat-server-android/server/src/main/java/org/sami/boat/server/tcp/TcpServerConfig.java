@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.OpenLinks;
-import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.BoatKeys;
 
@@ -92,7 +92,7 @@ public final class TcpServerConfig {
     }
 
     /** The same with protected links: only clients with known keys command. */
-    public TcpServerConfig withKeys(KeyRing ring, PairingDesk desk) {
+    public TcpServerConfig withKeys(KeyRing ring, PairingResponder responder) {
         return new TcpServerConfig(
                 address,
                 tickMs,
@@ -102,7 +102,7 @@ public final class TcpServerConfig {
                 maxQueuedFrames,
                 maxQueuedBytes,
                 TlsLinks.of(ring),
-                Optional.of(new BoatKeys(ring, desk)));
+                Optional.of(new BoatKeys(ring, responder)));
     }
 
     /** How connections are protected. */

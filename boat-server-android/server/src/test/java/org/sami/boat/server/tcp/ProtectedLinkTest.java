@@ -41,7 +41,7 @@ import org.sami.boat.link.Welcome;
 import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.LinkSecurity;
-import org.sami.boat.link.security.PairingDesk;
+import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
@@ -55,13 +55,13 @@ class ProtectedLinkTest {
 
     private final KeyRing boat = KeyRing.inMemory();
     private final KeyRing base = KeyRing.inMemory();
-    private final PairingDesk desk = new PairingDesk(boat);
+    private final PairingResponder responder = new PairingResponder(boat);
     private final List<AutoCloseable> open = new ArrayList<>();
     private TcpBench bench;
 
     @BeforeEach
     void open() throws IOException {
-        bench = new TcpBench(boat -> boat, tcp -> tcp.withKeys(boat, desk).withPatience(5000, 5000));
+        bench = new TcpBench(boat -> boat, tcp -> tcp.withKeys(boat, responder).withPatience(5000, 5000));
         boat.add(new Peer(base.identity().fingerprint(), "base", Role.COMMANDER));
     }
 
@@ -181,7 +181,7 @@ class ProtectedLinkTest {
 
     @Test
     void strangerIsPairedWithTheWordsAndCommandsOverTheSameLink() throws Exception {
-        WordSecret words = desk.open(Role.COMMANDER, 0);
+        WordSecret words = responder.open(Role.COMMANDER, 0);
         KeyRing laptop = KeyRing.inMemory();
         Linked linked = new Linked(laptop);
         linked.say(new Pair(

@@ -30,11 +30,11 @@ import org.sami.ui.check.WindowRobot;
  * Does a job as a learner does it: draws what its solution has and the plan that is open has not, by palette, pointer, keys and inspector alone.
  * What the course does not need for a plan to be right, such as names that the job does not give and recovery mode, is left out.
  */
-final class JobHand {
+final class JobGestures {
     private final WindowRobot robot;
     private final Supplier<DreammContext> context;
-    private final NetHand net;
-    private final InspectorHand inspector;
+    private final NetGestures net;
+    private final InspectorGestures inspector;
     private final String words;
 
     /** The ids of the solution's vertices and events, and the names of its variables, in the window's plan. */
@@ -45,12 +45,12 @@ final class JobHand {
      *
      * @param words all that the job's file says: names that it does not say need not be given
      */
-    JobHand(WindowRobot robot, Supplier<DreammContext> context, String words) {
+    JobGestures(WindowRobot robot, Supplier<DreammContext> context, String words) {
         this.robot = robot;
         this.context = context;
         this.words = words;
-        net = new NetHand(robot, context);
-        inspector = new InspectorHand(robot);
+        net = new NetGestures(robot, context);
+        inspector = new InspectorGestures(robot);
     }
 
     /** Draws the solution. */
@@ -106,22 +106,22 @@ final class JobHand {
         wanted.outEdges().forEach(this::edge);
         wanted.inEdges().forEach(this::require);
         wanted.outEdges().forEach(this::require);
-        EventHand events = new EventHand(robot, context, net, inspector, mine);
+        EventGestures events = new EventGestures(robot, context, net, inspector, mine);
         wanted.transitions().forEach(events::write);
         wanted.places().forEach(events::fill);
     }
 
     private static List<LayoutPoint> points(Plan plan) {
-        return NetHand.vertices(plan).stream()
+        return NetGestures.vertices(plan).stream()
                 .flatMap(id -> Optional.ofNullable(plan.layout().get(id)).stream())
                 .toList();
     }
 
     /** What stands in both under the same id is the same. */
     private void remember(Plan there, Plan wanted) {
-        Stream.concat(NetHand.vertices(wanted).stream(), events(wanted))
-                .filter(id ->
-                        NetHand.vertices(there).contains(id) || events(there).anyMatch(id::equals))
+        Stream.concat(NetGestures.vertices(wanted).stream(), events(wanted))
+                .filter(id -> NetGestures.vertices(there).contains(id)
+                        || events(there).anyMatch(id::equals))
                 .forEach(id -> mine.put(id, id));
         there.variables().forEach(variable -> mine.put(variable.name(), variable.name()));
     }
@@ -137,14 +137,14 @@ final class JobHand {
     }
 
     private void remove(Plan wanted) {
-        for (String edge : NetHand.edges(net.plan())) {
-            if (!NetHand.edges(wanted).contains(edge)) {
+        for (String edge : NetGestures.edges(net.plan())) {
+            if (!NetGestures.edges(wanted).contains(edge)) {
                 net.clickEdge(edge);
                 net.delete(edge);
             }
         }
-        for (String vertex : NetHand.vertices(net.plan())) {
-            if (!NetHand.vertices(wanted).contains(vertex)) {
+        for (String vertex : NetGestures.vertices(net.plan())) {
+            if (!NetGestures.vertices(wanted).contains(vertex)) {
                 net.click(vertex);
                 net.delete(vertex);
             }
@@ -238,7 +238,7 @@ final class JobHand {
         if (mine.containsKey(id)) {
             return;
         }
-        Map<String, String> there = EventHand.eventsOf(net.plan(), mine(vertex));
+        Map<String, String> there = EventGestures.eventsOf(net.plan(), mine(vertex));
         Optional<String> came = there.entrySet().stream()
                 .filter(each -> each.getValue().equals(type) && !mine.containsValue(each.getKey()))
                 .map(Map.Entry::getKey)
@@ -247,7 +247,7 @@ final class JobHand {
             net.click(mine(vertex));
             EventType of = type(type);
             net.addToSelected(PaletteIds.event(of), of.label());
-            Map<String, String> now = EventHand.eventsOf(net.plan(), mine(vertex));
+            Map<String, String> now = EventGestures.eventsOf(net.plan(), mine(vertex));
             now.keySet().removeAll(there.keySet());
             came = now.keySet().stream().findFirst();
         }

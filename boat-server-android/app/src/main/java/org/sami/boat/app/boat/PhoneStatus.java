@@ -11,7 +11,7 @@ import org.sami.boat.hull.position.PositionDoubt;
 import org.sami.boat.link.BoatMode;
 
 /** What a person on board wants to know of the boat, at one moment. Immutable. */
-public final class StatusOnBoard {
+public final class PhoneStatus {
     private final String name;
     private final int port;
     private final Serving serving;
@@ -38,7 +38,7 @@ public final class StatusOnBoard {
         FAILED
     }
 
-    StatusOnBoard(
+    PhoneStatus(
             PhoneSettings settings,
             int port,
             Serving serving,

@@ -8,7 +8,7 @@ import org.sami.boat.link.Role;
  * A boat's part in pairing: it shows words for some minutes, and keeps the key of the one base that proves to know them. The words count once; after five wrong
  * proofs nobody is paired before new words are shown. Safe for use by several threads.
  */
-public final class PairingDesk {
+public final class PairingResponder {
     /** How long words count, in ms. */
     public static final long OPEN_MS = 5 * 60_000;
 
@@ -28,13 +28,13 @@ public final class PairingDesk {
     private int wrong;
     private String closed = "the boat shows no words: begin the pairing at the boat";
 
-    /** A desk that is closed. */
-    public PairingDesk(KeyRing keys) {
+    /** Pairs nobody before words are shown. */
+    public PairingResponder(KeyRing keys) {
         this(keys, (base, code) -> {});
     }
 
-    /** A desk that is closed; the listener is called on the thread that pairs. */
-    public PairingDesk(KeyRing keys, Listener listener) {
+    /** Pairs nobody before words are shown; the listener is called on the thread that pairs. */
+    public PairingResponder(KeyRing keys, Listener listener) {
         this.keys = keys;
         this.listener = listener;
     }

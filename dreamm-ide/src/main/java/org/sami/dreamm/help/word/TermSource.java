@@ -5,7 +5,7 @@ import java.awt.Point;
 import java.util.Optional;
 
 /** A component that knows better than its text in which words it is to be explained. */
-public interface Worded {
+public interface TermSource {
     /**
      * What is shown at a point.
      *
@@ -13,7 +13,7 @@ public interface Worded {
      * @param at in that component
      * @return in coordinates of that component; empty where its text is to be taken
      */
-    Optional<Spoken> wordsAt(Component inner, Point at);
+    Optional<ShownText> wordsAt(Component inner, Point at);
 
     /** What is selected in it; empty where its text is to be taken. */
     Optional<String> words();

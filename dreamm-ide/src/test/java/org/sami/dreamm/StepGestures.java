@@ -38,7 +38,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.check.WindowRobot;
 
 /** Goes through the steps of a lesson as a learner does: goes to them by the contents, reads on by Enter, plays, and answers quizzes rightly. */
-final class StepHand {
+final class StepGestures {
     private static final int SEED = 1;
     private static final int MOST_CLICKS = 40;
 
@@ -47,7 +47,7 @@ final class StepHand {
     private final Course course;
     private final QuizGrader grader;
 
-    StepHand(LearnerRobot learner, Course course, Vocabulary vocabulary) {
+    StepGestures(LearnerRobot learner, Course course, Vocabulary vocabulary) {
         this.learner = learner;
         this.robot = learner.robot;
         this.course = course;

@@ -8,7 +8,7 @@ import org.sami.boat.hull.settings.HullSettings;
  * has commanded for {@link #STALE_MS}, and for what is no number. A stop is commanded as 0, ten times a second, as a board that hears nothing disarms. Safe
  * for use by several threads.
  */
-final class BoardLink {
+final class MotorArbiter {
     /** The board reports ten times a second; after so long without a line it is silent. */
     static final long SILENT_MS = 1000;
 
@@ -27,7 +27,7 @@ final class BoardLink {
     private long heardMs = Long.MIN_VALUE / 2;
     private BoardState state = BoardState.GONE;
 
-    BoardLink(HullSettings hull) {
+    MotorArbiter(HullSettings hull) {
         this.hull = hull;
     }
 

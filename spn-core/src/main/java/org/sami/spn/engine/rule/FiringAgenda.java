@@ -15,7 +15,7 @@ import org.sami.spn.engine.state.TransitionState;
  *
  * <p>Implements R-LOOK-1, R-LOOK-2, R-LOOK-3, R-LOOK-5, R-LOOK-6.
  */
-final class WorkList {
+final class FiringAgenda {
     private final Consumer<TransitionState> look;
     private final ArrayDeque<TransitionState> list = new ArrayDeque<>();
     private final List<PlaceState> withdrawnFrom = new ArrayList<>();
@@ -25,7 +25,7 @@ final class WorkList {
      *
      * @param look looks at a transition whose mission runs
      */
-    WorkList(Consumer<TransitionState> look) {
+    FiringAgenda(Consumer<TransitionState> look) {
         this.look = look;
     }
 

@@ -8,7 +8,7 @@ import java.util.concurrent.locks.LockSupport;
 /**
  * Keeps a port open: reads its lines on a thread of its own, and opens it again, once a second, when it is gone. Safe for use by several threads.
  */
-public final class KeptPort implements Closeable {
+public final class ReconnectingPort implements Closeable {
     private static final long RETRY_NANOS = 1_000_000_000L;
     private static final int BUFFER = 4096;
 
@@ -26,7 +26,7 @@ public final class KeptPort implements Closeable {
      *
      * @param maxLine the longest line that is passed on, in bytes
      */
-    public KeptPort(StreamPort port, int maxLine, PortListener listener) {
+    public ReconnectingPort(StreamPort port, int maxLine, PortListener listener) {
         this.port = port;
         this.maxLine = maxLine;
         this.listener = listener;

@@ -8,7 +8,7 @@ import javax.net.ssl.X509ExtendedTrustManager;
 import org.jspecify.annotations.Nullable;
 
 /** Takes every key on an elliptic curve: TLS proves that the peer has it, and whoever asked for the link decides by its fingerprint what it may do. */
-final class AnyKey extends X509ExtendedTrustManager {
+final class AnyKeyTrustManager extends X509ExtendedTrustManager {
     private static void check(X509Certificate[] chain) throws CertificateException {
         if (chain.length != 1 || !chain[0].getPublicKey().getAlgorithm().equals("EC")) {
             throw new CertificateException("a peer shows one certificate, of a key on an elliptic curve");

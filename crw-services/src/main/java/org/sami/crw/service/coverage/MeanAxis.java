@@ -4,8 +4,8 @@ import java.util.List;
 import org.locationtech.jts.geom.Coordinate;
 
 /** The direction along which tracks lead for most of their length, to and fro being the same. */
-final class MainDirection {
-    private MainDirection() {}
+final class MeanAxis {
+    private MeanAxis() {}
 
     /**
      * The mean direction of all legs by their lengths; one across to others takes away from them and does not turn them. Doubled angles make to and fro

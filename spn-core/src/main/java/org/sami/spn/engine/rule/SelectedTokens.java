@@ -15,7 +15,7 @@ import org.sami.spn.protocol.TokenMove;
  *
  * <p>Implements R-OUT-6.
  */
-final class Selected {
+final class SelectedTokens {
     /** A returned token that a firing uses though no token of the parent stands for it. */
     record UsedReturn(Instance instance, Token token) {}
 

@@ -9,13 +9,13 @@ import javax.net.ssl.X509ExtendedKeyManager;
 import org.jspecify.annotations.Nullable;
 
 /** Shows one's own key, whatever is asked for. */
-final class OneKey extends X509ExtendedKeyManager {
+final class OwnKeyManager extends X509ExtendedKeyManager {
     private static final String ALIAS = "own";
     private static final String ALGORITHM = "EC";
 
     private final Identity identity;
 
-    OneKey(Identity identity) {
+    OwnKeyManager(Identity identity) {
         this.identity = identity;
     }
 

@@ -17,11 +17,11 @@ import org.sami.spn.value.Value;
 import org.sami.ui.check.WindowRobot;
 
 /** Gives the events of a drawn plan what its solution gives them: fields, variables, values that are asked for, and markup. */
-final class EventHand {
+final class EventGestures {
     private final WindowRobot robot;
     private final Supplier<DreammContext> context;
-    private final NetHand net;
-    private final InspectorHand inspector;
+    private final NetGestures net;
+    private final InspectorGestures inspector;
     private final Map<String, String> mine;
 
     /**
@@ -29,11 +29,11 @@ final class EventHand {
      *
      * @param mine the ids of the solution's elements, and the names of its variables, in the window's plan; variables that are made are added
      */
-    EventHand(
+    EventGestures(
             WindowRobot robot,
             Supplier<DreammContext> context,
-            NetHand net,
-            InspectorHand inspector,
+            NetGestures net,
+            InspectorGestures inspector,
             Map<String, String> mine) {
         this.robot = robot;
         this.context = context;
@@ -84,7 +84,7 @@ final class EventHand {
                     net.click(mine(transition.id()));
                     inspector.choose(
                             index(transition.id(), event.id()),
-                            InspectorHand.field(field) + "-write",
+                            InspectorGestures.field(field) + "-write",
                             mine.getOrDefault(variable, "new variable…"));
                     robot.until(
                             field + " is written",
@@ -108,7 +108,7 @@ final class EventHand {
         }
         net.click(mine(vertex));
         int index = index(vertex, event);
-        inspector.choose(index, InspectorHand.field(field) + "-only", "it is");
+        inspector.choose(index, InspectorGestures.field(field) + "-only", "it is");
         inspector.value(index, field, value);
         robot.until(field + " is asked for", () -> input(vertex, event).fields().containsKey(field));
     }
@@ -129,7 +129,7 @@ final class EventHand {
         }
         net.click(mine(vertex));
         int index = index(vertex, event);
-        String box = InspectorHand.field(field) + "-source";
+        String box = InspectorGestures.field(field) + "-source";
         if (source instanceof FieldSource.Fixed fixed) {
             inspector.choose(index, box, "value");
             inspector.value(index, field, fixed.value());
@@ -143,7 +143,7 @@ final class EventHand {
         robot.until(field + " comes from somewhere", () -> now.get().isPresent());
         if (!fits(now.get(), source) && source instanceof FieldSource.FromVariable read) {
             String variable = mine(read.variable());
-            String list = InspectorHand.field(field) + "-variable";
+            String list = InspectorGestures.field(field) + "-variable";
             String line = inspector.offered(index, list).stream()
                     .filter(each -> each.contains(variable))
                     .findFirst()

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.locationtech.jts.geom.Coordinate;
 
-class MainDirectionTest {
+class MeanAxisTest {
     private static final double LANE_M = 100;
     private static final double SPACING_M = 10;
 
@@ -21,14 +21,14 @@ class MainDirectionTest {
     void lanesToAndFroWithWaysAcrossToTheNextLeadAlongTheLanes(double degrees) {
         List<Coordinate> track = toAndFro(Math.toRadians(degrees), 0);
 
-        assertThat(Math.toDegrees(MainDirection.ofRad(List.of(track)))).isCloseTo(degrees, within(1e-6));
+        assertThat(Math.toDegrees(MeanAxis.ofRad(List.of(track)))).isCloseTo(degrees, within(1e-6));
     }
 
     @Test
     void positionsThatErrTurnItLittle() {
         List<Coordinate> track = toAndFro(Math.toRadians(60), 1.4);
 
-        assertThat(Math.toDegrees(MainDirection.ofRad(List.of(track)))).isCloseTo(60, within(2.0));
+        assertThat(Math.toDegrees(MeanAxis.ofRad(List.of(track)))).isCloseTo(60, within(2.0));
     }
 
     @Test
@@ -37,12 +37,12 @@ class MainDirectionTest {
                 List.of(new Coordinate(0, 0), new Coordinate(50, 0)),
                 List.of(new Coordinate(0, 0), new Coordinate(0, -60)));
 
-        assertThat(Math.abs(MainDirection.ofRad(tracks))).isCloseTo(Math.PI / 2, within(1e-9));
+        assertThat(Math.abs(MeanAxis.ofRad(tracks))).isCloseTo(Math.PI / 2, within(1e-9));
     }
 
     @Test
     void tracksThatStandStillHaveADirectionTooSoThatTheyAreMeasured() {
-        assertThat(MainDirection.ofRad(List.of(List.of(new Coordinate(3, 4), new Coordinate(3, 4)))))
+        assertThat(MeanAxis.ofRad(List.of(List.of(new Coordinate(3, 4), new Coordinate(3, 4)))))
                 .isZero();
     }
 

@@ -17,8 +17,8 @@ import org.sami.spn.json.Reading;
  *
  * @param notes what of them could not be read, a sentence each
  */
-public record CourseAtHand(LessonModel model, List<String> notes) {
-    public CourseAtHand {
+public record LoadedCourse(LessonModel model, List<String> notes) {
+    public LoadedCourse {
         Objects.requireNonNull(model, "model");
         notes = List.copyOf(notes);
     }
@@ -29,13 +29,13 @@ public record CourseAtHand(LessonModel model, List<String> notes) {
      * @param domain the whole domain
      * @throws IOException if there is no course, or no such learner can be, with the reason in a sentence
      */
-    public static CourseAtHand read(CourseFiles files, DomainLibrary domain, Learners learners, String learner)
+    public static LoadedCourse read(CourseFiles files, DomainLibrary domain, Learners learners, String learner)
             throws IOException {
         Reading<Course> reading = CourseReader.read(files, domain);
         List<String> notes = new ArrayList<>();
         reading.findings().stream()
                 .filter(Finding::isError)
-                .map(CourseAtHand::words)
+                .map(LoadedCourse::words)
                 .forEach(notes::add);
         Course course = reading.result()
                 .filter(read -> !read.steps().isEmpty())
@@ -46,7 +46,7 @@ public record CourseAtHand(LessonModel model, List<String> notes) {
                 .ifPresent(aside -> notes.add("The progress of " + learner + " could not be read (" + opened.why()
                         + "); it is kept as " + aside + ", and the course begins anew"));
         LearnerRecord record = new LearnerRecord(learners, opened.progress(), () -> System.nanoTime() / 1_000_000);
-        return new CourseAtHand(new LessonModel(course, domain.vocabulary(), record), notes);
+        return new LoadedCourse(new LessonModel(course, domain.vocabulary(), record), notes);
     }
 
     private static String words(Finding finding) {

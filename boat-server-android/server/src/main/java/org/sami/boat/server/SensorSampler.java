@@ -8,11 +8,11 @@ import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /** Reads the sensors of a vehicle, each at its own rate, with place and time. */
-final class SensorWatch {
+final class SensorSampler {
     private final Vehicle vehicle;
     private final List<Slot> slots = new ArrayList<>();
 
-    SensorWatch(Vehicle vehicle) {
+    SensorSampler(Vehicle vehicle) {
         this.vehicle = vehicle;
         vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
     }
@@ -50,7 +50,7 @@ final class SensorWatch {
 
     private void read(Sensor sensor, long nowMs, Consumer<SensorReport> reports) {
         List<Double> values = sensor.read();
-        if (!values.isEmpty() && values.stream().allMatch(SensorWatch::isFinite)) {
+        if (!values.isEmpty() && values.stream().allMatch(SensorSampler::isFinite)) {
             reports.accept(new SensorReport(
                     sensor.name(), sensor.channel(), values, sensor.unit(), vehicle.latDeg(), vehicle.lonDeg(), nowMs));
         }

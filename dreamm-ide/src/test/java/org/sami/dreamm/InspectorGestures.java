@@ -29,14 +29,14 @@ import org.sami.ui.check.WindowRobot;
 import org.sami.ui.value.ValueSummary;
 
 /** Works in the inspector of the window that is open, on what is selected in the net. */
-final class InspectorHand {
+final class InspectorGestures {
     private static final InRequirement IMPLIED_IN = InRequirement.of(TokenKind.GENERIC, Match.AT_LEAST, 1);
     private static final OutRequirement IMPLIED_OUT = OutRequirement.of(Action.TAKE, 1, TokenKind.GENERIC);
     private static final int MOST_STEPS = 30;
 
     private final WindowRobot robot;
 
-    InspectorHand(WindowRobot robot) {
+    InspectorGestures(WindowRobot robot) {
         this.robot = robot;
     }
 
@@ -239,7 +239,7 @@ final class InspectorHand {
     }
 
     private <C extends JComponent> C in(int event, Class<C> type, String name) {
-        C found = robot.find(type, each -> name.equals(each.getName()) && NetHand.isIn("event-" + event, each));
+        C found = robot.find(type, each -> name.equals(each.getName()) && NetGestures.isIn("event-" + event, each));
         robot.scrollTo(found);
         return found;
     }
@@ -268,7 +268,7 @@ final class InspectorHand {
     }
 
     private static boolean below(Component at, int event, String name) {
-        if (name.equals(at.getName()) && at.isShowing() && NetHand.isIn("event-" + event, at)) {
+        if (name.equals(at.getName()) && at.isShowing() && NetGestures.isIn("event-" + event, at)) {
             return true;
         }
         if (at instanceof java.awt.Container container) {
@@ -304,7 +304,7 @@ final class InspectorHand {
             in(event, JComponent.class, editor); // its list has a scroll pane of its own
             robot.click(robot.find(
                     AbstractButton.class,
-                    each -> NetHand.isIn("event-" + event, each)
+                    each -> NetGestures.isIn("event-" + event, each)
                             && each.getName() != null
                             && each.getName().startsWith(editor + "-option-")
                             && words.equals(each.getText())));

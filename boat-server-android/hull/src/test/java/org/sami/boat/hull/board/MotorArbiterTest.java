@@ -6,9 +6,9 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.hull.settings.HullKind;
 import org.sami.boat.hull.settings.HullSettings;
 
-class BoardLinkTest {
-    private final BoardLink link =
-            new BoardLink(HullSettings.of(HullKind.DIFFERENTIAL).safeMaximum(1).build());
+class MotorArbiterTest {
+    private final MotorArbiter link = new MotorArbiter(
+            HullSettings.of(HullKind.DIFFERENTIAL).safeMaximum(1).build());
 
     private void reports(long nowMs) {
         link.opened(nowMs);
@@ -94,8 +94,8 @@ class BoardLinkTest {
 
     @Test
     void rudderIsTestedWithoutThrust() {
-        BoardLink rudder =
-                new BoardLink(HullSettings.of(HullKind.RUDDER).trim(0.1).build());
+        MotorArbiter rudder =
+                new MotorArbiter(HullSettings.of(HullKind.RUDDER).trim(0.1).build());
         rudder.opened(0);
         rudder.heard(0);
         rudder.change(0);

@@ -30,7 +30,7 @@ import org.sami.ui.check.WindowRobot;
 import org.sami.ui.net.NetView;
 
 /** Draws in the net of the window that is open: palette, pointer and keys, whatever the lesson. */
-final class NetHand {
+final class NetGestures {
     private static final int MOST_ZOOMS = 12;
     private static final int ROW = 60; // of a plan's layout, in which a vertex has room
     private static final int SAMPLES = 24; // points of an edge that are looked at
@@ -39,7 +39,7 @@ final class NetHand {
     private final WindowRobot robot;
     private final Supplier<DreammContext> context;
 
-    NetHand(WindowRobot robot, Supplier<DreammContext> context) {
+    NetGestures(WindowRobot robot, Supplier<DreammContext> context) {
         this.robot = robot;
         this.context = context;
     }

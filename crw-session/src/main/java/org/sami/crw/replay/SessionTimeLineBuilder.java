@@ -15,14 +15,14 @@ import org.sami.spn.replay.TimeLine.Mark;
 import org.sami.spn.replay.TimeLineBuilder;
 
 /** Goes through a session's journal once and marks what happened: its entries, messages and lost links. */
-final class SessionTimeLine implements SessionTelemetry.Reader {
+final class SessionTimeLineBuilder implements SessionTelemetry.Reader {
     private final TimeLineBuilder builder = new TimeLineBuilder();
     private long rowMillis;
 
-    private SessionTimeLine() {}
+    private SessionTimeLineBuilder() {}
 
     static TimeLine of(Engine engine, List<JournalEntry> entries, List<TelemetryRow> rows) {
-        SessionTimeLine line = new SessionTimeLine();
+        SessionTimeLineBuilder line = new SessionTimeLineBuilder();
         EngineState state = engine.newState();
         for (JournalEntry entry : entries) {
             line.builder.entry(entry, engine.step(state, entry.atMillis(), entry.input()));

@@ -15,7 +15,7 @@ import org.sami.boat.server.ServerTestBench.Client;
 import org.sami.boat.server.vehicle.Sensor;
 
 /** Readings of the instruments on board. */
-class SensorWatchTest {
+class SensorSamplerTest {
 
     private static Sensor sensor(String name, long periodMs, Supplier<List<Double>> values) {
         return new Sensor() {

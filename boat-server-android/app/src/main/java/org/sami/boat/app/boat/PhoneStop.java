@@ -7,12 +7,12 @@ import java.nio.file.Files;
  * The stop that a person on board has pressed: nothing drives the motors until it is released on board again, over all starts of the app. Safe for use by
  * several threads.
  */
-public final class StopOnBoard {
+public final class PhoneStop {
     private final AppFiles files;
     private volatile boolean latched;
 
     /** As it was left. */
-    public StopOnBoard(AppFiles files) {
+    public PhoneStop(AppFiles files) {
         this.files = files;
         latched = Files.exists(files.stopped());
     }

@@ -11,19 +11,19 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Role;
 
 /** Pairing: the words count once, for minutes, for few tries, and only for the two keys of one link. */
-class PairingDeskTest {
+class PairingResponderTest {
     private final KeyRing boat = KeyRing.inMemory();
-    private final PairingDesk desk = new PairingDesk(boat);
+    private final PairingResponder responder = new PairingResponder(boat);
     private final Fingerprint base = Identity.generate().fingerprint();
 
     private String pair(WordSecret words, long nowMs) throws IOException {
         String proof = words.proofOfBase(base, boat.identity().fingerprint());
-        return desk.pair(base, "laptop", proof, nowMs);
+        return responder.pair(base, "laptop", proof, nowMs);
     }
 
     @Test
     void baseThatKnowsTheWordsIsKeptAndTheBoatProvesThatItKnowsThemToo() throws IOException {
-        WordSecret words = desk.open(Role.COMMANDER, 0);
+        WordSecret words = responder.open(Role.COMMANDER, 0);
 
         String proof =
                 pair(WordSecret.parse(words.toString().toUpperCase(Locale.ROOT).replace(' ', '-')), 1000);
@@ -34,19 +34,19 @@ class PairingDeskTest {
 
     @Test
     void wordsCountOnceAndForMinutesOnly() throws IOException {
-        WordSecret words = desk.open(Role.COMMANDER, 0);
+        WordSecret words = responder.open(Role.COMMANDER, 0);
         pair(words, 0);
         assertThatThrownBy(() -> pair(words, 1)).hasMessageContaining("the words have been used");
 
-        WordSecret later = desk.open(Role.COMMANDER, 10);
-        assertThat(desk.isOpen(PairingDesk.OPEN_MS + 9)).isTrue();
-        assertThatThrownBy(() -> pair(later, PairingDesk.OPEN_MS + 10)).hasMessageContaining("count no longer");
+        WordSecret later = responder.open(Role.COMMANDER, 10);
+        assertThat(responder.isOpen(PairingResponder.OPEN_MS + 9)).isTrue();
+        assertThatThrownBy(() -> pair(later, PairingResponder.OPEN_MS + 10)).hasMessageContaining("count no longer");
         assertThatThrownBy(() -> pair(later, 11)).hasMessageContaining("count no longer");
     }
 
     @Test
     void fiveWrongProofsCloseThePairing() {
-        WordSecret words = desk.open(Role.COMMANDER, 0);
+        WordSecret words = responder.open(Role.COMMANDER, 0);
         for (int left = 4; left >= 0; left--) {
             String tries = left + (left == 1 ? " try" : " tries");
             assertThatThrownBy(() -> pair(WordSecret.random(), 0)).hasMessageContaining(tries);
@@ -58,11 +58,11 @@ class PairingDeskTest {
 
     @Test
     void proofThatSomebodyInBetweenPassesOnIsWrong() {
-        WordSecret words = desk.open(Role.COMMANDER, 0);
+        WordSecret words = responder.open(Role.COMMANDER, 0);
         Fingerprint between = Identity.generate().fingerprint();
         String proofToBetween = words.proofOfBase(base, between);
 
-        assertThatThrownBy(() -> desk.pair(between, "laptop", proofToBetween, 0))
+        assertThatThrownBy(() -> responder.pair(between, "laptop", proofToBetween, 0))
                 .hasMessageContaining("in between");
         assertThat(WordSecret.checkCode(base, between))
                 .isNotEqualTo(WordSecret.checkCode(between, boat.identity().fingerprint()));
@@ -70,10 +70,10 @@ class PairingDeskTest {
 
     @Test
     void proofOfTheBoatIsNoProofOfABase() {
-        WordSecret words = desk.open(Role.COMMANDER, 0);
+        WordSecret words = responder.open(Role.COMMANDER, 0);
         Fingerprint own = boat.identity().fingerprint();
 
-        assertThatThrownBy(() -> desk.pair(base, "laptop", words.proofOfBoat(base, own), 0))
+        assertThatThrownBy(() -> responder.pair(base, "laptop", words.proofOfBoat(base, own), 0))
                 .isInstanceOf(LinkRefusedException.class);
     }
 

@@ -13,25 +13,25 @@ import org.sami.lessons.course.Term;
  * @param at the index of the character that is meant; {@link #ALL} where all of them are
  * @param box where they lie in the component
  */
-public record Spoken(String text, int at, Rectangle box) {
+public record ShownText(String text, int at, Rectangle box) {
     /** All words are meant, not one of them. */
     public static final int ALL = -1;
 
     private static final int MOST = 3;
 
-    public Spoken {
+    public ShownText {
         Objects.requireNonNull(text, "text");
         box = new Rectangle(box);
     }
 
     /** The words of a whole component. */
-    public static Spoken all(String text, Rectangle box) {
-        return new Spoken(text, ALL, box);
+    public static ShownText all(String text, Rectangle box) {
+        return new ShownText(text, ALL, box);
     }
 
     /** The same words elsewhere. */
-    Spoken movedBy(int x, int y) {
-        return new Spoken(text, at, new Rectangle(box.x + x, box.y + y, box.width, box.height));
+    ShownText movedBy(int x, int y) {
+        return new ShownText(text, at, new Rectangle(box.x + x, box.y + y, box.width, box.height));
     }
 
     /** The term that is meant, or the first few of all, each once. */

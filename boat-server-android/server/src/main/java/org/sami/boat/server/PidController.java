@@ -3,13 +3,13 @@ package org.sami.boat.server;
 import org.sami.boat.link.Gains;
 
 /** One PID loop: from an error to an effort of -1 to 1. The integral part alone never exceeds full effort. */
-final class ControlLoop {
+final class PidController {
     private Gains gains;
     private double sum;
     private double lastError;
     private boolean started;
 
-    ControlLoop(Gains gains) {
+    PidController(Gains gains) {
         this.gains = gains;
     }
 
