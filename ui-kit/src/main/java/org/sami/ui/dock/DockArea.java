@@ -170,7 +170,10 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Optional.ofNullable(next).ifPresent(Component::requestFocusInWindow);
     }
 
-    /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */
+    /**
+     * Arranges the panels as they were left, with the frame where it was, if that is on a screen; as the program wants it where that is not known. From now
+     * on changes are kept.
+     */
     public void arrange() {
         docking().getAppState().setDefaultApplicationLayout(fitting().layout());
         Optional<String> fault = LayoutFile.fault(remembered);
@@ -183,6 +186,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         } catch (DockingLayoutException unfit) {
             refuse("it is no arrangement of these panels: " + unfit.getMessage());
         }
+        ScreenFit.into(frame);
         arranged = true;
         showFolded();
         adapt();

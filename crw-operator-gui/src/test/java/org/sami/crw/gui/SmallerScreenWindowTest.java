@@ -1,0 +1,74 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.palette.Theme;
+import org.sami.ui.check.WindowRobot;
+
+/** A window that was left on a large screen is begun again on a smaller one. */
+@Tag("window")
+class SmallerScreenWindowTest {
+    private final WindowRobot robot = new WindowRobot();
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void fleetStopIsInSightWhereTheWindowWasLeftOnALargerScreen() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        Path arrangement = folder.resolve("arrangement.xml");
+        try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna"))) {
+            withWindow(fleet, () -> robot.until("the arrangement is kept", () -> Files.exists(arrangement)));
+            String kept = Files.readString(arrangement);
+            String larger =
+                    kept.replaceFirst("location=\"[^\"]*\" size=\"[^\"]*\"", "location=\"900,700\" size=\"3800,2100\"");
+            assertThat(larger).isNotEqualTo(kept);
+            Files.writeString(arrangement, larger);
+
+            withWindow(fleet, () -> {
+                Component button = robot.find(Component.class, "fleet-stop");
+                Rectangle stop = WindowRobot.still(() -> new Rectangle(button.getLocationOnScreen(), button.getSize()));
+                assertThat(GraphicsEnvironment.getLocalGraphicsEnvironment()
+                                .getMaximumWindowBounds()
+                                .contains(stop))
+                        .as("the fleet stop at %s is on the screen", stop)
+                        .isTrue();
+            });
+        }
+    }
+
+    private void withWindow(LoopbackFleet fleet, Runnable look) throws Exception {
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        StartOptions options = new StartOptions(
+                fleet.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        try {
+            robot.untilSaid("boats-count", "1 of 1");
+            look.run();
+        } finally {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(60, TimeUnit.SECONDS);
+        }
+    }
+}
