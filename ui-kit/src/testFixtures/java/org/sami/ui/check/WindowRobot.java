@@ -40,6 +40,7 @@ public final class WindowRobot {
     private static final int STEPS = 8;
     private static final int GLIDE_PX = 20;
     private static final int GLIDE_MS = 5;
+    private static final int STEP_HANDLED_WITHIN_MS = 200; // outside of the windows of this process no step is seen
     private static final int EDGE_PX = 4; // as near to a pane's edge something counts as out of sight
     private static final int TWICE_WITHIN_MS = 120; // as a hand does
     private static final int HANDLED_WITHIN_MS =
@@ -255,8 +256,11 @@ public final class WindowRobot {
         int steps = Math.max(1, (int) (from.distance(to) / GLIDE_PX));
         act(MouseEvent.MOUSE_MOVED, 1, () -> {
             for (int i = 1; i <= steps; i++) {
+                long before = handled.counted(MouseEvent.MOUSE_MOVED);
                 robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
                 robot.delay(GLIDE_MS);
+                // a busy window makes one event of many small steps, and sees the pointer jump
+                handled.await(MouseEvent.MOUSE_MOVED, before + 1, STEP_HANDLED_WITHIN_MS);
             }
         });
     }

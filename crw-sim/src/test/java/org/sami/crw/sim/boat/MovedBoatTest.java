@@ -155,7 +155,8 @@ class MovedBoatTest {
     @Test
     void removedBoatIsStoppedAndLeftAloneAndItsCommandsFail() throws Exception {
         BoatOnTcp boat = fleet.boat("anna");
-        Base base = fleet.base("removing");
+        String removing = "removing-" + getClass().getSimpleName(); // the same test runs beside it over other links
+        Base base = fleet.base(removing);
         base.connect(boat.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.submit("anna", TcpTestFleet.path("m2", 2));
@@ -164,7 +165,7 @@ class MovedBoatTest {
         assertThat(base.tcp.remove("anna").join()).isTrue();
         assertThat(base.tcp.remove("anna").join()).isFalse();
         Await.until("it is stopped", () -> fleet.executedOf("anna", "stop") == 1);
-        Await.until("no thread is left", () -> Await.threads("removing-to-") == 0);
+        Await.until("no thread is left", () -> Await.threads(removing + "-to-") == 0);
         Await.until("its link is gone", () -> base.count("anna LOST") == 1);
         assertThat(base.heard)
                 .contains(

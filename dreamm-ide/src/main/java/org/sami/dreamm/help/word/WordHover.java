@@ -3,7 +3,9 @@ package org.sami.dreamm.help.word;
 import java.awt.AWTEvent;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.MouseInfo;
 import java.awt.Point;
+import java.awt.PointerInfo;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
@@ -47,7 +49,7 @@ final class WordHover implements AWTEventListener, AutoCloseable {
 
     private final Words words;
     private final Timer rest = new Timer(REST_MS, e -> rested());
-    private final Timer leave = new Timer(LEAVE_MS, e -> hide());
+    private final Timer leave = new Timer(LEAVE_MS, e -> left());
     private Optional<Shown> shown = Optional.empty();
     private Optional<Window> window = Optional.empty();
     private Point pointer = new Point();
@@ -117,6 +119,14 @@ final class WordHover implements AWTEventListener, AutoCloseable {
         }
         if (on) {
             rest.restart();
+        }
+    }
+
+    /** Takes the card away, unless the pointer has come to it and the window was too busy to see it come. */
+    private void left() {
+        PointerInfo info = MouseInfo.getPointerInfo();
+        if (info == null || !isOverCard(info.getLocation())) {
+            hide();
         }
     }
 
