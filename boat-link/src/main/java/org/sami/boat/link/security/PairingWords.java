@@ -11,7 +11,9 @@ import java.util.List;
 
 /** The 1,024 words of which pairing secrets are made: plain English, four to eight letters, no two with the same first four letters. */
 final class PairingWords {
-    private static final int PREFIX = 4;
+    /** No two words begin with the same letters, so many. */
+    static final int PREFIX = 4;
+
     private static final List<String> WORDS = read();
 
     private PairingWords() {}
@@ -38,6 +40,16 @@ final class PairingWords {
 
     static String word(int index) {
         return WORDS.get(index);
+    }
+
+    static List<String> beginningWith(String letters, int most) {
+        List<String> found = new ArrayList<>();
+        for (String word : WORDS) {
+            if (word.startsWith(letters) && found.size() < most) {
+                found.add(word);
+            }
+        }
+        return found;
     }
 
     /** The word that begins with the same four letters. */

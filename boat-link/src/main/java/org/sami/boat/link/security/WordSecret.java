@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
+import java.util.List;
 import java.util.Locale;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
@@ -50,6 +51,20 @@ public final class WordSecret {
         return new WordSecret(text.toString());
     }
 
+    /** The words of the list that begin so, in order; at most so many. For completion while a person types. */
+    public static List<String> beginningWith(String letters, int most) {
+        return PairingWords.beginningWith(letters.toLowerCase(Locale.ROOT), most);
+    }
+
+    /** The first four letters of each word, with dots between them; {@link #parse} takes it. */
+    public String shortText() {
+        StringBuilder text = new StringBuilder();
+        for (String word : words.split(" ")) {
+            text.append(text.length() == 0 ? "" : ".").append(word, 0, PairingWords.PREFIX);
+        }
+        return text.toString();
+    }
+
     /** A base's proof that it knows the words, for this link only; 64 hexadecimal digits. */
     public String proofOfBase(Fingerprint base, Fingerprint boat) {
         return proof("base", base, boat);
@@ -85,6 +100,16 @@ public final class WordSecret {
                 ((digest[0] & 0x7f) << 24 | (digest[1] & 0xff) << 16 | (digest[2] & 0xff) << 8 | (digest[3] & 0xff));
         String digits = String.format(Locale.ROOT, "%06d", number % 1_000_000);
         return digits.substring(0, 3) + " " + digits.substring(3);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof WordSecret && ((WordSecret) other).words.equals(words);
+    }
+
+    @Override
+    public int hashCode() {
+        return words.hashCode();
     }
 
     /** The words, with a space between them. */
