@@ -2,14 +2,12 @@ package org.sami.ui.check;
 
 import java.awt.AWTException;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.MouseInfo;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
-import java.awt.Window;
 import java.awt.dnd.DragSource;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -38,6 +36,7 @@ public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
     private static final int PATIENCE_S = 60;
     private static final int STEPS = 8;
+    private static final int DRAG_STEP_PX = 8; // the display tells of no drag until the pointer is 4 px away
     private static final int GLIDE_PX = 20;
     private static final int GLIDE_MS = 5;
     private static final int STEP_HANDLED_WITHIN_MS = 200; // outside of the windows of this process no step is seen
@@ -62,8 +61,9 @@ public final class WindowRobot {
         }
     }
 
-    /** Strikes keys, and returns once the last of them has been handled. */
+    /** Strikes keys once they come to a window of this process, and returns once the last of them has been handled. */
     private void keys(Runnable input) {
+        until("a window has the keyboard", ShownComponents::haveTheKeyboardOrAreNone);
         long before = handled.counted(KeyEvent.KEY_RELEASED);
         struck = 0;
         input.run();
@@ -161,44 +161,15 @@ public final class WindowRobot {
     public <C extends Component> C find(Class<C> type, Predicate<C> fit) {
         until(
                 "a " + type.getSimpleName(),
-                () -> look(type, Optional.empty(), fit).isPresent());
-        return ask(() -> look(type, Optional.empty(), fit).orElseThrow());
+                () -> ShownComponents.find(type, Optional.empty(), fit).isPresent());
+        return ask(() -> ShownComponents.find(type, Optional.empty(), fit).orElseThrow());
     }
 
     private <C extends Component> C find(Class<C> type, String name, Predicate<C> fit) {
-        until("a component " + name, () -> look(type, Optional.of(name), fit).isPresent());
-        return ask(() -> look(type, Optional.of(name), fit).orElseThrow());
-    }
-
-    private static <C extends Component> Optional<C> look(Class<C> type, Optional<String> name, Predicate<C> fit) {
-        for (Window window : Window.getWindows()) {
-            if (window.isShowing()) {
-                Optional<C> found = below(window, type, name, fit);
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
-    }
-
-    private static <C extends Component> Optional<C> below(
-            Component at, Class<C> type, Optional<String> name, Predicate<C> fit) {
-        if (name.map(wanted -> wanted.equals(at.getName())).orElse(true)
-                && type.isInstance(at)
-                && at.isShowing()
-                && fit.test(type.cast(at))) {
-            return Optional.of(type.cast(at));
-        }
-        if (at instanceof Container container) {
-            for (Component child : container.getComponents()) {
-                Optional<C> found = below(child, type, name, fit);
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
+        until(
+                "a component " + name,
+                () -> ShownComponents.find(type, Optional.of(name), fit).isPresent());
+        return ask(() -> ShownComponents.find(type, Optional.of(name), fit).orElseThrow());
     }
 
     /** Waits until a component is on the screen. */
@@ -432,13 +403,16 @@ public final class WindowRobot {
             robot.mouseMove(at.x + from.x, at.y + from.y);
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         });
-        Point last = from;
-        for (int i = 1; i <= STEPS; i++) {
-            Point next = new Point(from.x + (to.x - from.x) * i / STEPS, from.y + (to.y - from.y) * i / STEPS);
-            int moves = next.equals(last) ? 0 : 1;
-            act(MouseEvent.MOUSE_DRAGGED, moves, () -> robot.mouseMove(at.x + next.x, at.y + next.y));
-            last = next;
-        }
+        int away = Math.max(Math.abs(to.x - from.x), Math.abs(to.y - from.y));
+        int steps = Math.max(1, Math.min(STEPS, away / DRAG_STEP_PX));
+        act(MouseEvent.MOUSE_DRAGGED, 0, () -> {
+            for (int i = 1; i <= steps; i++) {
+                long before = handled.counted(MouseEvent.MOUSE_DRAGGED);
+                robot.mouseMove(
+                        at.x + from.x + (to.x - from.x) * i / steps, at.y + from.y + (to.y - from.y) * i / steps);
+                handled.await(MouseEvent.MOUSE_DRAGGED, before + (away < DRAG_STEP_PX ? 0 : 1), HANDLED_WITHIN_MS);
+            }
+        });
         act(MouseEvent.MOUSE_RELEASED, 1, () -> robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK));
     }
 
