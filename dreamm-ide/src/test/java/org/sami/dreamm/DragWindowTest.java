@@ -15,7 +15,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JLabel;
-import javax.swing.JTextField;
 import javax.swing.JTree;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -112,7 +111,7 @@ class DragWindowTest {
 
     private static void orderTheTree(AuthorRobot author) {
         author.robot.press(VK_N, VK_CONTROL, VK_SHIFT);
-        author.robot.find(JTextField.class, "name-bar-name");
+        author.robot.untilFocused("name-bar-name");
         author.robot.type("second");
         author.robot.press(VK_ENTER);
         author.robot.until("there are two plans", () -> plans(author).equals(List.of("plan", "second")));
@@ -136,7 +135,7 @@ class DragWindowTest {
     private static void importPositions(AuthorRobot author, Path file) throws Exception {
         Files.writeString(file, "[\n45.7,10.72\n45.701,10.721\n45.7,10.722\n]\n");
         author.robot.press(VK_P, VK_CONTROL, VK_SHIFT);
-        author.robot.find(JTextField.class, "command-search-text");
+        author.robot.untilFocused("command-search-text");
         author.robot.type("import locations");
         author.robot.press(VK_ENTER);
         author.giveFile(file);

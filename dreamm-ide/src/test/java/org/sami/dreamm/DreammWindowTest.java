@@ -64,7 +64,7 @@ class DreammWindowTest {
 
         robot.find(JTextField.class, "palette-search");
         robot.press(VK_N, VK_CONTROL, VK_SHIFT);
-        robot.find(JTextField.class, "name-bar-name");
+        robot.untilFocused("name-bar-name");
         robot.type("second plan");
         robot.press(VK_ENTER);
         robot.until("the plan is made", () -> document.plan("second-plan").isPresent());
@@ -77,7 +77,7 @@ class DreammWindowTest {
             return null;
         });
         robot.press(VK_F2);
-        robot.find(JTextField.class, "name-bar-name");
+        robot.untilFocused("name-bar-name");
         robot.type("third plan");
         robot.press(VK_ENTER);
         robot.until(
@@ -91,6 +91,7 @@ class DreammWindowTest {
         assertThat(read(file)).isEqualTo(WindowRobot.ask(document::project));
 
         robot.press(VK_F, VK_CONTROL, VK_SHIFT);
+        robot.untilFocused("search-everything-text");
         robot.type("select boats");
         robot.press(VK_DOWN);
         robot.until(

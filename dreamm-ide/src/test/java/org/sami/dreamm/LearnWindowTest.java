@@ -65,7 +65,10 @@ class LearnWindowTest {
             learner.next();
             learner.untilStep("Several");
             assertThat(learner.window()).isNotSameAs(first);
-            assertThat(bounds()).isEqualTo(bounds);
+            DreammWindow second = learner.window();
+            robot.until(
+                    "it lies where the first one lay",
+                    () -> second.frame().getBounds().equals(bounds));
             chooseSeveral();
             learner.next();
             learner.untilStep("Where");

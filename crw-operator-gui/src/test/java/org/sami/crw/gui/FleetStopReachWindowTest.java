@@ -183,7 +183,7 @@ class FleetStopReachWindowTest {
         untilWritten("boat-connect-said", "Type the address");
         robot.type("127.0.0.1");
         Component connect = robot.find(Component.class, "boat-connect-do");
-        robot.until("there is nothing to connect to", 10, () -> !connect.isEnabled());
+        robot.until("there is nothing to connect to", () -> !connect.isEnabled());
         robot.press(VK_ESCAPE);
     }
 
@@ -204,7 +204,7 @@ class FleetStopReachWindowTest {
 
         robot.press(VK_F12);
 
-        robot.until("all boats are stopped", 10, () -> boats().stream().allMatch(FleetStopReachWindowTest::isStopped));
+        robot.until("all boats are stopped", () -> boats().stream().allMatch(FleetStopReachWindowTest::isStopped));
         release();
         robot.press(VK_ESCAPE);
     }
@@ -222,7 +222,7 @@ class FleetStopReachWindowTest {
         Component stop = robot.find(Component.class, "fleet-stop");
         Rectangle at = WindowRobot.ask(stop::getBounds);
         robot.clickAt(stop, at.width / 2, at.height / 2);
-        robot.until("all boats are stopped", 10, () -> boats().stream().allMatch(FleetStopReachWindowTest::isStopped));
+        robot.until("all boats are stopped", () -> boats().stream().allMatch(FleetStopReachWindowTest::isStopped));
     }
 
     private void release() {

@@ -17,6 +17,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -31,7 +32,9 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JFileChooser;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.JTextField;
 import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -169,7 +172,7 @@ class OperatorWindowTest {
             return null;
         });
         JTable over = robot.find(JTable.class, "missions-over-table");
-        assertThat(WindowRobot.<Integer>ask(over::getRowCount)).isGreaterThanOrEqualTo(MANY);
+        robot.until("those that are over are listed", () -> over.getRowCount() >= MANY);
     }
 
     @Test
@@ -197,12 +200,20 @@ class OperatorWindowTest {
     @Test
     void aCommandIsFoundByTypingAndChangesTheWindowAtOnce() {
         robot.press(VK_P, VK_CONTROL, VK_SHIFT);
-        robot.find(Component.class, "command-search-text");
+        robot.untilFocused("command-search-text");
         robot.type("theme sun");
         robot.press(VK_ENTER);
 
         robot.until("the theme is Sun", () -> Look.theme() == Theme.SUN);
-        assertThat(folder.resolve("window.properties")).content().contains("theme=sun");
+        robot.until("it is kept", () -> kept().contains("theme=sun"));
+    }
+
+    private String kept() {
+        try {
+            return Files.readString(folder.resolve("window.properties"));
+        } catch (IOException notYet) {
+            return "";
+        }
     }
 
     @Test
@@ -245,10 +256,10 @@ class OperatorWindowTest {
         Path never = SlowFiles.pipe(folder.resolve("shore.geojson"));
         Map<String, Integer> heard = new ConcurrentHashMap<>();
         robot.press(VK_P, VK_CONTROL, VK_SHIFT);
-        robot.find(Component.class, "command-search-text");
+        robot.untilFocused("command-search-text");
         robot.type("base map");
         robot.press(VK_ENTER);
-        robot.find(JFileChooser.class, component -> true);
+        untilAFileIsAskedFor();
         robot.type(never.toString());
         robot.press(VK_ENTER);
         robot.untilSaid("map-reading-file", "Reading shore.geojson");
@@ -272,7 +283,7 @@ class OperatorWindowTest {
     void aFileThatIsNoJournalIsNotReplayedAndTheWindowSaysWhy() throws Exception {
         Path notes = Files.writeString(folder.resolve("notes.txt"), "no journal");
         robot.press(VK_J, VK_CONTROL, VK_SHIFT);
-        robot.find(JFileChooser.class, component -> true);
+        untilAFileIsAskedFor();
         robot.type(notes.toString());
         robot.press(VK_ENTER);
 
@@ -299,6 +310,12 @@ class OperatorWindowTest {
         robot.untilShown("mission-start");
     }
 
+    private void untilAFileIsAskedFor() {
+        robot.find(
+                JTextField.class,
+                name -> name.isFocusOwner() && SwingUtilities.getAncestorOfClass(JFileChooser.class, name) != null);
+    }
+
     private static void awaitOrGiveUp(CountDownLatch unblocked) {
         try {
             assertThat(unblocked.await(60, TimeUnit.SECONDS)).isTrue();
@@ -310,7 +327,7 @@ class OperatorWindowTest {
     @Test
     void missionsBeginAndEndWhileADialogIsOpen() {
         robot.press(VK_P, VK_CONTROL, VK_SHIFT);
-        robot.find(Component.class, "command-search-text");
+        robot.untilFocused("command-search-text");
         robot.type("base map");
         robot.press(VK_ENTER);
         JFileChooser dialog = robot.find(JFileChooser.class, component -> true);

@@ -187,7 +187,7 @@ class ReplayWindowTest {
 
     private void spaceIsForTheTextOfAField() {
         robot.press(VK_P, VK_CONTROL, VK_SHIFT);
-        robot.find(Component.class, "command-search-text");
+        robot.untilFocused("command-search-text");
         robot.type("theme dark");
         robot.press(VK_ENTER);
         robot.until("the theme is dark", () -> Look.theme() == Theme.DARK);

@@ -45,12 +45,11 @@ class SmallerScreenWindowTest {
 
             withWindow(fleet, () -> {
                 Component button = robot.find(Component.class, "fleet-stop");
-                Rectangle stop = WindowRobot.still(() -> new Rectangle(button.getLocationOnScreen(), button.getSize()));
-                assertThat(GraphicsEnvironment.getLocalGraphicsEnvironment()
+                robot.until(
+                        "the fleet stop is on the screen",
+                        () -> GraphicsEnvironment.getLocalGraphicsEnvironment()
                                 .getMaximumWindowBounds()
-                                .contains(stop))
-                        .as("the fleet stop at %s is on the screen", stop)
-                        .isTrue();
+                                .contains(new Rectangle(button.getLocationOnScreen(), button.getSize())));
             });
         }
     }

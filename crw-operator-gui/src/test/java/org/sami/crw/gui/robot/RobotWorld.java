@@ -23,6 +23,8 @@ import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
@@ -49,7 +51,7 @@ final class RobotWorld implements AutoCloseable {
     /** The boats of the built-in fleet. */
     static final List<String> BUILT_IN = List.of("anna", "bert", "carl", "dora", "emil");
 
-    private static final int WITHIN_S = 20;
+    private static final int WITHIN_S = 60;
 
     final WindowRobot robot = new WindowRobot();
     final Path folder;
@@ -324,7 +326,9 @@ final class RobotWorld implements AutoCloseable {
     /** Types a file's name into the sheet that asks for it, and chooses it. */
     void typeFile(String sheet, Path file) {
         robot.untilShown(sheet);
-        robot.find(JFileChooser.class, chooser -> true);
+        robot.find(
+                JTextField.class,
+                name -> name.isFocusOwner() && SwingUtilities.getAncestorOfClass(JFileChooser.class, name) != null);
         robot.type(file.toAbsolutePath() + "\n");
     }
 
