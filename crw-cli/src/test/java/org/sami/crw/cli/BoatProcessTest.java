@@ -119,7 +119,7 @@ class BoatProcessTest {
         Boat boat = boat(0);
         boat.process.terminate();
 
-        assertThat(boat.process.await(20)).isEqualTo(143); // as the system says it of SIGTERM
+        assertThat(boat.process.await(60)).isEqualTo(143); // as the system says it of SIGTERM
     }
 
     @ParameterizedTest

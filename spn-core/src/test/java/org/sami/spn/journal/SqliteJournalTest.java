@@ -352,7 +352,7 @@ class SqliteJournalTest {
 
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
             if (thread.getName().equals("journal-sync")) {
-                thread.join(30_000);
+                thread.join(60_000);
                 assertThat(thread.isAlive()).isFalse();
             }
         }

@@ -15,7 +15,7 @@ import org.sami.boat.link.Welcome;
 
 /** A base that commands one boat on loopback, for one thread. */
 final class LoopbackBase implements AutoCloseable {
-    private static final int PATIENCE_MS = 50_000;
+    private static final int PATIENCE_MS = 60_000;
 
     private final Socket socket;
     private final LinkCodec codec = new LinkCodec();

@@ -151,7 +151,7 @@ final class TcpBench implements AutoCloseable {
 
     /** A client on a socket, for one thread. */
     static final class Client implements AutoCloseable {
-        private static final int PATIENCE_MS = 50_000;
+        private static final int PATIENCE_MS = 60_000;
         final Socket socket = new Socket();
         private final LinkCodec codec = new LinkCodec();
         private final FrameReader frames;
