@@ -2,6 +2,7 @@ package org.sami.boat.link;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.util.Objects;
 
 /** A base asks to be paired over a protected link: it proves that it was told the words which the boat shows. */
 public final class Pair extends LinkMessage {
@@ -9,15 +10,23 @@ public final class Pair extends LinkMessage {
 
     private final String clientId;
     private final String proof;
+    private final Role role;
+
+    /** A base that wishes to command. */
+    public Pair(String clientId, String proof) {
+        this(clientId, proof, Role.COMMANDER);
+    }
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
-    public Pair(String clientId, String proof) {
+    public Pair(String clientId, String proof, Role role) {
+        this.role = Objects.requireNonNull(role, "role");
         this.clientId = Checks.name("client", clientId);
         this.proof = Checks.proof("proof", proof);
     }
 
     static Pair read(Fields in) throws LinkException {
-        return new Pair(in.text("client"), in.text("proof"));
+        return new Pair(
+                in.text("client"), in.text("proof"), in.has("role") ? in.word("role", Role.class) : Role.COMMANDER);
     }
 
     /** The name under which the boat keeps the base's key, for people. */
@@ -30,6 +39,11 @@ public final class Pair extends LinkMessage {
         return proof;
     }
 
+    /** The most that the base wishes to be granted, now and later. */
+    public Role role() {
+        return role;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -39,5 +53,8 @@ public final class Pair extends LinkMessage {
     void write(JsonGenerator out) throws IOException {
         out.writeStringField("client", clientId);
         out.writeStringField("proof", proof);
+        if (role != Role.COMMANDER) {
+            out.writeStringField("role", role.name());
+        }
     }
 }

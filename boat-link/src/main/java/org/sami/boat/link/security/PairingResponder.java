@@ -62,7 +62,17 @@ public final class PairingResponder {
      * @throws LinkRefusedException with the reason, if the base is not paired
      * @throws IOException if the key cannot be kept
      */
-    public synchronized String pair(Fingerprint base, String name, String proof, long nowMs) throws IOException {
+    public String pair(Fingerprint base, String name, String proof, long nowMs) throws IOException {
+        return pair(base, name, proof, Role.COMMANDER, nowMs);
+    }
+
+    /**
+     * The same for a base that may wish for less than the boat would grant.
+     *
+     * @param wished the most that it is to be granted
+     */
+    public synchronized String pair(Fingerprint base, String name, String proof, Role wished, long nowMs)
+            throws IOException {
         if (secret.isPresent() && nowMs >= untilMs) {
             close("the words count no longer: begin the pairing anew at the boat");
         }
@@ -77,7 +87,7 @@ public final class PairingResponder {
             throw new LinkRefusedException("the words are not those that the boat shows, or somebody is in between; "
                     + left + (left == 1 ? " try is left" : " tries are left"));
         }
-        Peer paired = new Peer(base, name, role);
+        Peer paired = new Peer(base, name, wished == Role.OBSERVER ? wished : role);
         keys.add(paired);
         close("the words have been used: begin the pairing anew at the boat");
         listener.paired(paired, WordSecret.checkCode(base, boat));

@@ -38,7 +38,8 @@ public final class BoatKeys {
 
     /** Pairs a base, or throws the reason. */
     Paired pair(Fingerprint key, Pair request, String boatId, long nowMs) throws IOException {
-        return new Paired(boatId, responder.pair(key, request.clientId(), request.proof(), nowMs));
+        String proof = responder.pair(key, request.clientId(), request.proof(), request.role(), nowMs);
+        return new Paired(boatId, proof, roleOf(key).orElse(Role.OBSERVER));
     }
 
     /** Withdraws keys but that of who asks. */

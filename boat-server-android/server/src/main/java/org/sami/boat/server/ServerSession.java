@@ -103,7 +103,7 @@ public final class ServerSession {
         return unheard;
     }
 
-    /** A stranger is told who the boat is, and may be paired; nothing else. */
+    /** A stranger is told who the boat is, and may be paired, as a base that is known may be anew; nothing else. */
     private void receiveFromStranger(LinkMessage message, long nowMs) {
         if (message instanceof Pair) {
             try {
@@ -124,7 +124,7 @@ public final class ServerSession {
         if (takesNothing()) {
             return;
         }
-        if (!granted().isPresent()) {
+        if (!granted().isPresent() || (keys.isPresent() && frame.message() instanceof Pair)) {
             receiveFromStranger(frame.message(), nowMs);
         } else {
             server.received(this, frame, nowMs);

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.sami.boat.link.security.Fingerprint;
-import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.Peer;
 import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.proxy.key.BaseKeys;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -29,12 +29,13 @@ final class KeyListCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         PrintWriter out = spec.commandLine().getOut();
-        KeyRing ring = keys.folder().open();
-        out.println(ring.identity().fingerprint() + "  this base");
-        for (Peer peer : ring.peers()) {
-            out.println(peer.fingerprint() + "  boat " + peer.name());
+        BaseKeys.Listing list = keys.keys().list();
+        out.println(list.own() + "  this base");
+        for (BaseKeys.Known known : list.boats()) {
+            Peer boat = known.boat();
+            out.println(boat.fingerprint() + "  boat " + boat.name());
         }
-        for (Fingerprint withdrawn : ring.withdrawn()) {
+        for (Fingerprint withdrawn : list.withdrawn()) {
             out.println(withdrawn + "  withdrawn");
         }
         return ExitCode.OK;

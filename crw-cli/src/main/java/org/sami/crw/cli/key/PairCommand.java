@@ -2,15 +2,17 @@ package org.sami.crw.cli.key;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
 import java.util.Scanner;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.Role;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.BoatPairing;
+import org.sami.crw.proxy.tcp.PairingText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -31,8 +33,11 @@ final class PairCommand implements Callable<Integer> {
     @Mixin
     private KeyFolderOption keys = new KeyFolderOption();
 
-    @Parameters(paramLabel = "HOST:PORT", description = "Where the boat's server listens.")
-    private String text = "";
+    @Parameters(
+            paramLabel = "HOST:PORT",
+            arity = "0..1",
+            description = "Where the boat's server listens; not needed where the text of the QR code says it.")
+    private @Nullable String text;
 
     @Option(
             names = "--words",
@@ -40,44 +45,38 @@ final class PairCommand implements Callable<Integer> {
             description = "The six words, or the text of the QR code, in quotes; asked for if they are not given.")
     private @Nullable String words;
 
+    @Option(names = "--observer", description = "Pair this base so that it may only observe, and stop the boat.")
+    private boolean observer;
+
     @Override
     public Integer call() throws IOException {
         PrintWriter out = spec.commandLine().getOut();
-        BoatPairing.Result result =
-                BoatPairing.pair(address(), secret(), name(), keys.folder().open());
+        String typed = words == null ? ask() : words;
+        PairingText told = UsageFault.of(() -> PairingText.parse(typed));
+        BoatAddress address = UsageFault.of(() -> told.address(text == null ? "" : text));
+        BoatPairing pairing = new BoatPairing(
+                new BoatPairing.Request(
+                        address.toSocketAddress(),
+                        told.words(),
+                        told.key(),
+                        observer ? Role.OBSERVER : Role.COMMANDER,
+                        BaseKeys.nameOfThisBase()),
+                keys.keys().open());
+        BoatPairing.Result result = pairing.prove();
+        pairing.keep(result);
         out.println("paired with " + result.boat().name() + ", key "
-                + result.boat().fingerprint().shortText());
+                + result.boat().fingerprint().shortText()
+                + (result.boat().role() == Role.OBSERVER ? ", as an observer" : ""));
         out.println("check code " + result.checkCode()
                 + ": the boat shows the same, or somebody is in between (crw keys withdraw "
                 + result.boat().name() + ")");
         return ExitCode.OK;
     }
 
-    private java.net.InetSocketAddress address() {
-        try {
-            return BoatAddress.parse(text).toSocketAddress();
-        } catch (IllegalArgumentException e) {
-            throw new UsageFault(String.valueOf(e.getMessage()));
-        }
-    }
-
-    private WordSecret secret() {
-        String typed = words;
-        if (typed == null) {
-            spec.commandLine().getErr().print("The six words that the boat shows: ");
-            spec.commandLine().getErr().flush();
-            Scanner input = new Scanner(System.in, java.nio.charset.StandardCharsets.UTF_8);
-            typed = input.hasNextLine() ? input.nextLine() : "";
-        }
-        try {
-            return WordSecret.parse(typed);
-        } catch (IllegalArgumentException e) {
-            throw new UsageFault(String.valueOf(e.getMessage()));
-        }
-    }
-
-    private static String name() throws IOException {
-        return System.getProperty("user.name") + " at "
-                + InetAddress.getLocalHost().getHostName();
+    private String ask() {
+        spec.commandLine().getErr().print("The six words that the boat shows: ");
+        spec.commandLine().getErr().flush();
+        Scanner input = new Scanner(System.in, StandardCharsets.UTF_8);
+        return input.hasNextLine() ? input.nextLine() : "";
     }
 }

@@ -1,13 +1,9 @@
 package org.sami.crw.cli.key;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.boat.link.security.Fingerprint;
-import org.sami.boat.link.security.KeyRing;
-import org.sami.boat.link.security.Peer;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
 import picocli.CommandLine.Command;
@@ -37,38 +33,12 @@ final class WithdrawCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        KeyRing ring = keys.folder().open();
-        List<Fingerprint> chosen = new ArrayList<>();
-        for (String text : texts) {
-            chosen.add(key(ring, text));
-        }
-        if (chosen.contains(ring.identity().fingerprint())) {
-            throw new UsageFault("a base does not withdraw its own key: do it at another base");
-        }
-        ring.withdraw(chosen);
+        List<Fingerprint> chosen = UsageFault.of(() -> keys.keys().withdraw(texts));
         for (Fingerprint one : chosen) {
             spec.commandLine()
                     .getOut()
                     .println(one.shortText() + " is withdrawn here; boats learn it when this base commands them next");
         }
         return ExitCode.OK;
-    }
-
-    /** A whole fingerprint, or the name or the beginning of the fingerprint of a peer. */
-    private static Fingerprint key(KeyRing ring, String text) {
-        if (text.length() == Fingerprint.DIGITS) {
-            try {
-                return Fingerprint.parse(text);
-            } catch (IllegalArgumentException e) {
-                throw new UsageFault(String.valueOf(e.getMessage()));
-            }
-        }
-        Optional<Peer> known = ring.peers().stream()
-                .filter(peer -> peer.name().equals(text)
-                        || peer.fingerprint().toString().startsWith(text))
-                .findFirst();
-        return known.map(Peer::fingerprint)
-                .orElseThrow(() -> new UsageFault("no key here is named '" + text
-                        + "'; the key of a lost laptop is written in full, as 'crw keys list' printed it there"));
     }
 }

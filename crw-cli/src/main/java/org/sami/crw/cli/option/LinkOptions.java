@@ -1,7 +1,9 @@
 package org.sami.crw.cli.option;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import picocli.CommandLine.Option;
 
@@ -20,8 +22,18 @@ public final class LinkOptions {
             description = "Link boats on other machines plainly: whoever reaches them can command them.")
     private boolean open;
 
-    /** Makes this process use what the options say. */
+    /**
+     * Makes this process use what the options say.
+     *
+     * @throws UsageFault if they contradict each other, or the keys are no folder
+     */
     public void use() {
+        if (keys != null && open) {
+            throw new UsageFault("--open and --keys contradict each other");
+        }
+        if (keys != null && Files.exists(keys) && !Files.isDirectory(keys)) {
+            throw new UsageFault("--keys: " + keys + " is a file: the keys of a base are a folder");
+        }
         new BaseProtection(Optional.ofNullable(keys), open).use();
     }
 }

@@ -2,7 +2,9 @@ package org.sami.crw.cli.run;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.Role;
@@ -35,6 +37,8 @@ final class BoatKeyOptions {
 
     @Option(names = "--open", description = "Let whoever reaches the address command the boat.")
     private boolean open;
+
+    private Optional<PairingCodeLines> shown = Optional.empty();
 
     /** Refuses what contradicts itself, and plain links to other machines that nobody asked for. */
     void check(InetAddress bind) {
@@ -71,7 +75,13 @@ final class BoatKeyOptions {
         if (pair) {
             WordSecret words = responder.open(observer ? Role.OBSERVER : Role.COMMANDER, clock.getAsLong());
             say.accept("to pair a base within five minutes, type there: " + words);
+            shown = Optional.of(new PairingCodeLines(keys.identity().fingerprint(), words));
         }
         return plain -> plain.withKeys(keys, responder);
+    }
+
+    /** The QR code of the pairing, now that it is known where the boat listens; empty without {@code --pair}. */
+    Optional<String> qrCode(String boat, InetSocketAddress address) {
+        return shown.map(lines -> lines.of(boat, address));
     }
 }

@@ -306,6 +306,7 @@ public final class BoatServerCommand implements Callable<Integer> {
                 out.printf("%s goes on with its log: %d commands; it does not move%n", name, restored);
             }
             out.flush();
+            keys.qrCode(name, address).ifPresent(code -> say("or scan this, or copy its text:\n" + code));
             warnOfDamage(unreadLogLines);
         }
 

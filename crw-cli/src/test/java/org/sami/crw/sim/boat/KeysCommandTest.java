@@ -20,6 +20,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
+import org.sami.boat.link.security.PairingCode;
 import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -137,5 +138,51 @@ class KeysCommandTest {
         CommandResult thief = CommandResult.crw(with("lost", "stop", address(), "--within", "3"));
         assertThat(thief.exitCode()).isEqualTo(4);
         assertThat(thief.out()).contains("withdrawn from anna");
+    }
+
+    private String code(KeyRing of, WordSecret words) {
+        return new PairingCode(address(), "anna", of.identity().fingerprint(), words).toString();
+    }
+
+    @Test
+    void textOfTheQrCodeIsEnoughToPair() {
+        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+
+        CommandResult paired = CommandResult.crw(with("mine", "keys", "pair", "--words", code(keys, words)));
+
+        assertThat(paired.out()).contains("paired with anna").contains("check code " + codes.get(0));
+    }
+
+    @Test
+    void qrCodeOfAnotherBoatIsRefusedBeforeAnythingIsProved() {
+        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+
+        CommandResult refused =
+                CommandResult.crw(with("mine", "keys", "pair", "--words", code(KeyRing.inMemory(), words)));
+
+        assertThat(refused.exitCode()).isEqualTo(4);
+        assertThat(refused.err()).contains("it is another boat, maybe of another fleet");
+        assertThat(keys.peers()).isEmpty();
+        assertThat(pair("mine", words).out()).contains("paired with anna");
+    }
+
+    @Test
+    void baseThatWishesToObserveIsGrantedNoMore() {
+        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+
+        CommandResult paired =
+                CommandResult.crw(with("mine", "keys", "pair", address(), "--observer", "--words", words.toString()));
+
+        assertThat(paired.out()).contains("as an observer");
+        assertThat(keys.peers()).extracting(peer -> peer.role()).containsExactly(Role.OBSERVER);
+    }
+
+    @Test
+    void baseThatIsPairedAlreadyIsToldSoWhereTheBoatShowsNoWords() {
+        pair("mine", responder.open(Role.COMMANDER, clock.getAsLong()));
+
+        CommandResult again = pair("mine", WordSecret.random());
+
+        assertThat(again.err()).contains("begin the pairing anew at the boat").contains("is paired with anna already");
     }
 }

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
@@ -15,6 +17,7 @@ import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
+import org.sami.crw.proxy.key.LastSeen;
 
 /**
  * How a base protects its links: plain to boats on this machine, with the keys of its user to all others. The keys are read anew for each connection, so that
@@ -25,6 +28,7 @@ public final class BaseProtection implements LinkSecurity {
 
     private final Optional<Path> folder;
     private final boolean open;
+    private final Set<InetSocketAddress> simulatedHere = ConcurrentHashMap.newKeySet();
     private volatile Optional<KeyRing> ring = Optional.empty();
 
     /**
@@ -53,6 +57,39 @@ public final class BaseProtection implements LinkSecurity {
         return Path.of(System.getProperty("user.home"), ".config", "sami", "keys");
     }
 
+    /** The folder of the keys. */
+    public Path keysFolder() {
+        return folder.orElseGet(BaseProtection::folderOfThisUser);
+    }
+
+    /** Links plainly to a boat that this process simulates itself, as long as it does. */
+    public void linkPlainly(InetSocketAddress boat, boolean plainly) {
+        if (plainly) {
+            simulatedHere.add(boat);
+        } else {
+            simulatedHere.remove(boat);
+        }
+    }
+
+    /** Whether links to an address are plain. */
+    public boolean isPlain(InetSocketAddress address) {
+        boolean onThisMachine =
+                address.getAddress() != null && address.getAddress().isLoopbackAddress();
+        return simulatedHere.contains(address) || (folder.isEmpty() && (open || onThisMachine));
+    }
+
+    /**
+     * Takes keys that were withdrawn meanwhile, so that links that stand carry them to the boats.
+     *
+     * @throws IOException if the keys cannot be read
+     */
+    public void readAgain() throws IOException {
+        KeyStoreFolder keys = new KeyStoreFolder(keysFolder());
+        if (keys.exists()) {
+            ring = Optional.of(keys.open());
+        }
+    }
+
     @Override
     public SecureLink accept(Socket socket) throws IOException {
         throw new LinkRefusedException("a base takes no connections");
@@ -61,19 +98,21 @@ public final class BaseProtection implements LinkSecurity {
     @Override
     public SecureLink connect(Socket socket) throws IOException {
         InetSocketAddress address = (InetSocketAddress) socket.getRemoteSocketAddress();
-        boolean plain = folder.isEmpty() && (open || address.getAddress().isLoopbackAddress());
-        if (plain) {
+        if (isPlain(address)) {
             return new OpenLinks().connect(socket);
         }
-        KeyStoreFolder keys = new KeyStoreFolder(folder.orElseGet(BaseProtection::folderOfThisUser));
+        KeyStoreFolder keys = new KeyStoreFolder(keysFolder());
         if (!keys.exists()) {
             String boat = address.getHostString() + ":" + address.getPort();
-            throw new LinkRefusedException("this base has no keys, and the boat is not on this machine: crw keys pair "
-                    + boat + ", or --open if whoever reaches the boat may command it");
+            throw new LinkRefusedException(
+                    "this base is paired with no boat: Boats > Pair… in the window, crw keys pair " + boat
+                            + (folder.isEmpty() ? ", or --open if whoever reaches the boat may command it" : ""));
         }
         KeyRing read = keys.open();
         ring = Optional.of(read);
-        return TlsLinks.of(read).connect(socket);
+        SecureLink link = TlsLinks.of(read).connect(socket);
+        link.peer().ifPresent(boat -> new LastSeen(keysFolder()).note(boat, System.currentTimeMillis()));
+        return link;
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.FrameThreads;
 import org.sami.boat.link.LinkException;
+import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.SecureLink;
 
 /**
@@ -58,6 +59,11 @@ final class BoatConnection implements FrameSink {
         if (!pump.send(frame)) {
             close("the boat does not take what it is sent");
         }
+    }
+
+    /** The boat's key; empty while there is no link, and on a plain one. */
+    Optional<Fingerprint> peer() {
+        return link.flatMap(SecureLink::peer);
     }
 
     /** How many frames were left out, as too many came, since this was asked last. */

@@ -79,7 +79,7 @@ final class BoatLink implements FrameSink {
     private long lastHeardMs;
     private long nextTryMs = Long.MIN_VALUE;
     private long connections;
-    private long withdrawnToldOn; // the number of that connection
+    private List<Fingerprint> withdrawnTold = List.of(); // on this connection
     private long triedAtMs;
     private long failedTries;
     private long failingSinceMs;
@@ -172,6 +172,12 @@ final class BoatLink implements FrameSink {
             connection = Optional.of(next);
             triedAtMs = nowMs;
             next.start();
+        } else if (open
+                && connection
+                        .flatMap(BoatConnection::peer)
+                        .filter(this::isWithdrawn)
+                        .isPresent()) {
+            connection.orElseThrow().close("the boat's key was withdrawn at this base");
         } else if (open && nowMs - lastHeardMs > config.proxy().lostAfterMs()) {
             connection.orElseThrow().close(silence());
         }
@@ -183,13 +189,17 @@ final class BoatLink implements FrameSink {
         proxy.ifPresent(known -> known.tick(nowMs));
     }
 
-    /** Once on each connection: a boat that was out of reach when a key was withdrawn learns it now. */
+    /** On each connection, and when one more was withdrawn: a boat that was out of reach then learns it now. */
     private void carryWithdrawnKeys(BoatProxy known) {
         List<Fingerprint> withdrawn = config.security().withdrawn();
-        if (!withdrawn.isEmpty() && withdrawnToldOn != connections) {
-            withdrawnToldOn = connections;
+        if (!withdrawn.equals(withdrawnTold)) {
+            withdrawnTold = withdrawn;
             known.withdrawKeys(withdrawn);
         }
+    }
+
+    private boolean isWithdrawn(Fingerprint boat) {
+        return config.security().withdrawn().contains(boat);
     }
 
     private String silence() {
@@ -204,6 +214,7 @@ final class BoatLink implements FrameSink {
         }
         open = true;
         understood = false;
+        withdrawnTold = List.of();
         connections++;
         lastHeardMs = nowMs;
         lastEvent = "connected";

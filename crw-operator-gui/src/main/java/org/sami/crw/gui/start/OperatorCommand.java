@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.LinkOptions;
+import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.json.BoundedFile;
@@ -32,6 +34,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw-operator",
             "  crw-operator --connect 10.0.0.11:11411,10.0.0.12:11411 --project my-beach.json",
+            "  crw-operator --keys ~/fleet-keys --connect 10.0.0.11:11411   to boats that are paired (Boats > Pair a boat)",
             "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun",
             "  crw-operator --replay today.journal --at 90"
         })
@@ -69,6 +72,9 @@ public final class OperatorCommand implements Callable<Integer> {
             description =
                     "Where journals, settings and the arrangement of panels are kept; else the user's data directory.")
     private Path data;
+
+    @Mixin
+    private LinkOptions links;
 
     @Mixin
     private LookOptions look;
@@ -115,6 +121,11 @@ public final class OperatorCommand implements Callable<Integer> {
 
     private void open() throws IOException {
         StartOptions options = options();
+        try {
+            links.use();
+        } catch (UsageFault unfit) {
+            throw new IllegalArgumentException(unfit.getMessage(), unfit);
+        }
         Path folder = data == null ? DataDirectory.ofUser() : data;
         DataDirectory opened =
                 options.replay().isPresent() ? DataDirectory.openForReplay(folder) : DataDirectory.open(folder);

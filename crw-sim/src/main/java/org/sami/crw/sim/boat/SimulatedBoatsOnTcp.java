@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
 import org.sami.crw.sim.hull.Conditions;
@@ -49,6 +50,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
                 BoatSettings.of(boat, anyPort, at, seed + boats.size()).on(conditions);
         BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE);
         boats.add(launched);
+        BaseProtection.ofThisProcess().linkPlainly(launched.address(), true);
         return new BoatAddress(
                 launched.address().getAddress().getHostAddress(),
                 launched.address().getPort());
@@ -58,6 +60,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     public synchronized void close() {
         closed = true;
         for (BoatOnTcp boat : boats) {
+            BaseProtection.ofThisProcess().linkPlainly(boat.address(), false);
             try {
                 boat.close();
             } catch (IOException portStaysOpen) {
