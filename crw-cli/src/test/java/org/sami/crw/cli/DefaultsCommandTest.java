@@ -12,7 +12,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.BatteryDefaults;
+import org.sami.boat.link.LinkDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.crw.operator.alarm.AlarmDefaults;
 import org.sami.crw.proxy.execution.CommandDefaults;
@@ -36,7 +38,9 @@ class DefaultsCommandTest {
     @ParameterizedTest
     @ValueSource(
             classes = {
-                SharedDefaults.class,
+                LinkDefaults.class,
+                MotionDefaults.class,
+                BatteryDefaults.class,
                 BoatDefaults.class,
                 BaseDefaults.class,
                 CommandDefaults.class,
@@ -56,8 +60,7 @@ class DefaultsCommandTest {
     void eachRowSaysItsValueItsUnitAndWhereItIsSet() throws Exception {
         JsonNode lost = rows("defaults", "link lost", "--json").get(0);
 
-        assertThat(Double.parseDouble(lost.get("value").textValue()) * 1000)
-                .isEqualTo(SharedDefaults.LINK_LOST_AFTER_MS);
+        assertThat(Double.parseDouble(lost.get("value").textValue()) * 1000).isEqualTo(LinkDefaults.LINK_LOST_AFTER_MS);
         assertThat(lost.get("unit").textValue()).isEqualTo("s");
         assertThat(lost.get("setBy").textValue()).isEqualTo("nowhere");
         assertThat(rows("defaults", "--json"))

@@ -5,8 +5,8 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.NearbyBoat;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.Traffic;
 import org.sami.spn.value.GeoPoint;
 
@@ -23,7 +23,7 @@ public final class TrafficRelay {
     static final double CLOSE_M = 20;
 
     /** Age in ms beyond which a report is no longer passed on: the time after which a link counts as lost. */
-    static final long MAX_AGE_MS = SharedDefaults.LINK_LOST_AFTER_MS;
+    static final long MAX_AGE_MS = LinkDefaults.LINK_LOST_AFTER_MS;
 
     private static final long CHECK_MS = 200;
     private static final long PERIOD_MS = 1000;

@@ -19,6 +19,7 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
@@ -115,7 +116,7 @@ class PlaceHoldTest {
         List<Waypoint> way = boat.last(UploadWaypoints.class).waypoints();
         Waypoint place = way.get(way.size() - 1);
         GeoPoint to = GeoPoint.of(place.latDeg(), place.lonDeg());
-        double marginM = CrossTrackError.FIELD.marginM();
+        double marginM = new SafetyMargin(CrossTrackError.FIELD).pathM();
         assertThat(water.clearanceM(to)).isBetween(marginM - 0.1, marginM + 0.1);
         assertThat(Geodesy.distanceM(HERE, to)).as("the short way").isLessThan(12 + marginM);
     }

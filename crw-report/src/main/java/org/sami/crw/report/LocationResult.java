@@ -4,7 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 
 /**
  * A location that the operator gave, and whether boats were there: as they reported it, and truly. The two differ where positions err;
@@ -43,7 +43,7 @@ public record LocationResult(
      */
     public record Truth(Optional<Visit> visit, OptionalDouble nearestM) {
         /** A boat that is as near as this, in metres, is there: it is what the boats themselves call arrived. */
-        public static final double RADIUS_M = SharedDefaults.ARRIVAL_RADIUS_M;
+        public static final double RADIUS_M = MotionDefaults.ARRIVAL_RADIUS_M;
 
         public Truth {
             Objects.requireNonNull(visit, "visit");

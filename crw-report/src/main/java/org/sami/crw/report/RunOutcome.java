@@ -2,29 +2,15 @@ package org.sami.crw.report;
 
 import java.util.Locale;
 
-/** How a run stands when it is reported, with the exit code that says so. */
+/** How a run stands when it is reported. */
 public enum RunOutcome {
     /** The mission entered an end place, or was completed. */
-    ENDED(0),
-    ABORTED(3),
+    ENDED,
+    ABORTED,
     /** The mission was halted (livelock), nothing could happen in it any longer, or the run itself broke. */
-    FAILED(4),
+    FAILED,
     /** Stopped before the mission was over: by {@code --for} or by the user. */
-    RUNNING(5);
-
-    /** The exit code of a run that ended, with problems that no plan heard of. */
-    public static final int PROBLEMS = 6;
-
-    private final int exitCode;
-
-    RunOutcome(int exitCode) {
-        this.exitCode = exitCode;
-    }
-
-    /** The exit code of a command whose run came out like this. */
-    public int exitCode() {
-        return exitCode;
-    }
+    RUNNING;
 
     /** Whether the mission itself is over; otherwise it stands somewhere and waits for something. */
     public boolean isOver() {

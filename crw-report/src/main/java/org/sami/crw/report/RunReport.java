@@ -28,7 +28,8 @@ public record RunReport(
         Optional<RunOrigin> origin,
         RunMap map,
         List<ReportPart> parts) {
-    private static final List<ReportPart> EMPTY_PARTS = List.of(new PhasesPart(List.of()), new OperatorPart(List.of()));
+    private static final List<ReportPart> EMPTY_PARTS =
+            List.of(new PhasesPart(List.of()), new OperatorActionsPart(List.of()));
 
     public RunReport {
         parts = List.copyOf(parts);
@@ -146,12 +147,9 @@ public record RunReport(
         return notes.stream().filter(NoteResult::isProblem).toList();
     }
 
-    /** The exit code of a command that ran it: of its outcome, but {@link RunOutcome#PROBLEMS} where it ended with problems. */
-    public int exitCode() {
-        boolean green = result.outcome() == RunOutcome.ENDED;
-        return green && !problems().isEmpty()
-                ? RunOutcome.PROBLEMS
-                : result.outcome().exitCode();
+    /** Whether the mission ended and nothing went wrong that no plan heard of. */
+    public boolean isGreen() {
+        return result.outcome() == RunOutcome.ENDED && problems().isEmpty();
     }
 
     /** How many of the locations a boat has visited: truly where that is known, else by what boats reported. */

@@ -11,7 +11,7 @@ import java.util.Set;
 import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.operator.mission.InterruptChoice;
-import org.sami.crw.operator.mission.InterruptReturn;
+import org.sami.crw.operator.mission.InterruptReversibility;
 import org.sami.crw.operator.mission.MissionSnapshot.Details;
 import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
@@ -67,7 +67,7 @@ record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons)
             Plan plan,
             Map<String, Boolean> offered,
             List<InterruptChoice> buttons) {
-        InterruptReturn ways = new InterruptReturn(plan, vocabulary);
+        InterruptReversibility ways = new InterruptReversibility(plan, vocabulary);
         Map<String, OptionalLong> asking = asking(view, mission.id());
         for (Map.Entry<String, Optional<Place>> each :
                 inPlanOrder(vocabulary, plan, offered.keySet()).entrySet()) {

@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.motion.WayLimits;
@@ -115,7 +115,7 @@ public final class ByHand {
             proxy.commands().withdraw(Ids.NONE);
             proxy.commands()
                     .submit(new KeepStation(
-                            command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
+                            command, Ids.NONE, Ids.NONE, here, MotionDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
         });
     }
 

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.sami.boat.link.BoatMode;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -75,7 +75,7 @@ final class EndCommands {
         String command = "hold-at-end-" + boat.boatId();
         boat.commands()
                 .submit(new KeepStation(
-                        command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
+                        command, Ids.NONE, Ids.NONE, here, MotionDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
     }
 
     /** Whether nothing is to be waited for: a boat without a link cannot say anything. */

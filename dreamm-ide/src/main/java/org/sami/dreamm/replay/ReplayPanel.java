@@ -35,7 +35,7 @@ import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.replay.ReplayPlayer;
+import org.sami.ui.replay.PlaybackTimer;
 import org.sami.ui.replay.TimeLinePanel;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -53,7 +53,7 @@ public final class ReplayPanel extends FoldingPanel {
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutOverlay overlay;
-    private final transient ReplayPlayer player;
+    private final transient PlaybackTimer player;
     private final TimeLinePanel timeLine;
     private final transient MigLayout bars = new MigLayout("insets 4 8 4 8, gap 12 4", "[][][grow, fill]", "[]");
     private final JPanel top = new JPanel(bars);
@@ -76,7 +76,7 @@ public final class ReplayPanel extends FoldingPanel {
         this.tryOut = tryOut;
         this.overlay = overlay;
         setName("replay-panel");
-        player = new ReplayPlayer(new TimeLine(0, List.of(), new TreeSet<>()), millis -> {}, worker);
+        player = new PlaybackTimer(new TimeLine(0, List.of(), new TreeSet<>()), millis -> {}, worker);
         missions = new RowTable<>(
                 "replay-missions",
                 "No mission runs at this moment. Open the journal of a session; its missions stand here, their tokens on the net.",

@@ -43,7 +43,7 @@ public final class CourseReader {
     }
 
     private Reading<Course> read() {
-        Optional<CourseContents> contents = files.record(CourseContents.FILE, CourseContents.class);
+        Optional<CourseIndex> contents = files.record(CourseIndex.FILE, CourseIndex.class);
         if (contents.isEmpty()) {
             return new Reading<>(Optional.empty(), files.findings());
         }

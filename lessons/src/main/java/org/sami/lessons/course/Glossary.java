@@ -30,7 +30,7 @@ public record Glossary(List<Term> terms, Map<String, String> headings) {
      */
     public static Reading<Glossary> read(CourseFiles course) {
         RecordFiles files = new RecordFiles(course);
-        Optional<Glossary> glossary = files.record(CourseContents.FILE, CourseContents.class)
+        Optional<Glossary> glossary = files.record(CourseIndex.FILE, CourseIndex.class)
                 .map(contents -> {
                     List<Term> terms = new ArrayList<>();
                     contents.terms().forEach(file -> terms.addAll(files.records(file, Term.class)));

@@ -215,7 +215,7 @@ public final class Engine {
         if (m == null && !rules.project().globals.containsKey(write.variable())) {
             return Optional.of("The project declares no variable " + write.variable());
         }
-        rules.variables.write(m, write.variable(), write.value());
+        rules.scopes.write(m, write.variable(), write.value());
         return Optional.empty();
     }
 

@@ -181,7 +181,7 @@ final class StateView implements EngineView {
 
     @Override
     public Optional<Value> variable(long mission, String name) {
-        return Optional.ofNullable(whole.rules().variables.read(state.missions.get(mission), name));
+        return Optional.ofNullable(whole.rules().scopes.read(state.missions.get(mission), name));
     }
 
     @Override

@@ -26,9 +26,9 @@ final class TimeLineBar extends JPanel {
         1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 43_200, 86_400
     };
 
-    private final transient ReplayPlayer player;
+    private final transient PlaybackTimer player;
 
-    TimeLineBar(ReplayPlayer player) {
+    TimeLineBar(PlaybackTimer player) {
         this.player = player;
         setName("time-line");
         setFocusable(true);

@@ -26,7 +26,7 @@ public final class TimeLinePanel extends JPanel {
         FOCUS
     }
 
-    private final transient ReplayPlayer player;
+    private final transient PlaybackTimer player;
     private final Keys keys;
     private final TimeLineBar bar;
     private final JLabel time = new JLabel();
@@ -38,7 +38,7 @@ public final class TimeLinePanel extends JPanel {
      *
      * @param keys where the keys of its commands work
      */
-    public TimeLinePanel(ReplayPlayer player, CommandRegistry commands, Keys keys) {
+    public TimeLinePanel(PlaybackTimer player, CommandRegistry commands, Keys keys) {
         super(new MigLayout("insets 4 12 4 12, gap 8", "[][][][][][][grow]", "[]"));
         this.player = player;
         this.keys = keys;

@@ -1,7 +1,7 @@
 package org.sami.boat.server;
 
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.BatteryLevel;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -36,7 +36,7 @@ final class BatteryWatch {
     }
 
     private void look(double percent) {
-        if (percent >= turnedAtPercent + SharedDefaults.RECHARGED_PERCENT) {
+        if (percent >= turnedAtPercent + BatteryDefaults.RECHARGED_PERCENT) {
             turnedAtPercent = Double.NaN;
         }
         if (Double.isNaN(turnedAtPercent) && percent < neededPercent) {

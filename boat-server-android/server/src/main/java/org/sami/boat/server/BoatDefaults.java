@@ -4,8 +4,8 @@ import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 
 /**
- * Numbers of a boat's server that hold unless its configuration says otherwise, besides those that a base must know as well ({@link
- * org.sami.boat.link.SharedDefaults}). {@code crw defaults} prints them.
+ * Numbers of a boat's server that hold unless its configuration says otherwise, besides those that a base must know as well (the {@code *Defaults} of
+ * {@code org.sami.boat.link}). {@code crw defaults} prints them.
  */
 public final class BoatDefaults {
     /** Speed in m/s that full thrust gives in still water. */

@@ -9,6 +9,7 @@ import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
@@ -16,7 +17,6 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Pair;
 import org.sami.boat.link.RateLimit;
 import org.sami.boat.link.Role;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.link.security.Fingerprint;
 
@@ -27,7 +27,7 @@ import org.sami.boat.link.security.Fingerprint;
 public final class ServerSession {
     private static final long TICK_MS = 100;
     private static final long HEARTBEAT_MS =
-            SharedDefaults.HEARTBEAT_MS - TICK_MS; // so that it comes once a second at least
+            LinkDefaults.HEARTBEAT_MS - TICK_MS; // so that it comes once a second at least
 
     private final BoatServer server;
     private final FrameSink toClient;

@@ -3,8 +3,10 @@ package org.sami.crw.cli.defaults;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.Gains;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.LinkDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.handler.subscription.MeasurementHandler;
@@ -43,7 +45,7 @@ final class FleetValues {
                         "crw boat --lost-link; " + settings)
                 .number(
                         "cruise speed",
-                        SharedDefaults.CRUISE_SPEED_MPS,
+                        MotionDefaults.CRUISE_SPEED_MPS,
                         "m/s",
                         "Speed along paths that name none, and on ways home.")
                 .number(
@@ -66,17 +68,17 @@ final class FleetValues {
                         settings)
                 .number(
                         "arrival radius",
-                        SharedDefaults.ARRIVAL_RADIUS_M,
+                        MotionDefaults.ARRIVAL_RADIUS_M,
                         "m",
                         "A boat within this distance of a location has reached it.")
                 .number(
                         "hold radius",
-                        SharedDefaults.HOLD_RADIUS_M,
+                        MotionDefaults.HOLD_RADIUS_M,
                         "m",
                         "A boat that holds its place drifts this far before it drives back.")
                 .number(
                         "separation",
-                        SharedDefaults.SEPARATION_M,
+                        MotionDefaults.SEPARATION_M,
                         "m",
                         "Distance that boats keep from each other; paths leave room for it.")
                 .number("battery low", BoatDefaults.LOW_BATTERY_PERCENT, "%", "Below this charge a battery is low.")
@@ -92,7 +94,7 @@ final class FleetValues {
                         "A battery is critical where its charge is less than this many times what the way home takes.")
                 .number(
                         "battery changed",
-                        SharedDefaults.RECHARGED_PERCENT,
+                        BatteryDefaults.RECHARGED_PERCENT,
                         "%",
                         "A charge that rises by this much means a new or charged battery.")
                 .number("longest waypoint list", BoatDefaults.MAX_WAYPOINTS, "", "Most waypoints that a boat takes.");
@@ -106,9 +108,9 @@ final class FleetValues {
         return new Subject("Links")
                 .millis(
                         "link lost",
-                        SharedDefaults.LINK_LOST_AFTER_MS,
+                        LinkDefaults.LINK_LOST_AFTER_MS,
                         "A link is lost after this time without a frame, on both sides; what is known of a boat is stale then.")
-                .millis("heartbeat", SharedDefaults.HEARTBEAT_MS, "Each side sends a frame at least this often.")
+                .millis("heartbeat", LinkDefaults.HEARTBEAT_MS, "Each side sends a frame at least this often.")
                 .millis(
                         "teleoperation stop",
                         BoatDefaults.TELEOPERATION_STOP_MS,
@@ -120,7 +122,7 @@ final class FleetValues {
                         "Telemetry messages that a session over TCP asks of each boat.")
                 .number(
                         "telemetry",
-                        SharedDefaults.TELEMETRY_HZ,
+                        LinkDefaults.TELEMETRY_HZ,
                         "Hz",
                         "Telemetry messages to a client that asks for no other rate.")
                 .millis("resend", BaseDefaults.RESEND_MS, "An unanswered request is sent again after this time.")

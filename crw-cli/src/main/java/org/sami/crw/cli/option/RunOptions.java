@@ -20,7 +20,7 @@ public final class RunOptions {
     private static final Speed DEFAULT_SPEED = new Speed(20);
 
     @Mixin
-    private MissionOptions options;
+    private ScenarioOptions options;
 
     @Option(
             names = "--connect",
@@ -63,7 +63,7 @@ public final class RunOptions {
         return options.settings(
                 plan,
                 mission,
-                new MissionOptions.Rest(
+                new ScenarioOptions.Rest(
                         seed,
                         water(!addresses.isEmpty()),
                         Optional.ofNullable(speed).orElse(usual),
@@ -134,7 +134,7 @@ public final class RunOptions {
         }
         try {
             List<BoatAddress> addresses = BoatAddress.parseAll(text);
-            MissionOptions.within("--connect: the number of boats", addresses.size(), 1, RunSettings.Fleet.MOST_BOATS);
+            ScenarioOptions.within("--connect: the number of boats", addresses.size(), 1, RunSettings.Fleet.MOST_BOATS);
             return addresses;
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--connect: " + e.getMessage());

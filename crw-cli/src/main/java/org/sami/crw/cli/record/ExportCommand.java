@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
-import org.sami.crw.report.OperatorPart;
+import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.file.ReportFolder;
 import org.sami.crw.sim.tcp.JournalReport;
@@ -79,7 +79,7 @@ public final class ExportCommand implements Callable<Integer> {
                 report.firings().size(),
                 report.decisions().size(),
                 report.notes().size(),
-                report.part(OperatorPart.class)
+                report.part(OperatorActionsPart.class)
                         .map(part -> part.actions().size())
                         .orElse(0),
                 folder);

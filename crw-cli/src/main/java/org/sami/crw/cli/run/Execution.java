@@ -323,9 +323,7 @@ final class Execution {
     }
 
     private void tellIfOver(int code, long added) {
-        boolean over = code == RunOutcome.ENDED.exitCode()
-                || code == RunOutcome.PROBLEMS
-                || code == RunOutcome.ABORTED.exitCode();
+        boolean over = code == ExitCode.OK || code == ExitCode.PROBLEMS || code == ExitCode.ABORTED;
         if (over && added == 0) {
             tell("this run was over already; nothing was added to its journal");
         }
@@ -427,7 +425,7 @@ final class Execution {
                 err.flush();
             }
         }
-        int code = report.exitCode();
+        int code = ExitCode.of(report);
         return told || code != ExitCode.OK ? code : ExitCode.FAILED;
     }
 }

@@ -11,9 +11,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.ConditionsConverter;
-import org.sami.crw.cli.option.MissionOptions;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.ScenarioOptions;
 import org.sami.crw.cli.option.SeedsConverter;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.ExitCode;
@@ -115,7 +115,7 @@ public final class ExperimentCommand implements Callable<Integer> {
     private PlanOption planOption = new PlanOption();
 
     @Mixin
-    private MissionOptions options;
+    private ScenarioOptions options;
 
     @Override
     public Integer call() throws IOException {
@@ -144,7 +144,7 @@ public final class ExperimentCommand implements Callable<Integer> {
         if (jobs == null) {
             return Runtime.getRuntime().availableProcessors();
         }
-        MissionOptions.within("--jobs", jobs, 1, MOST_JOBS);
+        ScenarioOptions.within("--jobs", jobs, 1, MOST_JOBS);
         return jobs;
     }
 
@@ -236,9 +236,9 @@ public final class ExperimentCommand implements Callable<Integer> {
         }
         for (RunOutcome grave : List.of(RunOutcome.FAILED, RunOutcome.ABORTED, RunOutcome.RUNNING)) {
             if (outcomes.contains(grave)) {
-                return grave.exitCode();
+                return ExitCode.of(grave);
             }
         }
-        return rows.stream().allMatch(ExperimentRow::isGreen) ? ExitCode.OK : RunOutcome.PROBLEMS;
+        return rows.stream().allMatch(ExperimentRow::isGreen) ? ExitCode.OK : ExitCode.PROBLEMS;
     }
 }

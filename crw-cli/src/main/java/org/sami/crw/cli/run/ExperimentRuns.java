@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.sami.crw.cli.option.Converters;
-import org.sami.crw.cli.option.MissionOptions;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.ScenarioOptions;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.console.CommandLineText;
 import org.sami.crw.console.ConsoleFault;
@@ -73,7 +73,7 @@ public final class ExperimentRuns {
         private String label;
 
         @Mixin
-        private MissionOptions options;
+        private ScenarioOptions options;
     }
 
     /** Cases with plans of a library, or of files. */
@@ -139,7 +139,7 @@ public final class ExperimentRuns {
      * @param label likewise; it is the plan's id then
      * @param folder that the answers file and the script are looked for in
      */
-    ExperimentCase of(String name, String planName, String label, MissionOptions options, Path folder)
+    ExperimentCase of(String name, String planName, String label, ScenarioOptions options, Path folder)
             throws FaultyFile {
         PlanSource source = options.source(name, library);
         if (source.project().isEmpty()) {
@@ -151,7 +151,7 @@ public final class ExperimentRuns {
         if (concerning.stream().anyMatch(Finding::isError)) {
             throw new FaultyFile(source.source(), concerning);
         }
-        MissionOptions.Rest rest = new MissionOptions.Rest(1, Conditions.CALM, Speed.MAX, List.of());
+        ScenarioOptions.Rest rest = new ScenarioOptions.Rest(1, Conditions.CALM, Speed.MAX, List.of());
         RunSettings settings = options.settings(plan.id(), plan.title(), rest, folder);
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {

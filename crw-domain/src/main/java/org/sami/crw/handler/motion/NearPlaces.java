@@ -3,10 +3,12 @@ package org.sami.crw.handler.motion;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
@@ -39,8 +41,9 @@ public final class NearPlaces {
     public void look(Activation activation, HandlerContext context, String what, Map<String, GeoPoint> places) {
         double apartM = leastDistanceM(List.copyOf(places.values()));
         CrossTrackError error = errors.of(List.copyOf(places.keySet()));
+        double berthM = new SafetyMargin(error).berthM(MotionDefaults.SEPARATION_M);
         long mission = activation.mission();
-        if (apartM >= error.berthM()
+        if (apartM >= berthM
                 || context.query(view -> view.memory(mission, WARNED_KEY).isPresent())) {
             return;
         }
@@ -50,7 +53,7 @@ public final class NearPlaces {
                         + " %.1f m",
                 what,
                 apartM,
-                Math.ceil(error.berthM()),
+                Math.ceil(berthM),
                 error.positionM());
         messages.tell(ActivationMessages.of(activation, context, Priority.MEDIUM, words, activation.proxies()));
         context.post(List.of(new Input.Remember(mission, WARNED_KEY, new BooleanValue(true))));

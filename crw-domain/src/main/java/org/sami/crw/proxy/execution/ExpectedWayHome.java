@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.sami.boat.link.BoatMode;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 
@@ -79,7 +79,7 @@ public final class ExpectedWayHome {
     }
 
     private List<GeoPoint> way(GeoPoint from, GeoPoint to) {
-        if (Geodesy.distanceM(from, to) < SharedDefaults.ARRIVAL_RADIUS_M) {
+        if (Geodesy.distanceM(from, to) < MotionDefaults.ARRIVAL_RADIUS_M) {
             return List.of();
         }
         List<List<GeoPoint>> known = ofLegs.isEmpty() ? List.of() : ofLegs.get(Math.min(leg, ofLegs.size() - 1));

@@ -63,7 +63,7 @@ public final class NearbyEdges {
                 near.stream().limit(NoGoEdges.MOST_EDGES).map(this::row).toList();
         return rows.isEmpty()
                 ? Optional.empty()
-                : Optional.of(new NoGoEdges(water.error().marginM(), rows));
+                : Optional.of(new NoGoEdges(water.margin().pathM(), rows));
     }
 
     /** The part of an edge that lies in the circle around the boat: edges may be as long as the world. */

@@ -28,7 +28,7 @@ final class PlaceHold {
     /** Begins for a boat that is there, and whose command was given up. */
     void begin(BoatCommand givenUp, GeoPoint at) {
         GeoPoint place = givenUp.water()
-                .map(water -> water.outside(at, water.error().marginM()))
+                .map(water -> water.outside(at, water.margin().pathM()))
                 .orElse(at);
         KeepStation keep = new KeepStation(
                 givenUp.commandId() + "-hold",

@@ -1,8 +1,8 @@
 package org.sami.crw.proxy.link;
 
 /**
- * Numbers of the base's side of the links that no plan and no option sets. {@code crw defaults} prints them. What boats must know as well is in {@link
- * org.sami.boat.link.SharedDefaults}.
+ * Numbers of the base's side of the links that no plan and no option sets. {@code crw defaults} prints them. What boats must know as well is in
+ * the {@code *Defaults} of {@code org.sami.boat.link}.
  */
 public final class BaseDefaults {
     /** An unanswered request is sent again after this time in ms. */

@@ -1,7 +1,8 @@
 package org.sami.crw.proxy.link;
 
 import java.util.Objects;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.LinkDefaults;
+import org.sami.boat.link.MotionDefaults;
 
 /**
  * The configuration of the base's side of the links.
@@ -24,13 +25,13 @@ public record ProxyConfig(
         long resendMs,
         int maxSends) {
 
-    /** What {@link SharedDefaults} and {@link BaseDefaults} say. */
+    /** What {@link LinkDefaults} and {@link BaseDefaults} say. */
     public static final ProxyConfig DEFAULT = new ProxyConfig(
             "base",
             0,
-            SharedDefaults.CRUISE_SPEED_MPS,
-            SharedDefaults.TELEMETRY_HZ,
-            SharedDefaults.LINK_LOST_AFTER_MS,
+            MotionDefaults.CRUISE_SPEED_MPS,
+            LinkDefaults.TELEMETRY_HZ,
+            LinkDefaults.LINK_LOST_AFTER_MS,
             BaseDefaults.RESEND_MS,
             BaseDefaults.MAX_SENDS);
 

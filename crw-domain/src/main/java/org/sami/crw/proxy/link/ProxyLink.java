@@ -8,10 +8,10 @@ import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.status.LinkState;
@@ -19,7 +19,7 @@ import org.sami.crw.proxy.status.LinkState;
 /** The base's end of one link: says hello until it is welcome, keeps it alive, notices when it is lost. */
 public final class ProxyLink {
     private static final long HELLO_MS = 1000;
-    private static final long HEARTBEAT_MS = SharedDefaults.HEARTBEAT_MS;
+    private static final long HEARTBEAT_MS = LinkDefaults.HEARTBEAT_MS;
 
     private final String boatId;
     private final FrameSink toBoat;

@@ -16,6 +16,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -47,7 +48,7 @@ class NearbyEdgesTest {
     void edgesNearTheBoatAreToldAndHowFarItKeepsOffThem() {
         NoGoEdges told = avoiding(area(10, -2, 14, 2)).near(ORIGIN).orElseThrow();
 
-        assertThat(told.keepM()).isEqualTo(CrossTrackError.CALM.marginM());
+        assertThat(told.keepM()).isEqualTo(new SafetyMargin(CrossTrackError.CALM).pathM());
         assertThat(told.edges()).hasSize(4);
         assertThat(told.edges().get(0).fromLonDeg())
                 .as("the nearest first")

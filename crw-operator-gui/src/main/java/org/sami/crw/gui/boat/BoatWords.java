@@ -3,7 +3,7 @@ package org.sami.crw.gui.boat;
 import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
@@ -13,7 +13,7 @@ import org.sami.palette.SemanticColor;
 /** What lists and panels say of a boat, and in which colour. Values that came over the link carry their age. */
 public final class BoatWords {
     /** After so many ms without a frame what is known of a boat is stale. */
-    public static final long STALE_MS = SharedDefaults.LINK_LOST_AFTER_MS;
+    public static final long STALE_MS = LinkDefaults.LINK_LOST_AFTER_MS;
 
     private static final String UNKNOWN = "–";
 

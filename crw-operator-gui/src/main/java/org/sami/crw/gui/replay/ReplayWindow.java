@@ -37,7 +37,7 @@ import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.replay.ReplayPlayer;
+import org.sami.ui.replay.PlaybackTimer;
 import org.sami.ui.replay.TimeLinePanel;
 import org.sami.ui.window.FrameSize;
 import org.sami.ui.window.Notices;
@@ -63,7 +63,7 @@ public final class ReplayWindow {
     private final ExecutorService worker = Executors.newSingleThreadExecutor(work -> daemon(work, "replay"));
     private final ExecutorService computing = Executors.newSingleThreadExecutor(work -> daemon(work, "map"));
     private final JFrame frame = new JFrame();
-    private final ReplayPlayer player;
+    private final PlaybackTimer player;
     private final OperatorPanels panels;
     private final DockArea dock;
     private final CommandKeys keys;
@@ -80,7 +80,7 @@ public final class ReplayWindow {
         this.data = data;
         this.ended = ended;
         Replay replay = new Replay(journal, EventThread.executor(), computing);
-        player = new ReplayPlayer(journal.timeLine(), replay::goTo, worker);
+        player = new PlaybackTimer(journal.timeLine(), replay::goTo, worker);
         OperatorContext context = new OperatorContext(
                 new ReplayedSession(replay, worker, computing, player::goTo),
                 new CommandRegistry(),

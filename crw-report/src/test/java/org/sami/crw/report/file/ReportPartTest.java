@@ -11,7 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.report.OperatorAction;
-import org.sami.crw.report.OperatorPart;
+import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.PhaseResult;
 import org.sami.crw.report.PhasesPart;
 import org.sami.crw.report.ReportPart;
@@ -95,7 +95,7 @@ class ReportPartTest {
         JsonNode json = new ObjectMapper()
                 .readTree(ReportJson.text(with(
                         new PhasesPart(List.of(new PhaseResult(1, "clv", "Visits", "boats", "go", "done", 2))),
-                        new OperatorPart(List.of(
+                        new OperatorActionsPart(List.of(
                                 action(Optional.of(45.5), Optional.of(10.25)),
                                 action(Optional.empty(), Optional.empty()))))));
 

@@ -11,15 +11,15 @@ public abstract class AllocationAlgorithm implements DeclaredAlgorithm<Allocatio
 
     /**
      * A division in which each work that a boat can do is on exactly one path, of a boat that can do it; no path is longer than its boat's charge
-     * lasts where {@link ShortenedPaths} finds a way.
+     * lasts where {@link RangeRepair} finds a way.
      */
     public final Division divide(AllocationProblem problem) {
         AllocationProblem possible = problem.possible();
-        DistanceTable legs = new DistanceTable(possible);
-        List<List<Integer>> shares = ShortenedPaths.of(possible, legs, shares(possible, legs));
+        TravelCosts legs = new TravelCosts(possible);
+        List<List<Integer>> shares = RangeRepair.of(possible, legs, shares(possible, legs));
         return Division.of(problem, possible, shares, legs, name());
     }
 
     /** The indices of each boat's work in its order, by the boat's index. */
-    abstract List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs);
+    abstract List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs);
 }

@@ -24,7 +24,7 @@ public final class BalancedDivision extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
+    List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs) {
         int works = problem.work().size();
         if (works <= ExactDivision.MOST_WORK) {
             return polished(legs, new ExactDivision(problem, legs, Objective.LONGEST).shares());
@@ -36,7 +36,7 @@ public final class BalancedDivision extends AllocationAlgorithm {
     }
 
     /** The same with shorter paths of the other boats. */
-    private static List<List<Integer>> polished(DistanceTable legs, List<List<Integer>> shares) {
+    private static List<List<Integer>> polished(TravelCosts legs, List<List<Integer>> shares) {
         return new LocalSearch(legs, Objective.LONGEST, shares).run();
     }
 }

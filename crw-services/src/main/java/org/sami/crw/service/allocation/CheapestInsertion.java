@@ -11,13 +11,13 @@ final class CheapestInsertion {
      *
      * @param shares the indices of each boat's work so far, in its order; changed
      */
-    static void insert(int from, AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+    static void insert(int from, AllocationProblem problem, TravelCosts legs, List<List<Integer>> shares) {
         for (int work = from; work < problem.work().size(); work++) {
             insertOne(work, legs, shares);
         }
     }
 
-    private static void insertOne(int work, DistanceTable legs, List<List<Integer>> shares) {
+    private static void insertOne(int work, TravelCosts legs, List<List<Integer>> shares) {
         double least = Double.POSITIVE_INFINITY;
         int bestBoat = -1;
         int bestBefore = 0;

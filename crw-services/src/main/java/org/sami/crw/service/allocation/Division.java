@@ -39,7 +39,7 @@ public record Division(
             AllocationProblem whole,
             AllocationProblem possible,
             List<List<Integer>> shares,
-            DistanceTable legs,
+            TravelCosts legs,
             String method) {
         Map<String, List<WorkItem>> paths = new LinkedHashMap<>();
         double total = 0;

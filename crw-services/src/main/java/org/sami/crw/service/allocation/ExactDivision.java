@@ -15,12 +15,12 @@ final class ExactDivision {
     static final int MOST_WORK = 10;
 
     private final AllocationProblem problem;
-    private final DistanceTable legs;
+    private final TravelCosts legs;
     private final Objective objective;
     private final int works;
     private final int sets;
 
-    ExactDivision(AllocationProblem problem, DistanceTable legs, Objective objective) {
+    ExactDivision(AllocationProblem problem, TravelCosts legs, Objective objective) {
         this.problem = problem;
         this.legs = legs;
         this.objective = objective;

@@ -23,7 +23,7 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
+    List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs) {
         List<List<Integer>> shares = searched(legs, cheapestInsertion(problem, legs));
         if (problem.work().size() <= RuinAndRecreate.MOST_WORK) {
             shares = searched(legs, new RuinAndRecreate(problem, legs, Objective.TOTAL, shares).run());
@@ -31,11 +31,11 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
         return shares;
     }
 
-    private static List<List<Integer>> searched(DistanceTable legs, List<List<Integer>> shares) {
+    private static List<List<Integer>> searched(TravelCosts legs, List<List<Integer>> shares) {
         return new LocalSearch(legs, Objective.TOTAL, shares).run();
     }
 
-    private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, DistanceTable legs) {
+    private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, TravelCosts legs) {
         List<List<Integer>> shares = new ArrayList<>();
         problem.boats().forEach(boat -> shares.add(new ArrayList<>()));
         CheapestInsertion.insert(0, problem, legs, shares);

@@ -18,12 +18,12 @@ final class LocalSearch {
 
     private static final int LONGEST_PART = 3;
 
-    private final DistanceTable legs;
+    private final TravelCosts legs;
     private final Objective objective;
     private final long until;
     private final List<Path> paths = new ArrayList<>();
 
-    LocalSearch(DistanceTable legs, Objective objective, List<List<Integer>> shares) {
+    LocalSearch(TravelCosts legs, Objective objective, List<List<Integer>> shares) {
         this.legs = legs;
         this.objective = objective;
         until = legs.measured() + BUDGET;

@@ -11,7 +11,7 @@ import java.util.List;
  * summed from the start, so that they equal those of a path built at once, bit for bit.
  */
 final class NearestNeighbourPath {
-    private final DistanceTable legs;
+    private final TravelCosts legs;
     private final int boat;
     /** The locations in the order of visits. */
     private int[] order = new int[8];
@@ -23,7 +23,7 @@ final class NearestNeighbourPath {
     private int[] candidateOrder = new int[8];
     private double[] candidateLengthTo = new double[8];
 
-    NearestNeighbourPath(DistanceTable legs, int boat) {
+    NearestNeighbourPath(TravelCosts legs, int boat) {
         this.legs = legs;
         this.boat = boat;
     }

@@ -37,13 +37,13 @@ public final class OptimalAssignment extends AllocationAlgorithm {
         if (works > boats) {
             return Optional.of(works + " locations for " + boats + " boats are more than one each");
         }
-        return assign(possible, new DistanceTable(possible)).isPresent()
+        return assign(possible, new TravelCosts(possible)).isPresent()
                 ? Optional.empty()
                 : Optional.of("capabilities do not allow one location for each boat");
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
+    List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs) {
         int[] boatOf = assign(problem, legs).orElseThrow();
         List<List<Integer>> shares = new ArrayList<>();
         problem.boats().forEach(boat -> shares.add(new ArrayList<>()));
@@ -53,7 +53,7 @@ public final class OptimalAssignment extends AllocationAlgorithm {
         return shares;
     }
 
-    private static Optional<int[]> assign(AllocationProblem problem, DistanceTable legs) {
+    private static Optional<int[]> assign(AllocationProblem problem, TravelCosts legs) {
         double[][] costs = new double[problem.work().size()][problem.boats().size()];
         for (int work = 0; work < costs.length; work++) {
             for (int boat = 0; boat < costs[work].length; boat++) {

@@ -31,7 +31,7 @@ public final class OptimalDivision extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
+    List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs) {
         return new ExactDivision(problem, legs, Objective.TOTAL).shares();
     }
 }

@@ -40,7 +40,7 @@ final class RuinAndRecreate {
     private static final int BLINK_EVERY = 100;
 
     private final SearchedPaths paths;
-    private final DistanceTable legs;
+    private final TravelCosts legs;
     private final Objective objective;
     private final SplittableRandom random = new SplittableRandom(SEED);
     private final int[][] neighbours;
@@ -54,7 +54,7 @@ final class RuinAndRecreate {
     private double best;
     private List<List<Integer>> bestShares;
 
-    RuinAndRecreate(AllocationProblem problem, DistanceTable legs, Objective objective, List<List<Integer>> shares) {
+    RuinAndRecreate(AllocationProblem problem, TravelCosts legs, Objective objective, List<List<Integer>> shares) {
         this.legs = legs;
         this.objective = objective;
         paths = new SearchedPaths(problem, legs, shares);

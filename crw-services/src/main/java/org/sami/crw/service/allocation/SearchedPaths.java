@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 final class SearchedPaths {
     private static final int NOBODY = -1;
 
-    private final DistanceTable legs;
+    private final TravelCosts legs;
     /** From work, and from where the boats are free (their index after the last work's), to work. */
     private final double[][] legM;
 
@@ -30,7 +30,7 @@ final class SearchedPaths {
     private final int[] keptSize;
     private final boolean[] changed;
 
-    SearchedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+    SearchedPaths(AllocationProblem problem, TravelCosts legs, List<List<Integer>> shares) {
         this.legs = legs;
         legM = legs.matrix();
         workCount = problem.work().size();

@@ -32,7 +32,7 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
+    List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs) {
         List<NearestNeighbourPath> paths = new ArrayList<>();
         for (int boat = 0; boat < problem.boats().size(); boat++) {
             paths.add(new NearestNeighbourPath(legs, boat));
@@ -54,7 +54,7 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
         return shares;
     }
 
-    private static void auction(int location, DistanceTable legs, List<NearestNeighbourPath> paths) {
+    private static void auction(int location, TravelCosts legs, List<NearestNeighbourPath> paths) {
         double best = Double.POSITIVE_INFINITY;
         int winner = -1;
         for (int boat = 0; boat < paths.size(); boat++) {

@@ -83,7 +83,7 @@ public final class HexagonalAssembly implements AssemblyAlgorithm {
         double leastM = problem.spacingM() * (1 - SLACK);
         return problem.water().clearanceM(candidate)
                         >= Math.max(
-                                problem.spacingM() / 2, problem.water().error().marginM())
+                                problem.spacingM() / 2, problem.water().margin().pathM())
                 && problem.taken().stream().allMatch(taken -> Geodesy.distanceM(taken, candidate) >= leastM);
     }
 }

@@ -50,7 +50,7 @@ public final class HexagonalPlacement {
                 GeoPoint point = Areas.point(place, water.plane());
                 if (prepared.covers(polygon.getFactory().createPoint(place))
                         && water.clearanceM(point)
-                                >= Math.max(spacingM / 2, water.error().marginM())) {
+                                >= Math.max(spacingM / 2, water.margin().pathM())) {
                     spread.add(point);
                 }
             }

@@ -9,6 +9,7 @@ import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
 import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.water.Areas;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -43,7 +44,7 @@ final class CoverageRegion {
         }
         double narrowestM = new MinimumDiameter(region).getLength();
         Geometry inside = region.buffer(-Math.min(MOST_MARGIN_M, MARGIN_OF_SPACING * Math.min(spacingM, narrowestM)));
-        Geometry wide = offForbidden(inside, problem.error().marginM());
+        Geometry wide = offForbidden(inside, new SafetyMargin(problem.error()).pathM());
         drivable = wide.isEmpty() ? offForbidden(inside, problem.error().steeringM()) : wide;
         sweep = SweepLanes.best(region, drivable, spacingM)
                 .orElseThrow(() -> new IllegalArgumentException("The area is too narrow to be driven in"));

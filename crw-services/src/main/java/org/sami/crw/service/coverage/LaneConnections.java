@@ -67,7 +67,7 @@ final class LaneConnections {
     }
 
     private Optional<List<Coordinate>> farOffInRegion(Coordinate from, Coordinate to) {
-        double keptM = water.error().marginM() - TURNING_M;
+        double keptM = water.margin().pathM() - TURNING_M;
         if (keptM <= water.error().steeringM()) {
             return Optional.empty();
         }

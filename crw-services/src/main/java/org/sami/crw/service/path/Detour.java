@@ -19,7 +19,7 @@ public final class Detour {
      * area by the shortest way. Empty where forbidden areas leave no way.
      */
     public static Optional<List<GeoPoint>> between(GeoPoint from, GeoPoint to, Water water) {
-        double marginM = water.error().marginM();
+        double marginM = water.margin().pathM();
         if (isClear(from, to, water)) {
             return Optional.of(List.of());
         }
@@ -54,7 +54,7 @@ public final class Detour {
     /** Whether the straight leg keeps clear. */
     static boolean isClear(GeoPoint from, GeoPoint to, Water water) {
         return water.isOpen()
-                || water.clearanceM(List.of(from, to)) >= leastM(water.error().marginM());
+                || water.clearanceM(List.of(from, to)) >= leastM(water.margin().pathM());
     }
 
     /** What is near enough to a distance that was planned to be kept. */

@@ -22,7 +22,7 @@ public final class SafestPath implements PathAlgorithm {
 
     @Override
     public PathAnswer find(PathProblem problem) {
-        double leastM = problem.water().error().marginM();
+        double leastM = problem.water().margin().pathM();
         return new WayAround(problem, name()).find(Math.max(leastM, problem.clearanceM()));
     }
 }

@@ -22,6 +22,6 @@ public final class ShortestPath implements PathAlgorithm {
 
     @Override
     public PathAnswer find(PathProblem problem) {
-        return new WayAround(problem, name()).find(problem.water().error().marginM());
+        return new WayAround(problem, name()).find(problem.water().margin().pathM());
     }
 }

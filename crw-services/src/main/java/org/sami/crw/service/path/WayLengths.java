@@ -70,7 +70,7 @@ public final class WayLengths {
                     + " boats and locations are more than the " + MOST_POINTS + " for which ways around are measured"));
         }
         double leastM = water.error().steeringM();
-        double marginM = Math.max(water.error().marginM(), leastM);
+        double marginM = Math.max(water.margin().pathM(), leastM);
         VisibilityGraph tight = new VisibilityGraph(water.forbidden(), leastM);
         VisibilityGraph wide = marginM > leastM ? new VisibilityGraph(water.forbidden(), marginM) : tight;
         int corners = Math.max(tight.corners().size(), wide.corners().size());

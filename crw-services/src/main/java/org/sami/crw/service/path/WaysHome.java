@@ -104,7 +104,7 @@ public final class WaysHome {
         double legM = water.clearanceM(List.of(start, end));
         for (int i = way.size(); i >= 0; i--) {
             GeoPoint place = i < way.size() ? way.get(i) : home;
-            double plannedM = Math.min(Math.min(legM, water.error().marginM()), water.clearanceM(place));
+            double plannedM = Math.min(Math.min(legM, water.margin().pathM()), water.clearanceM(place));
             if (water.clearanceBetweenM(List.of(start, end, place)) >= Detour.leastM(plannedM)) {
                 return Optional.of(way.subList(i, way.size()));
             }

@@ -42,14 +42,14 @@ public record WayDanger(String words, double insideM) {
                 nearest = leg;
             }
         }
-        if (error.insideM(leastM) > 0) {
+        if (water.margin().insideM(leastM) > 0) {
             dangers.add(danger(
-                    error.insideM(leastM),
+                    water.margin().insideM(leastM),
                     "passes a no-go area at %.1f m near %s; boats may be %.1f m off their path, so up to %.1f m inside",
                     leastM,
                     text(water.nearest(nearest)),
                     error.mostM(),
-                    error.insideM(leastM)));
+                    water.margin().insideM(leastM)));
         }
         return dangers;
     }

@@ -1,8 +1,8 @@
 package org.sami.crw.service.water;
 
 /**
- * How far a boat may truly be off the straight line that it follows. Planners keep this distance between paths and no-go areas (docs/decisions,
- * 0301).
+ * How far a boat may truly be off the straight line that it follows. Planners derive from it how far paths keep off no-go areas ({@link SafetyMargin};
+ * docs/decisions, 0301).
  *
  * @param steeringM distance from the line in still water with exact instruments, also at corners, in metres: the least distance of any path from
  *     forbidden areas
@@ -14,20 +14,8 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     private static final double STEERING_M = 0.6;
 
     /** A boat that turns at a corner drifts for so long until it steers against it. */
-    private static final double TURN_S = 4;
+    static final double TURN_S = 4;
 
-    /** Ways are planned on one plane, given in degrees, and measured on another. */
-    private static final double ROUNDING_M = 0.01;
-
-    /** Distance in metres that boats keep from each other. */
-    public static final double SEPARATION_M = 3.5;
-
-    private static final double APART_DEVIATIONS =
-            1.5; // added to the separation, of the distance between two (docs/decisions, 0320),
-    private static final double STATION_M =
-            1.5; // and to their stations, among others and where they drift (docs/services.md)
-
-    private static final double KEPT_DEVIATIONS = 3; // exceeded once in some hours
     private static final double MOST_DEVIATIONS = 5; // exceeded once in some years
 
     /** No error at all: for geometry alone. */
@@ -62,25 +50,8 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
                 Math.max(driftMps, other.driftMps));
     }
 
-    /** How far paths keep off what is forbidden where there is room, in metres. */
-    public double marginM() {
-        return steeringM + KEPT_DEVIATIONS * positionM + TURN_S * driftMps;
-    }
-
     /** The largest cross-track error assumed of a boat, in metres. */
     public double mostM() {
         return steeringM + MOST_DEVIATIONS * positionM + 2 * TURN_S * driftMps;
-    }
-
-    /** How far from one another boats are to lie so that others find a way between them, in metres. */
-    public double berthM() {
-        double apartM = SEPARATION_M + APART_DEVIATIONS * Math.sqrt(2) * positionM;
-        return 2 * (apartM + (driftMps > 0 ? STATION_M : 0));
-    }
-
-    /** How far a boat may come into what its path passes at a distance, in metres; zero where it may not. */
-    public double insideM(double clearanceM) {
-        double insideM = mostM() - clearanceM;
-        return insideM > ROUNDING_M ? insideM : 0;
     }
 }

@@ -112,6 +112,11 @@ public final class Water {
         return error;
     }
 
+    /** What plans keep from what is forbidden here, for boats with that error. */
+    public SafetyMargin margin() {
+        return new SafetyMargin(error);
+    }
+
     /**
      * The same water with what is forbidden shrunk at its rim. Where it is narrower than twice the depth, a tenth of its width stays forbidden in
      * the middle.

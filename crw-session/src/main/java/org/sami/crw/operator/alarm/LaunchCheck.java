@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
@@ -100,7 +100,7 @@ public record LaunchCheck(List<Item> items) {
         if (age.isEmpty()) {
             return new Item(Subject.LINK, State.UNKNOWN, "it has not answered yet");
         }
-        boolean fresh = boat.link() == LinkState.LINKED && age.getAsLong() <= SharedDefaults.LINK_LOST_AFTER_MS;
+        boolean fresh = boat.link() == LinkState.LINKED && age.getAsLong() <= LinkDefaults.LINK_LOST_AFTER_MS;
         return new Item(
                 Subject.LINK,
                 fresh ? State.GOOD : State.BAD,
@@ -132,7 +132,7 @@ public record LaunchCheck(List<Item> items) {
                 "%.6f, %.6f",
                 boat.pose().get().position().latDeg(),
                 boat.pose().get().position().lonDeg());
-        return age <= SharedDefaults.LINK_LOST_AFTER_MS
+        return age <= LinkDefaults.LINK_LOST_AFTER_MS
                 ? new Item(Subject.POSITION, State.GOOD, text)
                 : new Item(
                         Subject.POSITION,

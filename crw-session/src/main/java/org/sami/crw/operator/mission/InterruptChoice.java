@@ -12,7 +12,7 @@ import org.sami.spn.protocol.Priority;
  * @param asksForBoats whether a press needs boats: named by it or chosen afterwards
  * @param priority its priority (markup Priority); medium without one
  * @param description the author's description (markup Description); empty text for none
- * @param noWayBack why the mission cannot undo it ({@link InterruptReturn}); empty text where the plan leads back
+ * @param noWayBack why the mission cannot undo it ({@link InterruptReversibility}); empty text where the plan leads back
  * @param asking the open decision that asks for its boats after a press without boats; empty = none
  * @param whyNot why a press would be refused now, in words; empty where it would be taken
  */

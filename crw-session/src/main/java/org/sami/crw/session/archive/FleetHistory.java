@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.crw.proxy.command.UploadCount;
 import org.sami.spn.value.GeoPoint;
 
@@ -109,7 +109,7 @@ public final class FleetHistory {
             if (gapMs > 0 && gapMs <= LONGEST_GAP_MS) {
                 known.distanceM += Math.abs(before.speedMps + now.speedMps) / 2 * gapMs / 1000;
             }
-            if (now.batteryPercent > before.batteryPercent + SharedDefaults.RECHARGED_PERCENT) {
+            if (now.batteryPercent > before.batteryPercent + BatteryDefaults.RECHARGED_PERCENT) {
                 known.recharges++;
             }
         });

@@ -3,7 +3,7 @@ package org.sami.crw.session.fault;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -46,7 +46,7 @@ final class HeldBoats {
         }
         boat.commands()
                 .submit(new KeepStation(
-                        command, Ids.NONE, Ids.NONE, here, SharedDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
+                        command, Ids.NONE, Ids.NONE, here, MotionDefaults.HOLD_RADIUS_M, Priority.CRITICAL, false));
     }
 
     /** All boats are stopped until they are released. */

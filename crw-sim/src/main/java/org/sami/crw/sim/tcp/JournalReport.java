@@ -10,7 +10,7 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.operator.mission.Wait;
-import org.sami.crw.report.OperatorPart;
+import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.RunHeader;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
@@ -94,7 +94,7 @@ public final class JournalReport {
         CatchUpScheduler clock = new CatchUpScheduler();
         InterruptScheduler interrupts = new InterruptScheduler(planned(), clock);
         folds.add(draft -> draft.interrupts(interrupts.results()));
-        folds.add(draft -> draft.add(new OperatorPart(OperatorActions.of(OperatorLogRows.read(rows)))));
+        folds.add(draft -> draft.add(new OperatorActionsPart(OperatorActions.of(OperatorLogRows.read(rows)))));
         folds.add(draft -> draft.waits(waits));
         List<HostListener> listeners = new ArrayList<>(folds.listeners());
         listeners.add(interrupts);

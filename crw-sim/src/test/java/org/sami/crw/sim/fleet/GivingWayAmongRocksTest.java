@@ -16,6 +16,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.crw.service.water.Water;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
@@ -83,7 +84,8 @@ class GivingWayAmongRocksTest {
                 .submit(FollowPath.of(name(id), 1, 10, points, Priority.MEDIUM).in(water));
         List<GeoPoint> way = new ArrayList<>(List.of(boat.position()));
         way.addAll(Detour.along(boat.position(), points, Optional.of(water)));
-        announcedM = Math.max(announcedM, conditions.crossTrackError().insideM(water.clearanceM(way)));
+        announcedM =
+                Math.max(announcedM, new SafetyMargin(conditions.crossTrackError()).insideM(water.clearanceM(way)));
     }
 
     private static String name(String boat) {

@@ -23,6 +23,7 @@ import org.sami.crw.service.path.PathProblem;
 import org.sami.crw.service.path.SafestPath;
 import org.sami.crw.service.path.ShortestPath;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.crw.service.water.Water;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
@@ -60,7 +61,7 @@ class KeepingClearTest {
         TrueTrack track = TrueTrack.of(world, way.points(), 7200);
 
         assertThat(track.isCompleted()).isTrue();
-        double announcedM = conditions.crossTrackError().insideM(way.clearanceM());
+        double announcedM = new SafetyMargin(conditions.crossTrackError()).insideM(way.clearanceM());
         assertThat(track.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
         if (name == NamedConditions.CALM) {
             assertThat(announcedM).isZero();
@@ -120,8 +121,7 @@ class KeepingClearTest {
                 () -> world.distanceTo(0, 0) < 8 && world.boat().server().mode() == BoatMode.HOLD);
 
         assertThat(home.isCompleted()).isTrue();
-        double announcedM = conditions
-                .crossTrackError()
+        double announcedM = new SafetyMargin(conditions.crossTrackError())
                 .insideM(conditions.crossTrackError().steeringM());
         assertThat(out.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
         assertThat(home.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
@@ -175,7 +175,7 @@ class KeepingClearTest {
         TrueTrack track = TrueTrack.of(world, path, 9000);
 
         assertThat(track.isCompleted()).isTrue();
-        double announcedM = conditions.crossTrackError().insideM(water.clearanceM(path));
+        double announcedM = new SafetyMargin(conditions.crossTrackError()).insideM(water.clearanceM(path));
         assertThat(track.deepestInM(List.of(rock, new GeoArea(hole, List.of()))))
                 .isLessThanOrEqualTo(announcedM);
         if (name == NamedConditions.CALM) {

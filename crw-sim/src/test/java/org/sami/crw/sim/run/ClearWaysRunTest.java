@@ -24,6 +24,7 @@ import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.service.water.SafetyMargin;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
@@ -121,11 +122,11 @@ class ClearWaysRunTest {
                 .orElse(0);
         assertThat(report.map().announcedM()).hasValue(announcedM);
         assertThat(deepestM(report)).isLessThanOrEqualTo(announcedM);
-        double keptM = Conditions.FIELD.crossTrackError().marginM();
+        double keptM = new SafetyMargin(Conditions.FIELD.crossTrackError()).pathM();
         assertThat(announcedM)
                 .as("there is room for the margin everywhere")
                 .isPositive()
-                .isLessThan(Conditions.FIELD.crossTrackError().insideM(keptM) + 0.5);
+                .isLessThan(new SafetyMargin(Conditions.FIELD.crossTrackError()).insideM(keptM) + 0.5);
     }
 
     private static RunReport run(String plan, String interrupt, Conditions conditions, long seed) {

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.sami.crw.report.OperatorAction;
-import org.sami.crw.report.OperatorPart;
+import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.PhaseResult;
 import org.sami.crw.report.PhasesPart;
 import org.sami.crw.report.ReportText;
@@ -30,13 +30,13 @@ class RunLogTest {
 
     @Test
     void reportHasWhatTheOperatorDid() {
-        assertThat(report.part(OperatorPart.class).orElseThrow().actions())
+        assertThat(report.part(OperatorActionsPart.class).orElseThrow().actions())
                 .extracting(OperatorAction::kind)
                 .filteredOn(kind -> kind.equals("answer"))
                 .hasSize((int) report.decisions().stream()
                         .filter(decision -> decision.by().equals("operator"))
                         .count());
-        assertThat(report.part(OperatorPart.class)
+        assertThat(report.part(OperatorActionsPart.class)
                         .orElseThrow()
                         .actions()
                         .get(0)

@@ -7,20 +7,13 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import org.junit.jupiter.api.Test;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.service.reach.WayBack;
-import org.sami.crw.service.water.CrossTrackError;
 
 /** Numbers that two modules need and that no module can give to both. */
 class SharedNumbersTest {
-    @Test
-    void plannersLeaveRoomForTheSeparationThatBoatsKeep() {
-        assertThat(CrossTrackError.SEPARATION_M).isEqualTo(SharedDefaults.SEPARATION_M);
-    }
-
     @Test
     void boatThatWouldComeHomeWithALowBatteryIsNamed() {
         assertThat(WayBack.PLENTY_PERCENT).isEqualTo(BoatDefaults.LOW_BATTERY_PERCENT);

@@ -85,13 +85,13 @@ final class Activating {
                 values.put(field, given);
             }
         } else if (source instanceof FieldSource.FromVariable read) {
-            Value value = rules.variables.read(m, read.variable());
+            Value value = rules.scopes.read(m, read.variable());
             if (value != null) {
                 values.put(field, value);
             }
             String written = output.spec.writes().get(field);
             if (written != null && values.containsKey(field)) {
-                rules.variables.write(m, written, values.get(field));
+                rules.scopes.write(m, written, values.get(field));
             }
         }
     }

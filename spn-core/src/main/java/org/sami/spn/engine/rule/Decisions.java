@@ -207,7 +207,7 @@ public final class Decisions {
     private Map<String, Value> written(OpenDecision open, Map<String, Value> given) {
         Map<Value, Value> written = new LinkedHashMap<>();
         given.forEach((name, value) -> {
-            if (rules.variables.write(open.mission, name, value)) {
+            if (rules.scopes.write(open.mission, name, value)) {
                 written.put(new VariableReference(name), value);
             }
         });

@@ -276,7 +276,7 @@ public final class Firing {
             for (Map.Entry<String, String> write : p.input.writes) {
                 Value value = p.occurrence.values().get(write.getKey());
                 if (value != null) {
-                    rules.variables.write(m, write.getValue(), value);
+                    rules.scopes.write(m, write.getValue(), value);
                 }
             }
         }

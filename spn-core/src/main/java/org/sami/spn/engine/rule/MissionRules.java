@@ -22,7 +22,7 @@ final class MissionRules {
     final PendingOccurrences pendings;
     final Routing routing;
     final Timers timers;
-    final Variables variables;
+    final VariableScopes scopes;
     final TaskAllocation allocation;
     final OpenQuestions questions;
     final RobotChoices robotChoices;
@@ -50,9 +50,9 @@ final class MissionRules {
         pendings = new PendingOccurrences(step, enabling, work);
         routing = new Routing(step, enabling, pendings);
         timers = new Timers(step);
-        variables = new Variables(step);
+        scopes = new VariableScopes(step);
         allocation = new TaskAllocation(step, pendings);
-        Questions asked = new Questions(step, pendings, variables);
+        Questions asked = new Questions(step, pendings, scopes);
         questions = new OpenQuestions(step, asked, timers, autonomy);
         robotChoices = new RobotChoices(step, asked, questions, timers, autonomy);
     }

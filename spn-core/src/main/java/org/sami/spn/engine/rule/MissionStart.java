@@ -54,7 +54,7 @@ public final class MissionStart {
         if (plan.start == null) {
             return Optional.of("The plan '" + plan.plan.name() + "' has no start place");
         }
-        StartParameters parameters = new StartParameters(rules.step, rules.variables, plan);
+        StartParameters parameters = new StartParameters(rules.step, rules.scopes, plan);
         Optional<String> wrong = parameters.read(input.parameters());
         if (wrong.isPresent()) {
             return wrong;
@@ -67,7 +67,7 @@ public final class MissionStart {
             }
         }
         MissionState m = make(plan, input.name(), null, null);
-        parameters.variables().forEach((name, value) -> rules.variables.write(m, name, value));
+        parameters.variables().forEach((name, value) -> rules.scopes.write(m, name, value));
         if (marking.isPresent()) {
             m.parameters = parameters.given();
             begin(m, () -> enter(m, marking.get()));
@@ -173,7 +173,7 @@ public final class MissionStart {
                 for (Map.Entry<String, String> write : output.spec.writes().entrySet()) {
                     Value value = constant(m, output, write.getKey());
                     if (value != null) {
-                        rules.variables.write(m, write.getValue(), value);
+                        rules.scopes.write(m, write.getValue(), value);
                     }
                 }
             }
@@ -190,7 +190,7 @@ public final class MissionStart {
 
     /** Parameters of an instance: what has to be asked of the operator when it is made. */
     public StartParameters parametersOf(CompiledPlan plan) {
-        StartParameters parameters = new StartParameters(rules.step, rules.variables, plan);
+        StartParameters parameters = new StartParameters(rules.step, rules.scopes, plan);
         parameters.read(new LinkedHashMap<>());
         return parameters;
     }

@@ -37,9 +37,9 @@ import org.sami.spn.vocabulary.Reserved;
 final class Questions {
     private final RuleStep step;
     private final PendingOccurrences pendings;
-    private final Variables variables;
+    private final VariableScopes variables;
 
-    Questions(RuleStep step, PendingOccurrences pendings, Variables variables) {
+    Questions(RuleStep step, PendingOccurrences pendings, VariableScopes variables) {
         this.step = step;
         this.pendings = pendings;
         this.variables = variables;

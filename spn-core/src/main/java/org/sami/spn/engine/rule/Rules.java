@@ -26,7 +26,7 @@ public final class Rules {
     public final MissionStart missionStart;
     public final ProjectLoading projectLoading;
     public final Interrupts interrupts;
-    public final Variables variables;
+    public final VariableScopes scopes;
     public final TaskAllocation allocation;
     public final RobotRemoval robotRemoval;
 
@@ -48,7 +48,7 @@ public final class Rules {
         questions = missions.questions;
         missionStart = missions.missionStart;
         interrupts = missions.interrupts;
-        variables = missions.variables;
+        scopes = missions.scopes;
         allocation = missions.allocation;
         robotRemoval = missions.robotRemoval;
         timers = new DueTimers(step, missions.timers, routing, decisions, firing, this::settle);

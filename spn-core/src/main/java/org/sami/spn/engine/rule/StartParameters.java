@@ -20,12 +20,12 @@ import org.sami.spn.vocabulary.FieldType;
  */
 final class StartParameters {
     private final RuleStep step;
-    private final Variables declarations;
+    private final VariableScopes declarations;
     private final CompiledPlan plan;
     private final Map<String, Value> given = new LinkedHashMap<>();
     private final Map<String, Value> variables = new LinkedHashMap<>();
 
-    StartParameters(RuleStep step, Variables declarations, CompiledPlan plan) {
+    StartParameters(RuleStep step, VariableScopes declarations, CompiledPlan plan) {
         this.step = step;
         this.declarations = declarations;
         this.plan = plan;

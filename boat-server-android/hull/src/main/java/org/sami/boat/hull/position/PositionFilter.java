@@ -11,12 +11,12 @@ import org.sami.boat.server.vehicle.PlaneMath;
  * receiver or the phone holds for the date does not matter.
  *
  * <p>Positions at 0,0, beyond 85 degrees of latitude, worse than {@link #WORST_ACCURACY_M} or no numbers are refused. A fix far from the estimate is refused,
- * too, until three seconds of them agree with one another: then the boat is there. Without fixes the position is extrapolated for {@link #LOST_AFTER_MS}, with
+ * too, until three seconds of them agree with one another: then the boat is there. Without fixes the position is extrapolated for {@link #GPS_LOST_AFTER_MS}, with
  * an error that grows, and is unknown afterwards. Safe for use by several threads.
  */
 public final class PositionFilter {
     /** After so long without a fix the position is unknown. */
-    public static final long LOST_AFTER_MS = 10_000;
+    public static final long GPS_LOST_AFTER_MS = 10_000;
 
     /** Fixes with a larger error are refused. */
     public static final double WORST_ACCURACY_M = 50;
@@ -105,7 +105,7 @@ public final class PositionFilter {
         long atMs = pass(nowMs);
         if (!isPlausible(fix)) {
             refuse(atMs);
-        } else if (!frame.isPresent() || atMs - fixMs > LOST_AFTER_MS) {
+        } else if (!frame.isPresent() || atMs - fixMs > GPS_LOST_AFTER_MS) {
             begin(fix, atMs);
         } else if (isJump(fix, frame.get())) {
             jumped(fix, atMs);
@@ -229,7 +229,7 @@ public final class PositionFilter {
     /** Where the hull is now. Without a compass its heading is unknown until it moves, or {@link #assumeHeading} was called. */
     public synchronized Pose pose(long nowMs) {
         long atMs = pass(nowMs);
-        if (!frame.isPresent() || atMs - fixMs > LOST_AFTER_MS) {
+        if (!frame.isPresent() || atMs - fixMs > GPS_LOST_AFTER_MS) {
             return heading.isKnown()
                     ? new Pose(Double.NaN, Double.NaN, heading.headingRad(), Double.NaN, Double.NaN, heading.errorRad())
                     : Pose.UNKNOWN;

@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.LinkDefaults;
 
 /**
  * Decides which clients to drop where more connect than a boat serves. The commander is never dropped. Silent clients go first, the longest silent before the
@@ -66,7 +66,7 @@ final class ConnectionSlots {
         List<Client> others =
                 clients.stream().filter(client -> !client.commands()).collect(Collectors.toList());
         Optional<Client> dead = clients.stream()
-                .filter(client -> client.silentForMs(nowMs) > SharedDefaults.LINK_LOST_AFTER_MS)
+                .filter(client -> client.silentForMs(nowMs) > LinkDefaults.LINK_LOST_AFTER_MS)
                 .max(order);
         Optional<Client> last = others.stream()
                 .filter(client -> !client.wishesToCommand())

@@ -2,7 +2,7 @@ package org.sami.boat.server.traffic;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -23,7 +23,7 @@ import org.sami.boat.server.vehicle.Vehicle;
  */
 public final class GivingWay {
     /** Separation of the stopping segments of two boats, in metres: 3, plus what a boat can turn and accelerate before the others know. */
-    static final double APART_M = SharedDefaults.SEPARATION_M;
+    static final double APART_M = MotionDefaults.SEPARATION_M;
 
     /** Extra clearance when passing where there is room, in metres; added to {@link #APART_M}. */
     static final double PASSING_CLEARANCE_M = 1;

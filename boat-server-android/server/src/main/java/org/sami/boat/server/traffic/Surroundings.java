@@ -5,8 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.NearbyBoat;
-import org.sami.boat.link.SharedDefaults;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
@@ -16,7 +16,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
  */
 public final class Surroundings {
     /** Age in ms at which a report is dropped: a link that is silent for that long is lost. */
-    public static final long OLDEST_MS = SharedDefaults.LINK_LOST_AFTER_MS;
+    public static final long OLDEST_MS = LinkDefaults.LINK_LOST_AFTER_MS;
 
     private static final double REACH_M = 2000; // of the plane
 

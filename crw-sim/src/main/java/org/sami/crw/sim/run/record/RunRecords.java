@@ -8,7 +8,7 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.report.NoteResult;
-import org.sami.crw.report.OperatorPart;
+import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
@@ -74,8 +74,8 @@ public final class RunRecords {
                 .ifPresent(problem -> draft.note(List.of(problem))));
         folds.add(new FenceNotes(session.models()));
         folds.add(new StuckNotes(session.models(), session.scheduler()::nowMs));
-        folds.add(draft -> draft.add(
-                new OperatorPart(OperatorActions.of(session.models().log().snapshot()))));
+        folds.add(draft -> draft.add(new OperatorActionsPart(
+                OperatorActions.of(session.models().log().snapshot()))));
         folds.add(draft -> draft.waits(
                 draft.end().outcome().isOver()
                         ? List.of()

@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.sami.boat.link.SharedDefaults;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.LocationResult.Visit;
 
@@ -12,7 +12,7 @@ import org.sami.crw.report.LocationResult.Visit;
  * which they have arrived, and what they drive between two looks). {@link TrueVisits} has the true positions of simulated boats.
  */
 public final class VisitRecorder {
-    public static final double RADIUS_M = SharedDefaults.ARRIVAL_RADIUS_M + 0.5;
+    public static final double RADIUS_M = MotionDefaults.ARRIVAL_RADIUS_M + 0.5;
 
     private final List<LocationResult> locations = new ArrayList<>();
     private int visited;

@@ -14,7 +14,7 @@ import org.sami.ui.EventThread;
  * Keeps a replay at the moment that a person wants: while it plays, by this machine's clock. The moment is computed on the replay's thread, one at
  * a time; of the moments requested meanwhile the last counts. On the event thread.
  */
-public final class ReplayPlayer {
+public final class PlaybackTimer {
     private static final int PERIOD_MS = 50;
     private static final long NANOS_A_MS = 1_000_000;
 
@@ -34,7 +34,7 @@ public final class ReplayPlayer {
      * @param computing goes to a moment, in ms of the session's clock; runs on the worker
      * @param worker the replay's thread
      */
-    public ReplayPlayer(TimeLine timeLine, LongConsumer computing, Executor worker) {
+    public PlaybackTimer(TimeLine timeLine, LongConsumer computing, Executor worker) {
         this.timeLine = timeLine;
         this.computing = computing;
         this.worker = worker;

@@ -9,13 +9,13 @@ import java.util.List;
  * @param lessons folders, in the order of the lessons
  * @param terms files of the glossary
  */
-record CourseContents(
+record CourseIndex(
         @JsonProperty(required = true) int formatVersion,
         @JsonProperty(required = true) List<String> lessons,
         @JsonProperty(required = true) List<String> terms) {
     static final String FILE = "course.json";
 
-    CourseContents {
+    CourseIndex {
         lessons = List.copyOf(lessons);
         terms = List.copyOf(terms);
     }

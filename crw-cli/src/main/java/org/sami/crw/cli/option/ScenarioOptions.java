@@ -29,7 +29,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine.Option;
 
 /** The options that decide a mission and its fleet, whatever its seed, its water and its speed are. */
-public final class MissionOptions {
+public final class ScenarioOptions {
     private static final int DEFAULT_BOATS = 3;
 
     @Option(

@@ -12,10 +12,10 @@ import java.util.Optional;
  *
  * @param actions oldest first
  */
-public record OperatorPart(List<OperatorAction> actions) implements ReportPart {
+public record OperatorActionsPart(List<OperatorAction> actions) implements ReportPart {
     private static final int DEGREE_DIGITS = 7;
 
-    public OperatorPart {
+    public OperatorActionsPart {
         actions = List.copyOf(actions);
     }
 

@@ -11,7 +11,7 @@ import org.sami.spn.value.GeoPoint;
  * Distances between boats and work by their indices in a problem: straight on a plane, or of ways around what is in between. Counts how many it was asked for: the
  * measure of how much an algorithm computes, the same on every machine.
  */
-final class DistanceTable {
+final class TravelCosts {
     private static final long LOOK_MASK = (1 << 16) - 1;
     private static final double BEYOND_RANGE = 9;
 
@@ -28,7 +28,7 @@ final class DistanceTable {
     private long measured;
     private Optional<String> shortfall = Optional.empty();
 
-    DistanceTable(AllocationProblem problem) {
+    TravelCosts(AllocationProblem problem) {
         this.problem = problem;
         List<Candidate> boats = problem.boats();
         LocalPlane plane = new LocalPlane(

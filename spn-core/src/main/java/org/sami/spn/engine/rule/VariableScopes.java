@@ -19,13 +19,13 @@ import org.sami.spn.value.ValueType;
  *
  * <p>Implements R-VAR-1, R-VAR-2, R-VAR-3.
  */
-public final class Variables {
+public final class VariableScopes {
     /** Where a name leads: a mission, or the globals where it is null, and the name there. */
     private record Place(MissionState owner, String name, VariableSpec declaration) {}
 
     private final RuleStep step;
 
-    Variables(RuleStep step) {
+    VariableScopes(RuleStep step) {
         this.step = step;
     }
 

@@ -25,12 +25,12 @@ import org.sami.spn.vocabulary.Vocabulary;
  * Whether a plan leads back to where an interrupt takes robots from: along its edges, whatever they require. What leads nowhere back cannot be undone
  * by anything that the operator does in the mission.
  */
-public final class InterruptReturn {
+public final class InterruptReversibility {
     private final Plan plan;
     private final Vocabulary vocabulary;
 
     /** The ways of a plan. */
-    public InterruptReturn(Plan plan, Vocabulary vocabulary) {
+    public InterruptReversibility(Plan plan, Vocabulary vocabulary) {
         this.plan = plan;
         this.vocabulary = vocabulary;
     }

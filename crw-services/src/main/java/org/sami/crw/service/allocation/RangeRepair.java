@@ -13,14 +13,14 @@ import org.jspecify.annotations.Nullable;
  * increase of all paths together. Ways home count where boats have to return and charges last for the whole. Where this does not help every boat, the
  * rest stays, and the division says so.
  */
-final class ShortenedPaths {
+final class RangeRepair {
     /** So many distances may be measured for it: less than a second's worth. */
     private static final long LIMIT = 40_000_000;
 
     private static final double ROUNDING_M = 1e-9;
 
     private final AllocationProblem problem;
-    private final DistanceTable legs;
+    private final TravelCosts legs;
     private final boolean home;
     private final List<List<Integer>> shares = new ArrayList<>();
     private final double[] lengthM;
@@ -29,7 +29,7 @@ final class ShortenedPaths {
     private record Move(int from, int at, int to, int before, double costM) {}
 
     /** Paths as they were given; with {@code home} their lengths are those with the ways home. */
-    private ShortenedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> given, boolean home) {
+    private RangeRepair(AllocationProblem problem, TravelCosts legs, List<List<Integer>> given, boolean home) {
         this.problem = problem;
         this.legs = legs;
         this.home = home;
@@ -41,18 +41,18 @@ final class ShortenedPaths {
     }
 
     /** The shares, changed where a path is longer than its boat's charge lasts. */
-    static List<List<Integer>> of(AllocationProblem problem, DistanceTable legs, List<List<Integer>> given) {
+    static List<List<Integer>> of(AllocationProblem problem, TravelCosts legs, List<List<Integer>> given) {
         if (problem.boats().stream().map(Candidate::rangeM).allMatch(OptionalDouble::isEmpty)) {
             return given;
         }
         if (problem.boats().stream().anyMatch(boat -> boat.home().isPresent())) {
-            ShortenedPaths withWaysHome = new ShortenedPaths(problem, legs, given, true);
+            RangeRepair withWaysHome = new RangeRepair(problem, legs, given, true);
             withWaysHome.shorten();
             if (!withWaysHome.isAnyTooLong()) {
                 return withWaysHome.shares;
             }
         }
-        ShortenedPaths paths = new ShortenedPaths(problem, legs, given, false);
+        RangeRepair paths = new RangeRepair(problem, legs, given, false);
         paths.shorten();
         paths.sayWhatIsTooLong();
         return paths.shares;

@@ -16,7 +16,7 @@ import org.sami.crw.service.LocalPlane;
 import org.sami.spn.value.GeoPoint;
 
 /** No path is longer than its boat's charge lasts, where somebody else has charge left. */
-class ShortenedPathsTest {
+class RangeRepairTest {
     private static final LocalPlane PLANE = new LocalPlane(GeoPoint.of(45.4, 10.9));
 
     static Stream<AllocationAlgorithm> algorithms() {
