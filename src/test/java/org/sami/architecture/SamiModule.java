@@ -125,6 +125,8 @@ enum SamiModule {
                     BOAT_LINK,
                     SPN_CORE,
                     SPN_LANGUAGE)),
+    /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
+    MAVLINK("mavlink", 25, List.of("org.sami.mavlink.."), List.of()),
     /** The command crw. */
     CRW_CLI(
             "crw-cli",
@@ -137,6 +139,7 @@ enum SamiModule {
                     CRW_DOMAIN,
                     CRW_SERVICES,
                     LESSONS,
+                    MAVLINK,
                     NET_PICTURE,
                     BOAT_HULL,
                     BOAT_SERVER,

@@ -34,6 +34,7 @@ import org.sami.crw.cli.run.ResumeCommand;
 import org.sami.crw.cli.run.RunCommand;
 import org.sami.crw.cli.run.SessionCommand;
 import org.sami.crw.cli.run.StopCommand;
+import org.sami.crw.cli.vehicle.VehiclesCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -71,6 +72,7 @@ import picocli.CommandLine.Spec;
             DemoCommand.class,
             BoatServerCommand.class,
             BoardCommand.class,
+            VehiclesCommand.class,
             StopCommand.class,
             KeysCommand.class,
             ImportLegacyCommand.class,

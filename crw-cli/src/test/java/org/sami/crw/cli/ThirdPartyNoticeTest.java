@@ -34,6 +34,7 @@ class ThirdPartyNoticeTest {
             "crw-report",
             "crw-services",
             "hull",
+            "mavlink",
             "crw-session",
             "crw-sim",
             "domain-config",

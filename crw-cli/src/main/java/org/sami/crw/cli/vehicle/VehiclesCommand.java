@@ -1,0 +1,125 @@
+package org.sami.crw.cli.vehicle;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.sami.boat.link.SteadyClock;
+import org.sami.crw.cli.option.SecondsConverter;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.StopOnInterrupt;
+import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw vehicles}: which vehicles speak MAVLink on some links, how they are, and what they hold. It moves none. */
+@Command(
+        name = "vehicles",
+        mixinStandardHelpOptions = true,
+        description =
+                "Lists the vehicles of other makers (ArduPilot boats, copters) that speak MAVLink at these addresses: mode, position, "
+                        + "battery, GPS, and how well each link hears them. Moves and changes nothing.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:every link brought a vehicle",
+            "2:wrong usage",
+            "4:a link brought no vehicle, or a list could not be read",
+            "130:stopped by Ctrl-C"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw vehicles mavlink:tcp:127.0.0.1:5760             a simulated ArduPilot boat",
+            "  crw vehicles mavlink:udp:14550                      who sends to this machine's usual port",
+            "  crw vehicles mavlink:serial:/dev/ttyUSB0:57600      a telemetry radio",
+            "  crw vehicles --held mavlink:tcp:127.0.0.1:5760      with the mission, fence and rally points that they hold"
+        })
+public final class VehiclesCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "ADDRESS", arity = "1..*", description = "A link: " + MavlinkAddress.FORMS + ".")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private List<String> texts;
+
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            defaultValue = "5",
+            converter = SecondsConverter.class,
+            description = "How long to listen (default ${DEFAULT-VALUE}).")
+    private long listenMillis;
+
+    @Option(names = "--held", description = "Also read the missions, fences and rally points that the vehicles hold.")
+    private boolean held;
+
+    @Override
+    public Integer call() throws InterruptedException {
+        List<MavlinkAddress> addresses = addresses();
+        SteadyClock clock = SteadyClock.ofThisMachine();
+        PrintWriter out = spec.commandLine().getOut();
+        try (StopOnInterrupt stop = new StopOnInterrupt();
+                MavlinkBase base = new MavlinkBase(addresses, clock)) {
+            listen();
+            List<VehicleSnapshot> vehicles = base.vehicles().join();
+            List<MavlinkLinkReport> links = base.links();
+            VehicleText text = new VehicleText(clock.getAsLong());
+            out.print(text.table(vehicles));
+            out.print(text.links(links, vehicles));
+            out.print(text.said(vehicles));
+            boolean whole = !held || printHeld(base, vehicles, out);
+            out.flush();
+            return whole && links.stream().allMatch(link -> VehicleText.isHeard(link, vehicles))
+                    ? ExitCode.OK
+                    : ExitCode.FAILED;
+        }
+    }
+
+    private void listen() throws InterruptedException {
+        new CountDownLatch(1).await(listenMillis, TimeUnit.MILLISECONDS); // vehicles speak by themselves
+    }
+
+    private boolean printHeld(MavlinkBase base, List<VehicleSnapshot> vehicles, PrintWriter out) {
+        boolean whole = true;
+        for (VehicleSnapshot vehicle : vehicles) {
+            for (HeldKind kind : HeldKind.values()) {
+                try {
+                    out.print(VehicleText.held(
+                            vehicle, kind, base.held(vehicle.id(), kind).join()));
+                } catch (CompletionException e) {
+                    Throwable cause = e.getCause();
+                    err(cause == null ? e.toString() : String.valueOf(cause.getMessage()));
+                    whole = false;
+                }
+            }
+        }
+        return whole;
+    }
+
+    private void err(String what) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println("crw: " + what);
+        err.flush();
+    }
+
+    private List<MavlinkAddress> addresses() {
+        try {
+            return texts.stream()
+                    .flatMap(text -> List.of(text.split(",")).stream())
+                    .map(MavlinkAddress::parse)
+                    .toList();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+    }
+}

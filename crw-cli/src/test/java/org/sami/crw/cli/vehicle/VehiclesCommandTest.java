@@ -1,0 +1,49 @@
+package org.sami.crw.cli.vehicle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.sami.crw.cli.CommandResult;
+import org.sami.mavlink.testing.SmallVehicle;
+
+/** {@code crw vehicles} against a small vehicle on loopback. */
+@Timeout(300)
+class VehiclesCommandTest {
+    private static final String NOBODY = "mavlink:tcp:127.0.0.1:1";
+
+    @Test
+    void vehicleIsListedWithItsLinkItsWordsAndWhatItHolds() throws Exception {
+        try (SmallVehicle vehicle = new SmallVehicle(7, 2, false)) {
+            CommandResult ran = CommandResult.crw("vehicles", "--for", "10", "--held", vehicle.address());
+
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+            assertThat(ran.out().lines())
+                    .anyMatch(
+                            line -> line.matches(
+                                    "7 +boat +ArduPilot +HOLD +no +45.700000, 10.720000 +0.5 m/s +87 %, 12.6 V +3D, 9 sat +.* s ago"))
+                    .anyMatch(
+                            line -> line.startsWith(vehicle.address() + ": ") && line.endsWith(" messages, 0.0 % lost"))
+                    .contains("7 says (warning): PreArm: safety switch")
+                    .contains("7 holds this mission:")
+                    .anyMatch(line -> line.matches(" +1 +nav waypoint +45.700100, 10.720000 +0.0 m"))
+                    .contains("7 holds no fence");
+        }
+    }
+
+    @Test
+    void linkWithoutAVehicleIsNamedAndFails() {
+        CommandResult ran = CommandResult.crw("vehicles", "--for", "1", NOBODY);
+
+        assertThat(ran.exitCode()).isEqualTo(4);
+        assertThat(ran.out()).contains("no vehicle was heard").contains(NOBODY + ": nobody listens there");
+    }
+
+    @Test
+    void wrongAddressIsNamedWithTheFormsThereAre() {
+        CommandResult ran = CommandResult.crw("vehicles", "mavlink:tcp:boat");
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("the port is missing").contains("mavlink:udp:PORT");
+    }
+}

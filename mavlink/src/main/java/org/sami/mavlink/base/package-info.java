@@ -1,0 +1,6 @@
+/**
+ * The base's end of all links: which vehicles there are, and what is asked of them.
+ *
+ * <p>Not here: plans, proxies and missions of a session.
+ */
+package org.sami.mavlink.base;

@@ -1,0 +1,223 @@
+package org.sami.mavlink.link;
+
+import io.dronefleet.mavlink.Mavlink2Message;
+import io.dronefleet.mavlink.MavlinkConnection;
+import io.dronefleet.mavlink.MavlinkMessage;
+import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
+import io.dronefleet.mavlink.common.RadioStatus;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.sami.mavlink.address.MavlinkAddress;
+
+/**
+ * One link: opened, read and written by two threads of its own, opened again when it breaks, after a wait that grows. What is sent while it is broken is lost, as on any radio:
+ * whoever sends expects an answer and sends again. Safe for use by several threads.
+ */
+public final class MavlinkLink implements AutoCloseable {
+    /** The system id with which ground stations speak. */
+    public static final int GROUND_SYSTEM = 255;
+
+    /** The component id with which ground stations speak. */
+    public static final int GROUND_COMPONENT = 190;
+
+    private static final long FIRST_WAIT_MS = 250;
+    private static final long LONGEST_WAIT_MS = 5_000;
+    private static final int UNSENT = 500;
+    private static final int NOT_KNOWN = 255; // of a radio's strength
+    private static final long STRANGE_BYTES = 600; // two of the longest messages: by then one should have been read
+
+    private final MavlinkAddress address;
+    private final MavlinkLinkListener listener;
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private final BlockingQueue<Object> outgoing = new ArrayBlockingQueue<>(UNSENT);
+    private final Thread reader;
+    private final Thread writer;
+    private final SequenceCount count = new SequenceCount();
+    private MavlinkLinkState state = MavlinkLinkState.OPENING;
+    private Optional<String> fault = Optional.empty();
+    private Optional<Connected> connected = Optional.empty();
+    private Optional<Integer> rssi = Optional.empty();
+    private Optional<Integer> remoteRssi = Optional.empty();
+    private long earlierBytes;
+    private boolean firstVersionOnly;
+    private boolean secondVersion;
+
+    /** An open way with its codec. */
+    private record Connected(LinkStreams streams, CountedStream in, MavlinkConnection codec) {}
+
+    /** A link that is not begun yet. */
+    public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener) {
+        this.address = Objects.requireNonNull(address, "address");
+        this.listener = Objects.requireNonNull(listener, "listener");
+        reader = new Thread(this::run, "mavlink " + address);
+        reader.setDaemon(true);
+        writer = new Thread(this::write, "mavlink " + address + " writes");
+        writer.setDaemon(true);
+    }
+
+    /** Begins; returns at once. */
+    public void start() {
+        reader.start();
+        writer.start();
+    }
+
+    /** Where it leads. */
+    public MavlinkAddress address() {
+        return address;
+    }
+
+    /**
+     * Sends a message as a ground station, soon: a thread of the link's own writes, so that a vehicle that takes nothing keeps nobody waiting.
+     *
+     * @param payload a message of the library
+     * @return whether it will be sent; a link that is broken, or whose other end takes nothing, sends nothing
+     */
+    public boolean send(Object payload) {
+        synchronized (this) {
+            if (connected.isEmpty()) {
+                return false;
+            }
+        }
+        return outgoing.offer(payload);
+    }
+
+    private void write() {
+        try {
+            while (true) {
+                Object payload = outgoing.take();
+                Optional<Connected> now;
+                synchronized (this) {
+                    now = connected;
+                }
+                now.ifPresent(open -> write(open, payload));
+            }
+        } catch (InterruptedException e) {
+            // only closing interrupts it
+        }
+    }
+
+    private static void write(Connected open, Object payload) {
+        try {
+            open.codec().send2(GROUND_SYSTEM, GROUND_COMPONENT, payload);
+            open.streams().out().flush();
+        } catch (IOException e) {
+            close(open.streams()); // the reading thread finds out, and opens it again
+        }
+    }
+
+    /** What is known of it now. */
+    public synchronized MavlinkLinkReport report() {
+        long bytes = earlierBytes + connected.map(now -> now.in().bytes()).orElse(0L);
+        Optional<String> wrong = fault;
+        if (wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0 && bytes > STRANGE_BYTES) {
+            wrong = Optional.of("what comes is no MAVLink: is it the right port, and the right baud rate?");
+        } else if (wrong.isEmpty() && firstVersionOnly) {
+            wrong = Optional.of(
+                    "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2)");
+        }
+        return new MavlinkLinkReport(address, state, wrong, bytes, count.messages(), count.lost(), rssi, remoteRssi);
+    }
+
+    private void run() {
+        long waitMs = FIRST_WAIT_MS;
+        while (closing.getCount() > 0) {
+            String why;
+            try (LinkStreams streams = LinkOpener.open(address)) {
+                waitMs = FIRST_WAIT_MS;
+                why = read(streams);
+            } catch (IOException e) {
+                why = Objects.requireNonNullElse(e.getMessage(), e.toString());
+            }
+            broken(why);
+            try {
+                if (closing.await(waitMs, TimeUnit.MILLISECONDS)) {
+                    return;
+                }
+            } catch (InterruptedException e) {
+                return; // only closing interrupts it
+            }
+            waitMs = Math.min(LONGEST_WAIT_MS, 2 * waitMs);
+        }
+    }
+
+    /** Reads until the link ends; why it ended. */
+    private String read(LinkStreams streams) {
+        CountedStream in = new CountedStream(streams.in());
+        MavlinkConnection codec = MavlinkConnection.builder(in, streams.out())
+                .defaultDialect(new ArdupilotmegaDialect())
+                .build();
+        opened(new Connected(streams, in, codec));
+        try {
+            while (true) {
+                MavlinkMessage<?> message = codec.next();
+                if (message == null) {
+                    return "the other end closed it";
+                }
+                counted(message);
+                listener.onMessage(this, message);
+            }
+        } catch (IOException e) {
+            return "it broke: " + Objects.requireNonNullElse(e.getMessage(), e.toString());
+        }
+    }
+
+    private synchronized void opened(Connected now) {
+        connected = Optional.of(now);
+        state = MavlinkLinkState.OPEN;
+        fault = Optional.empty();
+        if (closing.getCount() == 0) {
+            close(now.streams());
+        }
+    }
+
+    private synchronized void counted(MavlinkMessage<?> message) {
+        count.came(message.getOriginSystemId(), message.getOriginComponentId(), message.getSequence());
+        secondVersion |= message instanceof Mavlink2Message;
+        firstVersionOnly = !secondVersion;
+        if (message.getPayload() instanceof RadioStatus radio) {
+            rssi = strength(radio.rssi());
+            remoteRssi = strength(radio.remrssi());
+        }
+    }
+
+    private static Optional<Integer> strength(int value) {
+        return value == NOT_KNOWN ? Optional.empty() : Optional.of(value);
+    }
+
+    private synchronized void broken(String why) {
+        earlierBytes += connected.map(now -> now.in().bytes()).orElse(0L);
+        connected = Optional.empty();
+        state = MavlinkLinkState.BROKEN;
+        fault = Optional.of(why);
+    }
+
+    private static void close(LinkStreams streams) {
+        try {
+            streams.close();
+        } catch (IOException e) {
+            // it is closed for us all the same
+        }
+    }
+
+    /** Closes it and waits until its threads have ended. */
+    @Override
+    public void close() {
+        closing.countDown();
+        synchronized (this) {
+            connected.ifPresent(now -> close(now.streams()));
+        }
+        reader.interrupt();
+        writer.interrupt();
+        try {
+            reader.join(TimeUnit.SECONDS.toMillis(5));
+            writer.join(TimeUnit.SECONDS.toMillis(5));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package org.sami.mavlink.mission;
+
+import io.dronefleet.mavlink.common.MavMissionType;
+
+/** The three lists that a vehicle holds. */
+public enum HeldKind {
+    /** What it does in mode AUTO, item after item. */
+    MISSION("mission"),
+    /** Where it must stay, and where it must not go. */
+    FENCE("fence"),
+    /** Where it may return to in place of home. */
+    RALLY("rally points");
+
+    private final String words;
+
+    HeldKind(String words) {
+        this.words = words;
+    }
+
+    /** Words for people. */
+    public String words() {
+        return words;
+    }
+
+    MavMissionType type() {
+        return switch (this) {
+            case MISSION -> MavMissionType.MAV_MISSION_TYPE_MISSION;
+            case FENCE -> MavMissionType.MAV_MISSION_TYPE_FENCE;
+            case RALLY -> MavMissionType.MAV_MISSION_TYPE_RALLY;
+        };
+    }
+}

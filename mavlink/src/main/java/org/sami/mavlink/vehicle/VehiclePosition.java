@@ -1,0 +1,15 @@
+package org.sami.mavlink.vehicle;
+
+import java.util.Optional;
+
+/**
+ * Where a vehicle says that it is.
+ *
+ * @param latDeg degrees north, WGS 84
+ * @param lonDeg degrees east, WGS 84
+ * @param heightM metres over where it was armed or switched on
+ * @param speedMps over ground, metres a second
+ * @param headingDeg where its bow points, degrees from true north clockwise; empty where it does not know
+ */
+public record VehiclePosition(
+        double latDeg, double lonDeg, double heightM, double speedMps, Optional<Double> headingDeg) {}

@@ -1,0 +1,162 @@
+package org.sami.mavlink.vehicle;
+
+import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.GpsRawInt;
+import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavType;
+import java.util.ArrayDeque;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.mavlink.address.MavlinkAddress;
+
+/** Gathers what one vehicle reports. */
+final class VehicleRecord {
+    private static final int TEXTS = 100; // kept of each vehicle
+    private static final double DEGREES = 1e-7; // of a position's whole numbers
+    private static final double FROM_MILLI = 1e-3;
+    private static final double FROM_CENTI = 1e-2;
+    private static final int HEADING_NOT_KNOWN = 65_535;
+    private static final int VOLTS_NOT_KNOWN = 65_535;
+    private static final int SATELLITES_NOT_KNOWN = 255;
+    private static final double FULL_CIRCLE_DEG = 360;
+    private static final int ABSOLUTE_POSITION = 16; // of the filter's flags
+    private static final int NO_POSITION = 128;
+
+    private final VehicleId id;
+    private final Map<MavlinkAddress, Long> heardOn = new HashMap<>();
+    private final StatusTextParts parts = new StatusTextParts();
+    private final Deque<StatusText> texts = new ArrayDeque<>();
+    private MavType type = MavType.MAV_TYPE_GENERIC;
+    private MavAutopilot autopilot = MavAutopilot.MAV_AUTOPILOT_GENERIC;
+    private long customMode;
+    private boolean armed;
+    private boolean located;
+    private Optional<VehiclePosition> position = Optional.empty();
+    private Optional<VehicleBattery> battery = Optional.empty();
+    private Optional<GpsState> gps = Optional.empty();
+    private long heardMs;
+
+    VehicleRecord(VehicleId id) {
+        this.id = id;
+    }
+
+    void heard(MavlinkAddress on, Object payload, long nowMs) {
+        heardMs = nowMs;
+        heardOn.put(on, nowMs);
+        if (payload instanceof Heartbeat beat) {
+            beat(beat);
+        } else if (payload instanceof GlobalPositionInt at) {
+            position = Optional.of(position(at));
+        } else if (payload instanceof SysStatus status) {
+            battery = Optional.of(battery(status));
+        } else if (payload instanceof GpsRawInt raw) {
+            gps = Optional.of(gps(raw));
+        } else if (payload instanceof EkfStatusReport filter) {
+            int flags = filter.flags().value();
+            located = (flags & ABSOLUTE_POSITION) != 0 && (flags & NO_POSITION) == 0;
+        } else if (payload instanceof Statustext text) {
+            parts.take(text, nowMs).forEach(this::said);
+        }
+    }
+
+    private void beat(Heartbeat beat) {
+        MavType what = beat.type().entry();
+        MavAutopilot whose = beat.autopilot().entry();
+        type = what == null ? MavType.MAV_TYPE_GENERIC : what;
+        autopilot = whose == null ? MavAutopilot.MAV_AUTOPILOT_GENERIC : whose;
+        customMode = beat.customMode();
+        armed = beat.baseMode().flagsEnabled(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED);
+    }
+
+    private static VehiclePosition position(GlobalPositionInt at) {
+        Optional<Double> heading =
+                at.hdg() == HEADING_NOT_KNOWN ? Optional.empty() : Optional.of(at.hdg() * FROM_CENTI % FULL_CIRCLE_DEG);
+        return new VehiclePosition(
+                at.lat() * DEGREES,
+                at.lon() * DEGREES,
+                at.relativeAlt() * FROM_MILLI,
+                Math.hypot(at.vx(), at.vy()) * FROM_CENTI,
+                heading);
+    }
+
+    private static VehicleBattery battery(SysStatus status) {
+        return new VehicleBattery(
+                status.voltageBattery() == VOLTS_NOT_KNOWN
+                        ? Optional.empty()
+                        : Optional.of(status.voltageBattery() * FROM_MILLI),
+                status.batteryRemaining() < 0 ? Optional.empty() : Optional.of(status.batteryRemaining()));
+    }
+
+    private static GpsState gps(GpsRawInt raw) {
+        return new GpsState(
+                fix(raw.fixType().value()),
+                raw.satellitesVisible() == SATELLITES_NOT_KNOWN
+                        ? Optional.empty()
+                        : Optional.of(raw.satellitesVisible()));
+    }
+
+    private static String fix(int type) {
+        return switch (type) {
+            case 0 -> "no GPS";
+            case 1 -> "no fix";
+            case 2 -> "2D";
+            case 3 -> "3D";
+            case 4 -> "DGPS";
+            case 5 -> "RTK float";
+            case 6 -> "RTK fixed";
+            default -> "fix of kind " + type;
+        };
+    }
+
+    private void said(StatusText text) {
+        if (texts.size() == TEXTS) {
+            texts.removeFirst();
+        }
+        texts.addLast(text);
+    }
+
+    VehicleSnapshot snapshot() {
+        VehicleKind kind = VehicleKind.of(type);
+        List<MavlinkAddress> links = heardOn.entrySet().stream()
+                .sorted(Map.Entry.<MavlinkAddress, Long>comparingByValue(Comparator.reverseOrder())
+                        .thenComparing(each -> each.getKey().toString()))
+                .map(Map.Entry::getKey)
+                .toList();
+        return new VehicleSnapshot(
+                id,
+                kind,
+                autopilotName(),
+                ModeNames.of(autopilot, kind, customMode),
+                armed,
+                located,
+                position,
+                battery,
+                gps,
+                links,
+                List.copyOf(texts),
+                heardMs);
+    }
+
+    private String autopilotName() {
+        return switch (autopilot) {
+            case MAV_AUTOPILOT_ARDUPILOTMEGA -> "ArduPilot";
+            case MAV_AUTOPILOT_PX4 -> "PX4";
+            default ->
+                autopilot
+                        .name()
+                        .substring("MAV_AUTOPILOT_".length())
+                        .toLowerCase(Locale.ROOT)
+                        .replace('_', ' ');
+        };
+    }
+}

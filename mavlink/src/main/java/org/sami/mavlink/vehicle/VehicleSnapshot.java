@@ -1,0 +1,30 @@
+package org.sami.mavlink.vehicle;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.mavlink.address.MavlinkAddress;
+
+/**
+ * What is known of a vehicle at some moment.
+ *
+ * @param autopilot the firmware's name, {@code ArduPilot} or another
+ * @param mode the autopilot's mode as pilots write it, such as {@code HOLD}
+ * @param armed whether its motors may turn
+ * @param located whether its filter has an absolute position that it trusts; before that it refuses to drive by itself
+ * @param links on which links it is heard, the one heard last first
+ * @param texts what it has said last, oldest first
+ * @param heardMs when it was heard last, on the base's clock
+ */
+public record VehicleSnapshot(
+        VehicleId id,
+        VehicleKind kind,
+        String autopilot,
+        String mode,
+        boolean armed,
+        boolean located,
+        Optional<VehiclePosition> position,
+        Optional<VehicleBattery> battery,
+        Optional<GpsState> gps,
+        List<MavlinkAddress> links,
+        List<StatusText> texts,
+        long heardMs) {}

@@ -1,0 +1,156 @@
+package org.sami.mavlink.base;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
+import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.link.MavlinkLinkState;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.testing.SmallVehicle;
+import org.sami.mavlink.vehicle.VehicleId;
+import org.sami.mavlink.vehicle.VehicleKind;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/** A base and small vehicles on real sockets. */
+@Timeout(300)
+class MavlinkBaseTest {
+    private static MavlinkBase base(String... addresses) {
+        return new MavlinkBase(
+                List.of(addresses).stream().map(MavlinkAddress::parse).toList(), ProcessClock::ms);
+    }
+
+    private static List<VehicleSnapshot> vehicles(MavlinkBase base) {
+        return base.vehicles().join();
+    }
+
+    @Test
+    void vehiclesOnTwoLinksAreKnownWithWhatTheyReport() throws Exception {
+        try (SmallVehicle one = new SmallVehicle(1, 3, false);
+                SmallVehicle two = new SmallVehicle(2, 3, false);
+                MavlinkBase base = base(one.address(), two.address())) {
+            Await.until(
+                    "both are known",
+                    () -> vehicles(base).size() == 2
+                            && vehicles(base).stream()
+                                    .allMatch(each ->
+                                            each.located() && each.battery().isPresent()));
+
+            VehicleSnapshot first = vehicles(base).get(0);
+            assertThat(first.id()).isEqualTo(new VehicleId(1, 1));
+            assertThat(first.kind()).isEqualTo(VehicleKind.BOAT);
+            assertThat(first.mode()).isEqualTo("HOLD");
+            assertThat(first.position().orElseThrow().speedMps()).isEqualTo(0.5);
+            assertThat(first.links()).containsExactly(MavlinkAddress.parse(one.address()));
+            Await.until(
+                    "it has said something",
+                    () -> !vehicles(base).get(0).texts().isEmpty());
+        }
+    }
+
+    @Test
+    void missionThatAVehicleHoldsIsRead() throws Exception {
+        try (SmallVehicle vehicle = new SmallVehicle(9, 25, false);
+                MavlinkBase base = base(vehicle.address())) {
+            Await.until("it is known", () -> !vehicles(base).isEmpty());
+            VehicleId id = vehicles(base).get(0).id();
+            var mission = base.held(id, HeldKind.MISSION);
+            var fence = base.held(id, HeldKind.FENCE);
+
+            assertThat(mission.join()).hasSize(25);
+            assertThat(mission.join()).extracting(MissionItem::commandName).containsOnly("nav waypoint");
+            assertThat(fence.join()).isEmpty();
+        }
+    }
+
+    @Test
+    void vehicleThatIsNotThereIsNamedWhenItIsAsked() {
+        try (MavlinkBase base = base("mavlink:udpout:127.0.0.1:9")) {
+            var mission = base.held(new VehicleId(77, 1), HeldKind.MISSION);
+
+            assertThatThrownBy(mission::join).hasMessageContaining("vehicle 77 does not answer");
+        }
+    }
+
+    @Test
+    void linkIsOpenedAgainWhenTheVehicleComesBack() throws Exception {
+        SmallVehicle vehicle = new SmallVehicle(1, 0, false);
+        int port =
+                Integer.parseInt(vehicle.address().substring(vehicle.address().lastIndexOf(':') + 1));
+        try (MavlinkBase base = base(vehicle.address())) {
+            Await.until("it is known", () -> !vehicles(base).isEmpty());
+            vehicle.close();
+            Await.until("the link is broken", () -> base.links().get(0).state() == MavlinkLinkState.BROKEN);
+            assertThat(base.links().get(0).fault()).isPresent();
+            long before = base.links().get(0).messages();
+            try (SmallVehicle again = new SmallVehicle(1, 0, false, port)) {
+                Await.until("it is heard again", () -> base.links().get(0).messages() > before);
+                assertThat(base.links().get(0).state()).isEqualTo(MavlinkLinkState.OPEN);
+            }
+        }
+    }
+
+    @Test
+    void whatIsNoMavlinkIsSaid() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                MavlinkBase base = base("mavlink:tcp:127.0.0.1:" + server.getLocalPort());
+                Socket socket = server.accept()) {
+            byte[] noise = new byte[20_000];
+            new SplittableRandom(5).nextBytes(noise);
+            for (int i = 0; i < noise.length; i++) {
+                noise[i] &= 0x7f; // no message begins with these
+            }
+            write(socket, noise);
+
+            Await.until(
+                    "it is said", () -> base.links().get(0).fault().orElse("").startsWith("what comes is no MAVLink"));
+            assertThat(vehicles(base)).isEmpty();
+        }
+    }
+
+    private static void write(Socket socket, byte[] bytes) throws IOException {
+        OutputStream out = socket.getOutputStream();
+        out.write(bytes);
+        out.flush();
+    }
+
+    @Test
+    void vehicleThatSpeaksTheFirstVersionOnlyIsKnownAndSaid() throws Exception {
+        try (SmallVehicle vehicle = new SmallVehicle(4, 0, true);
+                MavlinkBase base = base(vehicle.address())) {
+            Await.until("it is known", () -> !vehicles(base).isEmpty());
+
+            assertThat(base.links().get(0).fault())
+                    .hasValueSatisfying(fault -> assertThat(fault).contains("MAVLink 1 only"));
+        }
+    }
+
+    @Test
+    void randomBytesLeaveOtherLinksUntouched() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                SmallVehicle vehicle = new SmallVehicle(1, 5, false);
+                MavlinkBase base = base("mavlink:tcp:127.0.0.1:" + server.getLocalPort(), vehicle.address());
+                Socket socket = server.accept()) {
+            byte[] noise = new byte[1_000_000];
+            new SplittableRandom(11).nextBytes(noise);
+            write(socket, noise);
+            Await.until("it is all read", () -> base.links().get(0).bytes() > 900_000);
+            Await.until(
+                    "the vehicle is known",
+                    () -> vehicles(base).stream().anyMatch(each -> each.id().equals(new VehicleId(1, 1))));
+
+            assertThat(base.held(new VehicleId(1, 1), HeldKind.MISSION).join()).hasSize(5);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+package org.sami.mavlink.vehicle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavType;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.mavlink.address.MavlinkAddress;
+
+class VehicleTableTest {
+    private static final MavlinkAddress RADIO = MavlinkAddress.parse("mavlink:serial:/dev/ttyUSB0:57600");
+    private static final MavlinkAddress CABLE = MavlinkAddress.parse("mavlink:tcp:127.0.0.1:5760");
+
+    private final VehicleTable table = new VehicleTable();
+
+    private static Heartbeat beat(MavType type, MavAutopilot autopilot, long mode, MavModeFlag... flags) {
+        return Heartbeat.builder()
+                .type(type)
+                .autopilot(autopilot)
+                .customMode(mode)
+                .baseMode(flags)
+                .build();
+    }
+
+    private void heard(Object payload) {
+        table.heard(CABLE, 1, 1, payload, 1_000);
+    }
+
+    private VehicleSnapshot only() {
+        assertThat(table.vehicles()).hasSize(1);
+        return table.vehicles().get(0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "MAV_TYPE_SURFACE_BOAT, 10, BOAT, AUTO",
+        "MAV_TYPE_SURFACE_BOAT, 4, BOAT, HOLD",
+        "MAV_TYPE_GROUND_ROVER, 15, ROVER, GUIDED",
+        "MAV_TYPE_QUADROTOR, 3, COPTER, AUTO",
+        "MAV_TYPE_HEXAROTOR, 9, COPTER, LAND",
+        "MAV_TYPE_SURFACE_BOAT, 99, BOAT, mode 99",
+        "MAV_TYPE_FIXED_WING, 10, PLANE, mode 10"
+    })
+    void kindAndModeAreNamedAsPilotsNameThem(MavType type, long mode, VehicleKind kind, String name) {
+        heard(beat(type, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, mode));
+
+        assertThat(only().kind()).isEqualTo(kind);
+        assertThat(only().mode()).isEqualTo(name);
+        assertThat(only().autopilot()).isEqualTo("ArduPilot");
+    }
+
+    @Test
+    void groundStationsAndGimbalsAreNoVehicles() {
+        heard(beat(MavType.MAV_TYPE_GCS, MavAutopilot.MAV_AUTOPILOT_INVALID, 0));
+        table.heard(CABLE, 1, 154, beat(MavType.MAV_TYPE_GIMBAL, MavAutopilot.MAV_AUTOPILOT_INVALID, 0), 0);
+        table.heard(CABLE, 1, 1, GlobalPositionInt.builder().build(), 0);
+
+        assertThat(table.vehicles()).isEmpty();
+    }
+
+    @Test
+    void valuesThatTheAutopilotDoesNotKnowAreEmptyAndNotZero() {
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
+        heard(SysStatus.builder().voltageBattery(65_535).batteryRemaining(-1).build());
+        heard(GlobalPositionInt.builder()
+                .lat(457_000_000)
+                .lon(-1_072_000_000)
+                .hdg(65_535)
+                .vx(300)
+                .vy(-400)
+                .build());
+
+        assertThat(only().battery()).contains(new VehicleBattery(Optional.empty(), Optional.empty()));
+        VehiclePosition at = only().position().orElseThrow();
+        assertThat(at.headingDeg()).isEmpty();
+        assertThat(at.speedMps()).isEqualTo(5.0);
+        assertThat(at.latDeg()).isCloseTo(45.7, within(1e-9));
+        assertThat(at.lonDeg()).isCloseTo(-107.2, within(1e-9));
+    }
+
+    @Test
+    void vehicleIsLocatedOnceItsFilterTrustsAnAbsolutePosition() {
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
+        heard(EkfStatusReport.builder().flags(EnumValue.create(16 + 128)).build());
+        assertThat(only().located()).isFalse();
+        heard(EkfStatusReport.builder().flags(EnumValue.create(16)).build());
+        assertThat(only().located()).isTrue();
+    }
+
+    @Test
+    void vehicleOnTwoLinksIsOneAndIsAnsweredOnTheLaterOne() {
+        table.heard(CABLE, 1, 1, beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_PX4, 0), 1_000);
+        table.heard(RADIO, 1, 1, beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_PX4, 0), 2_000);
+
+        assertThat(only().links()).containsExactly(RADIO, CABLE);
+        assertThat(table.linkOf(only().id())).contains(RADIO);
+        assertThat(only().heardMs()).isEqualTo(2_000);
+    }
+
+    @Test
+    void armedIsWhatTheHeartbeatSays() {
+        heard(beat(
+                MavType.MAV_TYPE_SURFACE_BOAT,
+                MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA,
+                10,
+                MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED,
+                MavModeFlag.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED));
+
+        assertThat(only().armed()).isTrue();
+    }
+
+    @Test
+    void textInPartsIsJoinedAndALostPartIsMarked() {
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
+        String first = "x".repeat(50);
+        heard(part(7, 0, first));
+        heard(part(7, 1, "end"));
+        heard(part(8, 0, first));
+        heard(part(8, 2, "end"));
+        heard(part(0, 0, "short"));
+
+        assertThat(only().texts())
+                .extracting(StatusText::text)
+                .isEqualTo(List.of(first + "end", first + " … end", "short"));
+        assertThat(only().texts().get(0).severity()).isEqualTo(TextSeverity.WARNING);
+    }
+
+    private static Statustext part(int id, int number, String text) {
+        return Statustext.builder()
+                .severity(MavSeverity.MAV_SEVERITY_WARNING)
+                .id(id)
+                .chunkSeq(number)
+                .text(text)
+                .build();
+    }
+}
