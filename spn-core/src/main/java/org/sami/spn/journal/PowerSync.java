@@ -40,7 +40,7 @@ final class PowerSync implements AutoCloseable {
         this.before = before;
         this.delayMillis = withinMillis / 2;
         this.timer = new ScheduledThreadPoolExecutor(1, action -> {
-            Thread thread = new Thread(action, "journal-sync");
+            Thread thread = new Thread(action, "journal-sync of " + log);
             thread.setDaemon(true);
             return thread;
         });
