@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Both sides of a protected link know the key of the other, over the newest version that both speak. */
-@Timeout(60)
+@Timeout(300)
 class TlsLinksTest {
     private final Identity boat = Identity.generate();
     private final Identity base = Identity.generate();
@@ -27,8 +27,8 @@ class TlsLinksTest {
         try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             Socket client = new Socket(InetAddress.getLoopbackAddress(), server.getLocalPort());
             Socket accepted = server.accept();
-            accepted.setSoTimeout(10_000);
-            client.setSoTimeout(10_000);
+            accepted.setSoTimeout(60_000);
+            client.setSoTimeout(60_000);
             CompletableFuture<SecureLink> atBoat = CompletableFuture.supplyAsync(() -> {
                 try {
                     return ofBoat.accept(accepted);

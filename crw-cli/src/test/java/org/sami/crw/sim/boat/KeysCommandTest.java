@@ -78,8 +78,8 @@ class KeysCommandTest {
                         "paired with anna, key " + keys.identity().fingerprint().shortText())
                 .contains("check code " + codes.get(0));
 
-        CommandResult stopped = CommandResult.crw(with("mine", "stop", address()));
-        CommandResult stranger = CommandResult.crw(with("none", "stop", address(), "--within", "3"));
+        CommandResult stopped = CommandResult.crw(with("mine", "stop", "--within", "60", address()));
+        CommandResult stranger = CommandResult.crw(with("none", "stop", address(), "--within", "12"));
 
         assertThat(stopped.out()).contains("anna: stopped, and the stop is latched");
         assertThat(stranger.exitCode()).isEqualTo(4);
@@ -117,7 +117,9 @@ class KeysCommandTest {
         assertThat(right.out()).contains("and 1 boats now");
         assertThat(new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1))
                 .doesNotContain("anna");
-        assertThat(CommandResult.crw(with("second", "stop", address())).out()).contains("anna: stopped");
+        assertThat(CommandResult.crw(with("second", "stop", "--within", "60", address()))
+                        .out())
+                .contains("anna: stopped");
     }
 
     @Test
@@ -129,13 +131,14 @@ class KeysCommandTest {
                 .identity()
                 .fingerprint()
                 .toString();
-        CommandResult.crw(with("mine", "stop", address()));
+        CommandResult.crw(with("mine", "stop", "--within", "60", address()));
 
         CommandResult.crw(with("mine", "keys", "withdraw", lost));
-        CommandResult released = CommandResult.crw(with("mine", "stop", "--release", "--confirm", address()));
+        CommandResult released =
+                CommandResult.crw(with("mine", "stop", "--release", "--confirm", "--within", "60", address()));
 
         assertThat(released.exitCode()).as(released.out() + released.err()).isZero();
-        CommandResult thief = CommandResult.crw(with("lost", "stop", address(), "--within", "3"));
+        CommandResult thief = CommandResult.crw(with("lost", "stop", address(), "--within", "12"));
         assertThat(thief.exitCode()).isEqualTo(4);
         assertThat(thief.out()).contains("withdrawn from anna");
     }

@@ -23,7 +23,7 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
 
 /** The report of a run that whoever has only its journal makes. */
-@Timeout(120)
+@Timeout(300)
 class JournalReportTest {
     private static final ObjectMapper JSON = new ObjectMapper();
 

@@ -39,7 +39,7 @@ class TakenUpRunTest {
             fleet.kill("bert");
             String first;
             try (CrwProcess resumed =
-                    CrwProcess.start(folder, List.of("resume", journal, "--json", "--connect-within", "5"))) {
+                    CrwProcess.start(folder, List.of("resume", journal, "--json", "--connect-within", "10"))) {
                 resumed.awaitErr("127.0.0.1:" + fleet.port("bert"));
                 resumed.awaitErr("the mission goes on without it until it is there");
                 resumed.awaitErr("bert does not move: the boat has not answered yet; one command waits");

@@ -49,7 +49,7 @@ import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.testing.Await;
 
 /** A boat with keys obeys only whom it knows, and says so to all others; whoever tries to get around that disturbs nobody. */
-@Timeout(120)
+@Timeout(300)
 class ProtectedLinkTest {
     private static final int FUZZED = Integer.getInteger("sami.fuzz.handshakes", 300);
 
@@ -61,7 +61,7 @@ class ProtectedLinkTest {
 
     @BeforeEach
     void open() throws IOException {
-        bench = new TcpBench(boat -> boat, tcp -> tcp.withKeys(boat, responder).withPatience(5000, 5000));
+        bench = new TcpBench(boat -> boat, tcp -> tcp.withKeys(boat, responder).withPatience(60_000, 600_000));
         boat.add(new Peer(base.identity().fingerprint(), "base", Role.COMMANDER));
     }
 
@@ -76,7 +76,7 @@ class ProtectedLinkTest {
     private Socket socket() throws IOException {
         Socket socket = new Socket(
                 InetAddress.getLoopbackAddress(), bench.server.address().getPort());
-        socket.setSoTimeout(20_000);
+        socket.setSoTimeout(60_000);
         open.add(socket);
         return socket;
     }
@@ -321,7 +321,7 @@ class ProtectedLinkTest {
         try (ServerSocket stripper = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), stripper.getLocalPort());
                 Socket other = stripper.accept()) {
-            socket.setSoTimeout(10_000);
+            socket.setSoTimeout(60_000);
             other.getOutputStream()
                     .write(LinkCodec.STANDARD.encode(0, new Welcome("boat1", "boot", Role.COMMANDER, "")));
 
