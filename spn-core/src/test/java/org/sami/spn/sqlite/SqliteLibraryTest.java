@@ -17,7 +17,7 @@ import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.testing.JavaProcess;
 
-@Timeout(120)
+@Timeout(300)
 class SqliteLibraryTest {
     @TempDir
     private Path folder;

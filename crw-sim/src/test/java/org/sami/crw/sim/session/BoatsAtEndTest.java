@@ -26,7 +26,7 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.value.GeoPoint;
 
 /** What boats under way do once a session was left, as they say it themselves. */
-@Timeout(120)
+@Timeout(300)
 class BoatsAtEndTest {
     @TempDir
     private Path folder;
