@@ -445,12 +445,17 @@ public final class WindowRobot {
 
     private boolean drag(SeenDrag seen, Point start, Point end, BooleanSupplier arrived) {
         DragSource.getDefaultDragSource().addDragSourceListener(seen);
-        robot.setAutoWaitForIdle(true); // of what is dragged by the display no events come
+        DragSource.getDefaultDragSource().addDragSourceMotionListener(seen);
         try {
-            robot.mouseMove(start.x, start.y);
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            act(MouseEvent.MOUSE_PRESSED, 1, () -> {
+                robot.mouseMove(start.x, start.y);
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            });
             for (int i = 1; i <= STEPS; i++) {
+                long before = handled.counted(MouseEvent.MOUSE_DRAGGED);
                 robot.mouseMove(start.x + (end.x - start.x) * i / STEPS, start.y + (end.y - start.y) * i / STEPS);
+                // what the display carries is told by no such event
+                handled.await(MouseEvent.MOUSE_DRAGGED, before + (seen.isBegun() ? 0 : 1), STEP_HANDLED_WITHIN_MS);
             }
             long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
             for (int i = 0; !arrived.getAsBoolean(); i++) {
@@ -465,8 +470,8 @@ public final class WindowRobot {
             until("what is dragged is let go", seen::isOver);
             return seen.isTaken();
         } finally {
-            robot.setAutoWaitForIdle(false);
             DragSource.getDefaultDragSource().removeDragSourceListener(seen);
+            DragSource.getDefaultDragSource().removeDragSourceMotionListener(seen);
         }
     }
 }
