@@ -6,6 +6,8 @@ import java.util.function.Consumer;
 import javax.swing.JFrame;
 import org.sami.crw.gui.boat.ConnectForm;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.key.KeysForm;
+import org.sami.crw.gui.key.PairSheet;
 import org.sami.crw.gui.start.ReplayProcess;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
@@ -30,6 +32,10 @@ final class WindowCommands {
         add(new Command("boat-connect", "Connect a boat…", this::connect)
                 .withKey("ctrl B")
                 .withIcon("connect"));
+        add(new Command("boat-pair", "Pair a boat…", () -> new PairSheet(context, frame.getRootPane()).open())
+                .withKey("alt shift P")
+                .withIcon("link"));
+        add(new Command("keys", "Keys…", this::keys).withKey("alt shift K").withIcon("variables"));
         add(new Command("project-open", "Load a project…", this::load)
                 .withKey("ctrl O")
                 .withIcon("folder"));
@@ -75,6 +81,12 @@ final class WindowCommands {
     private void connect() {
         WindowSheet sheet = WindowSheet.in(frame.getRootPane());
         sheet.open(new Sheet("boat-connect-sheet", "Connect a boat", new ConnectForm(context)));
+    }
+
+    private void keys() {
+        PairSheet pairing = new PairSheet(context, frame.getRootPane());
+        WindowSheet.in(frame.getRootPane())
+                .open(new Sheet("keys-sheet", "Keys of this base", new KeysForm(context, pairing::open)));
     }
 
     private void load() {

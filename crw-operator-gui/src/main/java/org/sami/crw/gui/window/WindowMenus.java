@@ -54,6 +54,8 @@ public final class WindowMenus {
                 "Boats",
                 'B',
                 "boat-connect",
+                "boat-pair",
+                "keys",
                 "boat-add-simulated",
                 "",
                 "boat-stop",

@@ -54,6 +54,8 @@ class OperatorCommandTest {
         assertRefused(2, "there is no theme pink", "--theme", "pink");
         assertRefused(2, "--scale: 20 is not from 80 to 200 percent", "--scale", "20");
         assertRefused(2, "boat", "--connect", "boat");
+        assertRefused(2, "--open and --keys contradict each other", "--open", "--keys", "keys");
+        assertRefused(2, "boats.txt is a file: the keys of a base are a folder", "--keys", file.toString());
         assertRefused(
                 4, "no-boats.txt", "--boats", folder.resolve("no-boats.txt").toString());
         assertThat(opened).isEmpty();

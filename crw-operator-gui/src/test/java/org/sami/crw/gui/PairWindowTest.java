@@ -1,0 +1,207 @@
+package org.sami.crw.gui;
+
+import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_ENTER;
+import static java.awt.event.KeyEvent.VK_ESCAPE;
+import static java.awt.event.KeyEvent.VK_K;
+import static java.awt.event.KeyEvent.VK_P;
+import static java.awt.event.KeyEvent.VK_SHIFT;
+import static java.awt.event.KeyEvent.VK_SPACE;
+import static java.awt.event.KeyEvent.VK_TAB;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JLabel;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.security.Fingerprint;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.KeyStoreFolder;
+import org.sami.boat.link.security.PairingResponder;
+import org.sami.boat.link.security.Peer;
+import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.gui.start.OperatorCommand;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.proxy.tcp.BaseProtection;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.sheet.WindowSheet;
+import picocli.CommandLine;
+
+/** A boat with keys is paired in the window that was started with --keys, by keys of the keyboard alone, and commanded then; a withdrawn key is carried to it. */
+@Tag("window")
+@Timeout(400)
+@Isolated("what --keys says holds for the whole process")
+class PairWindowTest {
+    private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
+
+    @TempDir
+    private Path folder;
+
+    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private final CompletableFuture<OperatorWindow> opened = new CompletableFuture<>();
+    private final SteadyClock clock = new SteadyClock(ProcessClock::ms);
+    private final List<String> codes = new CopyOnWriteArrayList<>();
+    private final KeyRing boatKeys = KeyRing.inMemory();
+    private final PairingResponder responder = new PairingResponder(boatKeys, (base, code) -> codes.add(code));
+    private BoatOnTcp boat;
+    private WindowRobot robot;
+    private OperatorWindow window;
+
+    @BeforeEach
+    void open() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        boat = new BoatOnTcp(
+                BoatSettings.of("olga", new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), QUAY, 7),
+                clock,
+                TcpServerListener.NONE,
+                plain -> plain.withKeys(boatKeys, responder));
+        robot = new WindowRobot();
+        String[] args = {
+            "--keys",
+            folder.resolve("keys").toString(),
+            "--data",
+            folder.resolve("data").toString(),
+            "--no-resume"
+        };
+        int code = new CommandLine(new OperatorCommand(
+                        (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
+                .execute(args);
+        assertThat(code).isZero();
+        window = opened.get(60, TimeUnit.SECONDS);
+        robot.untilSaid("boats-count", "5 of 5"); // the window's own simulated boats stay plain
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        new BaseProtection(Optional.empty(), false).use();
+        if (window != null) {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(60, TimeUnit.SECONDS);
+        }
+        if (boat != null) {
+            boat.close();
+        }
+    }
+
+    private Fingerprint ownKey() throws IOException {
+        return new KeyStoreFolder(folder.resolve("keys")).open().identity().fingerprint();
+    }
+
+    private void type(String field, String text) {
+        robot.until(
+                field + " can be typed into",
+                () -> robot.find(JTextField.class, field).isEnabled());
+        WindowRobot.ask(() -> {
+            robot.find(JTextField.class, field).setText("");
+            return robot.find(JTextField.class, field).requestFocusInWindow();
+        });
+        robot.untilFocused(field);
+        robot.type(text);
+    }
+
+    @Test
+    void boatIsPairedByKeysAloneAndCommandedAndAWithdrawnKeyIsCarriedToIt() throws Exception {
+        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+        robot.press(VK_P, VK_ALT, VK_SHIFT);
+        robot.untilShown("pair-sheet");
+        type("pair-address", "127.0.0.1:" + boat.address().getPort());
+        type("pair-words", WordSecret.random().toString());
+        robot.press(VK_ENTER);
+        robot.until("wrong words are named", () -> judged().contains("the words are not those that the boat shows"));
+        assertThat(judged()).startsWith("▲ Not paired: olga").contains("4 tries are left");
+        assertThat(boatKeys.peers()).isEmpty();
+
+        type("pair-words", words.toString());
+        robot.press(VK_ENTER);
+        robot.untilFocused("pair-same");
+        robot.until(
+                "both sides show the same code",
+                () -> codes.contains(robot.find(JLabel.class, "pair-code").getText()));
+        robot.press(VK_SPACE);
+        robot.until("it is paired", () -> judged().startsWith("✓ Paired with olga: this base may command it"));
+        robot.untilFocused("pair-connect");
+        robot.press(VK_SPACE);
+        robot.untilSaid("boats-count", "6 of 6");
+        robot.press(VK_ESCAPE);
+
+        SessionWorld.get(window.session().fleet().stop("olga"));
+        robot.until(
+                "the boat obeys",
+                () -> window.session()
+                        .models()
+                        .fleet()
+                        .boat("olga")
+                        .flatMap(BoatSnapshot::mode)
+                        .filter(BoatMode.STOPPED::equals)
+                        .isPresent());
+
+        KeyRing lost = KeyRing.inMemory();
+        Fingerprint laptop = lost.identity().fingerprint();
+        boatKeys.add(new Peer(laptop, "lost laptop", Role.COMMANDER));
+        robot.press(VK_K, VK_ALT, VK_SHIFT);
+        robot.untilShown("keys-sheet");
+        robot.until(
+                "the boat is listed",
+                () -> SessionWorld.rows(window.frame(), "keys-table").contains("olga|command|linked now|"));
+        robot.click("keys-lost");
+        type("keys-key", laptop.toString());
+        robot.press(VK_ENTER);
+        robot.until("the boat has learnt it", () -> boatKeys.isWithdrawn(laptop));
+        assertThat(boatKeys.find(ownKey())).isPresent();
+    }
+
+    @Test
+    void wrongWordIsNamedWhileItIsTypedAndEscapeLeavesAllAsItIs() throws Exception {
+        responder.open(Role.COMMANDER, clock.getAsLong());
+        robot.press(VK_P, VK_ALT, VK_SHIFT);
+        robot.untilShown("pair-sheet");
+        type("pair-address", "127.0.0.1:" + boat.address().getPort());
+        type("pair-words", "xy ");
+        robot.until("the wrong word is named", () -> judged().contains("'xy' is none of the words that a boat shows"));
+        robot.press(VK_TAB);
+        robot.untilFocused("pair-role");
+        robot.press(VK_ESCAPE);
+        robot.until("the sheet is closed", () -> !isShown("pair-sheet"));
+        assertThat(boatKeys.peers()).isEmpty();
+    }
+
+    private boolean isShown(String sheet) {
+        return WindowSheet.find(window.frame().getRootPane())
+                .filter(one -> one.name().equals(sheet))
+                .isPresent();
+    }
+
+    private String judged() {
+        return SessionWorld.text(window.frame(), "pair-judged");
+    }
+}
