@@ -147,6 +147,10 @@ class PairWindowTest {
         robot.until(
                 "both sides show the same code",
                 () -> codes.contains(robot.find(JLabel.class, "pair-code").getText()));
+        robot.until("the whole code is in sight", () -> {
+            JLabel code = robot.find(JLabel.class, "pair-code");
+            return code.getVisibleRect().height == code.getHeight() && code.getHeight() > 0;
+        });
         robot.press(VK_SPACE);
         robot.until("it is paired", () -> judged().startsWith("✓ Paired with olga: this base may command it"));
         robot.untilFocused("pair-connect");

@@ -98,6 +98,11 @@ public final class WindowSheet {
         }
     }
 
+    /** Gives what is shown the room that it wants now; to be called after it has changed its size. */
+    public void fit() {
+        place();
+    }
+
     /** Whether something is shown. */
     public boolean isOpen() {
         return shown.isPresent();

@@ -20,6 +20,7 @@ import org.sami.crw.session.key.KeyWork;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.CommandRow;
+import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 import org.sami.ui.value.WrappedText;
@@ -103,7 +104,7 @@ public final class KeysForm extends JPanel {
         said.setColor(work.isBad() ? SemanticColor.WARNING : SemanticColor.TEXT);
         said.setVisible(!work.said().isEmpty());
         enableButtons();
-        revalidate();
+        fit();
     }
 
     private void enableButtons() {
@@ -148,14 +149,19 @@ public final class KeysForm extends JPanel {
         below.add(question, "growx");
         below.setVisible(true);
         said.setVisible(false);
-        revalidate();
+        fit();
         question.focusFirst();
+    }
+
+    private void fit() {
+        revalidate();
+        WindowSheet.find(this).ifPresent(WindowSheet::fit);
     }
 
     private void leave() {
         below.removeAll();
         below.setVisible(false);
-        revalidate();
+        fit();
         repaint();
         table.table().requestFocusInWindow();
     }

@@ -30,6 +30,7 @@ import org.sami.crw.session.key.PairingAttempt;
 import org.sami.crw.session.key.PairingDraft;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.EventThread;
+import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.value.TextChanges;
 import org.sami.ui.value.WrappedText;
 
@@ -81,7 +82,7 @@ final class PairForm extends JPanel {
         row("Boats that are not linked", unpaired);
         row("Address, HOST:PORT", address);
         row("Six words, or text of the QR code", said);
-        add(offered, "skip 1, growx, wmin 60, hidemode 3");
+        add(offered, "skip 1, growx, wmin 60");
         row("This base may", role);
         add(picture, "skip 1, split 2, grow 0, " + TALL);
         add(pair, "gapleft push, grow 0, " + TALL);
@@ -179,13 +180,17 @@ final class PairForm extends JPanel {
         pair.setEnabled(complete && !isUnderWay());
         pair.setToolTipText(complete ? "Pair this boat (Enter)" : now.words());
         String completions = String.join(", ", draft().completions());
-        offered.setText(completions.isEmpty() ? "" : "Ctrl+Space: " + completions);
-        offered.setVisible(!completions.isEmpty());
+        offered.setText(completions.isEmpty() ? " " : "Ctrl+Space: " + completions);
         if (!isUnderWay()) {
             say((wrong ? "▲ " : "") + now.words(), wrong ? SemanticColor.WARNING : SemanticColor.MUTED);
             check.show(Optional.empty());
         }
+        fit();
+    }
+
+    private void fit() {
         revalidate();
+        WindowSheet.find(this).ifPresent(WindowSheet::fit);
     }
 
     private void say(String text, SemanticColor color) {
@@ -238,7 +243,7 @@ final class PairForm extends JPanel {
             if (paired) {
                 context.notices().told(one.words());
             }
-            revalidate();
+            fit();
         });
     }
 
