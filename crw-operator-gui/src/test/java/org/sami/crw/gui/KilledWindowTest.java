@@ -43,9 +43,11 @@ class KilledWindowTest {
             robot.untilSaid(
                     "decisions-count",
                     "2 decisions"); // the mission's, and which of the boats that started anew may move
-            assertThat(window.session().models().decisions().snapshot())
-                    .anyMatch(waiting -> waiting.decision().question() instanceof Question.ChooseProxies choice
-                            && choice.proxies().equals(List.of("anna", "bert", "carl", "dora", "emil")));
+            robot.until( // boats are asked about as they are heard, one after another
+                    "all boats that started anew are asked about",
+                    () -> window.session().models().decisions().snapshot().stream()
+                            .anyMatch(waiting -> waiting.decision().question() instanceof Question.ChooseProxies choice
+                                    && choice.proxies().equals(List.of("anna", "bert", "carl", "dora", "emil"))));
             assertThat(window.session().models().missions().snapshot().missions())
                     .singleElement()
                     .matches(mission -> !mission.hasEnded())
