@@ -30,6 +30,7 @@ import org.sami.crw.cli.record.LogCommand;
 import org.sami.crw.cli.run.BoatServerCommand;
 import org.sami.crw.cli.run.DemoCommand;
 import org.sami.crw.cli.run.ExperimentCommand;
+import org.sami.crw.cli.run.FindCommand;
 import org.sami.crw.cli.run.ResumeCommand;
 import org.sami.crw.cli.run.RunCommand;
 import org.sami.crw.cli.run.SessionCommand;
@@ -73,6 +74,7 @@ import picocli.CommandLine.Spec;
             BoatServerCommand.class,
             BoardCommand.class,
             VehiclesCommand.class,
+            FindCommand.class,
             StopCommand.class,
             KeysCommand.class,
             ImportLegacyCommand.class,

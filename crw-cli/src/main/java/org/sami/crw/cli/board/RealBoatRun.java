@@ -1,10 +1,13 @@
 package org.sami.crw.cli.board;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.function.DoubleSupplier;
 import java.util.function.UnaryOperator;
 import org.sami.boat.hull.host.HullBoat;
 import org.sami.boat.hull.settings.HullSettings;
@@ -36,6 +39,9 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
 
         /** Warns of what a new server stands for. */
         void listening(InetSocketAddress address, int restored, int unreadLogLines);
+
+        /** Opens what tells others of the boat while it serves; closed when it ends. */
+        Closeable announce(InetSocketAddress address, String hull, DoubleSupplier batteryPercent);
     }
 
     /**
@@ -66,8 +72,18 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
             Optional<Path> log = logFolder.map(folder -> folder.resolve(name + ".log"));
             boat.serve(address, lostLink, log, console, links.make());
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
-            waiter.await();
+            try (Closeable announcer =
+                    console.announce(boat.address(), hull.kind().name().toLowerCase(Locale.ROOT), () -> charge(boat))) {
+                waiter.await();
+            }
         }
+    }
+
+    /** Percent; NaN where the board tells no voltage. */
+    private static double charge(HullBoat boat) {
+        return Double.isNaN(boat.vehicle().batteryVolts())
+                ? Double.NaN
+                : boat.vehicle().batteryPercent();
     }
 
     /** Makes the boat's links when it begins to serve: words to pair with are shown for a time. */

@@ -5,8 +5,11 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import org.sami.boat.link.BoatAnnouncement;
+import org.sami.boat.link.BoatAnnouncement.Access;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.security.KeyRing;
@@ -39,6 +42,9 @@ final class BoatKeyOptions {
     private boolean open;
 
     private Optional<PairingCodeLines> shown = Optional.empty();
+
+    private volatile String key = "";
+    private volatile BooleanSupplier pairing = () -> false;
 
     /** Refuses what contradicts itself, and plain links to other machines that nobody asked for. */
     void check(InetAddress bind) {
@@ -77,7 +83,15 @@ final class BoatKeyOptions {
             say.accept("to pair a base within five minutes, type there: " + words);
             shown = Optional.of(new PairingCodeLines(keys.identity().fingerprint(), words));
         }
+        key = keys.identity().fingerprint().shortText();
+        pairing = () -> responder.isOpen(clock.getAsLong());
         return plain -> plain.withKeys(keys, responder);
+    }
+
+    /** What the boat announces of its key, and of who may command it; once its links are made. */
+    BoatAnnouncement announcement(String boat, String hull) {
+        Access access = folder == null ? Access.OPEN : pairing.getAsBoolean() ? Access.PAIRING : Access.PAIRED;
+        return BoatAnnouncement.of(boat, key, access, hull);
     }
 
     /** The QR code of the pairing, now that it is known where the boat listens; empty without {@code --pair}. */

@@ -1,5 +1,6 @@
 package org.sami.crw.cli.run;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
@@ -10,7 +11,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.DoubleSupplier;
 import org.jspecify.annotations.Nullable;
+import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatDefaults;
@@ -68,6 +71,7 @@ public final class BoatServerCommand implements Callable<Integer> {
             "--log",
             "--bind",
             "--while-input",
+            "--announce",
             "--board",
             "--gps",
             "--hull",
@@ -160,6 +164,9 @@ public final class BoatServerCommand implements Callable<Integer> {
     @Mixin
     private BoatKeyOptions keys = new BoatKeyOptions();
 
+    @Mixin
+    private AnnounceOption announcing = new AnnounceOption();
+
     @Option(
             names = "--while-input",
             description =
@@ -182,7 +189,9 @@ public final class BoatServerCommand implements Callable<Integer> {
         try (StopOnInterrupt stop = new StopOnInterrupt();
                 BoatOnTcp boat = new BoatOnTcp(settings, clock, console, keys.links(clock, console::say))) {
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
-            awaitEnd();
+            try (Closeable announcer = console.announce(boat.address(), "simulated", boat::batteryPercent)) {
+                awaitEnd();
+            }
         } catch (InterruptedException e) {
             out.printf("%s stops%n", name);
             out.flush();
@@ -308,6 +317,18 @@ public final class BoatServerCommand implements Callable<Integer> {
             out.flush();
             keys.qrCode(name, address).ifPresent(code -> say("or scan this, or copy its text:\n" + code));
             warnOfDamage(unreadLogLines);
+        }
+
+        @Override
+        public Closeable announce(InetSocketAddress address, String hull, DoubleSupplier batteryPercent) {
+            return announcing.open(address, () -> announcement(hull, batteryPercent.getAsDouble()), this::say);
+        }
+
+        private BoatAnnouncement announcement(String hull, double percent) {
+            BoatAnnouncement boat = keys.announcement(name, hull);
+            return percent >= 0 && percent <= 100
+                    ? boat.withBattery((int) Math.round(percent))
+                    : boat; // else not known
         }
 
         @Override

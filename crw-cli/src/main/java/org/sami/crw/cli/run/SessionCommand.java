@@ -67,6 +67,7 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw session --connect 10.0.0.11:11411,10.0.0.12:11411 --journal today.journal",
+            "  crw session --near                               all boats near that are paired",
             "  crw session my-project.json",
             "  echo 'add boat 45.70,10.72 3' | crw session station-keep"
         })
@@ -92,6 +93,14 @@ public final class SessionCommand implements Callable<Integer> {
             split = ",",
             description = "Boats' servers to connect to; more can be connected later.")
     private List<String> connect = new ArrayList<>();
+
+    @Option(
+            names = "--near",
+            description = "Look for boats on the local network for 8 s, and connect to all that are found and paired.")
+    private boolean near;
+
+    @Mixin
+    private NetworkOption network = new NetworkOption();
 
     @Option(
             names = "--journal",
@@ -125,7 +134,7 @@ public final class SessionCommand implements Callable<Integer> {
     private BoatsAtFault onFault = BoatsAtFault.HOLD;
 
     @Override
-    public Integer call() throws IOException {
+    public Integer call() throws IOException, InterruptedException {
         links.use();
         List<BoatAddress> addresses = new ArrayList<>();
         for (String text : connect) {
@@ -137,6 +146,14 @@ public final class SessionCommand implements Callable<Integer> {
         }
         if (script != null && !Files.isReadable(script)) {
             throw new UsageFault("--script: " + script + " cannot be read");
+        }
+        if (near) {
+            for (BoatAddress found :
+                    BoatSearch.connectable(network, spec.commandLine().getErr())) {
+                if (!addresses.contains(found)) {
+                    addresses.add(found);
+                }
+            }
         }
         boolean goesOn = journal != null && Files.exists(journal);
         if (goesOn && name != null) {

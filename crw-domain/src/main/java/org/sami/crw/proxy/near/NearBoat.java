@@ -90,7 +90,10 @@ public record NearBoat(FoundBoat found, State state) {
             return State.OTHER_VERSION;
         }
         if (announced.access() == Access.OPEN) {
-            return base.isPlain(new InetSocketAddress(boat.address().host(), boat.address().port())) ? State.OPEN : State.PLAIN_REFUSED;
+            return base.isPlain(new InetSocketAddress(
+                            boat.address().host(), boat.address().port()))
+                    ? State.OPEN
+                    : State.PLAIN_REFUSED;
         }
         if (withdrawn) {
             return State.WITHDRAWN;

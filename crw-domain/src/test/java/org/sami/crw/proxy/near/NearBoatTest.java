@@ -61,10 +61,13 @@ class NearBoatTest {
 
     @Test
     void boatsOfAnotherVersionAndConnectedOnesAreToldApart() throws IOException {
-        NearBoat other = NearBoat.of(List.of(found(Access.PAIRED, 3)), base(), Set.of()).get(0);
+        NearBoat other =
+                NearBoat.of(List.of(found(Access.PAIRED, 3)), base(), Set.of()).get(0);
         assertThat(other.state()).isEqualTo(State.OTHER_VERSION);
         assertThat(other.stateWords()).isEqualTo("another version (link 3)");
-        assertThat(NearBoat.of(List.of(found(Access.PAIRED, 2)), base(), Set.of(ON_THE_WATER)).get(0).state())
+        assertThat(NearBoat.of(List.of(found(Access.PAIRED, 2)), base(), Set.of(ON_THE_WATER))
+                        .get(0)
+                        .state())
                 .isEqualTo(State.CONNECTED);
     }
 

@@ -48,6 +48,7 @@ public final class BoatOnTcp implements Closeable {
     private int restored; // not written any more once the boat is launched
     private final TcpBoatServer server;
     private long lastMs;
+    private volatile double batteryPercent; // as the boat's thread last set it
 
     /**
      * Launches the boat.
@@ -70,6 +71,7 @@ public final class BoatOnTcp implements Closeable {
         hull = new SimulatedHull(settings.hull(), settings.conditions(), frame, 0, 0, settings.seed());
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
         hull.setBatteryPercent(settings.batteryPercent());
+        batteryPercent = settings.batteryPercent();
         hull.setQuay(Quay.atOrigin());
         boat = new BoatServer(settings.server(bootId), instruments, new Log());
         log = openLog(settings, boat, listener);
@@ -140,6 +142,11 @@ public final class BoatOnTcp implements Closeable {
         return server.address();
     }
 
+    /** Its charge in percent, a moment ago. */
+    public double batteryPercent() {
+        return batteryPercent;
+    }
+
     /** Names this start of the boat's server. */
     public String bootId() {
         return bootId;
@@ -167,6 +174,7 @@ public final class BoatOnTcp implements Closeable {
             hull.setUnderWay(boat.mode().isUnderWay());
             hull.step(seconds);
             instruments.step(seconds);
+            batteryPercent = hull.batteryPercent();
         }
     }
 
