@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -30,6 +31,7 @@ public final class BoatAnnouncer implements Closeable {
         thread.setDaemon(true);
         return thread;
     });
+    private final List<Future<?>> looks = new ArrayList<>();
     private BoatAnnouncement announced; // for the thread, once it has begun
 
     private BoatAnnouncer(Supplier<BoatAnnouncement> boat) {
@@ -61,7 +63,9 @@ public final class BoatAnnouncer implements Closeable {
                             + "; bases reach it by its address",
                     e);
         }
-        announcer.thread.scheduleWithFixedDelay(announcer::look, LOOK_MS, LOOK_MS, TimeUnit.MILLISECONDS);
+        Future<?> looking =
+                announcer.thread.scheduleWithFixedDelay(announcer::look, LOOK_MS, LOOK_MS, TimeUnit.MILLISECONDS);
+        announcer.looks.add(looking);
         return announcer;
     }
 
@@ -90,6 +94,7 @@ public final class BoatAnnouncer implements Closeable {
     /** Takes the announcement back. */
     @Override
     public void close() {
+        looks.forEach(look -> look.cancel(false));
         thread.shutdownNow();
         for (JmDNS network : networks) {
             try {
