@@ -57,7 +57,8 @@ public final class OwnerOnlyFile {
         if (folder == null) {
             throw new IOException(file + " names no file");
         }
-        boolean posix = Files.getFileStore(existing(folder)).supportsFileAttributeView(PosixFileAttributeView.class);
+        boolean posix =
+                folder.getFileSystem().supportedFileAttributeViews().contains("posix"); // Android names no file store
         if (!Files.isDirectory(folder)) {
             Files.createDirectories(folder, attributes(posix, "rwx------"));
         }
@@ -66,14 +67,6 @@ public final class OwnerOnlyFile {
         Files.createFile(next, attributes(posix, PosixFilePermissions.toString(OWNER)));
         Files.write(next, content, StandardOpenOption.WRITE);
         Files.move(next, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-    }
-
-    private static Path existing(Path folder) {
-        Path at = folder;
-        while (!Files.exists(at) && at.getParent() != null) {
-            at = at.getParent();
-        }
-        return at;
     }
 
     private static FileAttribute<?>[] attributes(boolean posix, String permissions) {

@@ -65,6 +65,17 @@ class ApkTest {
         }
     }
 
+    /** Android throws there whatever is asked: keys and logs could not be kept. */
+    @Test
+    void asksForNoFileStoreWhichAndroidRefuses() throws Exception {
+        try (ZipFile zip = new ZipFile(APK.toFile())) {
+            byte[] dex = zip.getInputStream(zip.getEntry("classes.dex")).readAllBytes();
+            assertThat(new String(dex, StandardCharsets.ISO_8859_1))
+                    .contains("supportedFileAttributeViews")
+                    .doesNotContain("getFileStore");
+        }
+    }
+
     private static String run(String... command) throws IOException, InterruptedException {
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
