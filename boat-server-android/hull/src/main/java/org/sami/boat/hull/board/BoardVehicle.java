@@ -163,7 +163,8 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
 
         @Override
         public void sensor(String slot, String type, String data) {
-            boolean read = type.equals(BATTERY) ? battery.take(BoardSensors.word(data, 0)) : sensors.take(type, data);
+            boolean read =
+                    type.equals(BATTERY) ? battery.take(BoardSensors.word(data, 0)) : sensors.take(slot, type, data);
             if (!read) {
                 garbled(slot + " " + type + ": " + data);
             }

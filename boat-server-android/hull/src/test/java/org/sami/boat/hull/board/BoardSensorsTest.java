@@ -21,7 +21,7 @@ class BoardSensorsTest {
 
     @Test
     void conductivityAndTemperatureAreChannelsOfOneInstrument() {
-        assertThat(sensors.take("es2", "412.5 18.25")).isTrue();
+        assertThat(sensors.take("s1", "es2", "412.5 18.25")).isTrue();
 
         assertThat(read("es2", "conductivity")).isEqualTo("[412.5] µS/cm");
         assertThat(read("es2", "temperature")).isEqualTo("[18.25] °C");
@@ -29,8 +29,8 @@ class BoardSensorsTest {
 
     @Test
     void oxygenAndAcidityAreRead() {
-        sensors.take("atlas_do", "8.31");
-        sensors.take("atlas_ph", "7.6");
+        sensors.take("s1", "atlas_do", "8.31");
+        sensors.take("s1", "atlas_ph", "7.6");
 
         assertThat(read("atlas_do", "oxygen")).isEqualTo("[8.31] mg/L");
         assertThat(read("atlas_ph", "ph")).isEqualTo("[7.6] ");
@@ -38,9 +38,9 @@ class BoardSensorsTest {
 
     @Test
     void soundersDepthIsItsThirdValue() {
-        assertThat(sensors.take("hds", "$SDDBT,12.3,f,3.75,M,2.0,F")).isTrue();
-        assertThat(sensors.take("hds", "$SDMTW,18.5,C")).isTrue();
-        assertThat(sensors.take("hds", "$SDRMC,101010,A,,,,,,,,,")).isTrue();
+        assertThat(sensors.take("s1", "hds", "$SDDBT,12.3,f,3.75,M,2.0,F")).isTrue();
+        assertThat(sensors.take("s1", "hds", "$SDMTW,18.5,C")).isTrue();
+        assertThat(sensors.take("s1", "hds", "$SDRMC,101010,A,,,,,,,,,")).isTrue();
 
         assertThat(read("hds", "depth")).isEqualTo("[3.75] m");
         assertThat(read("hds", "temperature")).isEqualTo("[18.5] °C");
@@ -48,14 +48,14 @@ class BoardSensorsTest {
 
     @Test
     void sounderWithAWrongChecksumIsRefused() {
-        assertThat(sensors.take("hds", "$SDMTW,18.5,C*00")).isFalse();
+        assertThat(sensors.take("s1", "hds", "$SDMTW,18.5,C*00")).isFalse();
         assertThat(read("hds", "temperature")).isEqualTo("[] °C");
     }
 
     @Test
     void eachMeasurementIsReadOnceInItsOrder() {
-        sensors.take("winch", "1");
-        sensors.take("winch", "2");
+        sensors.take("s1", "winch", "1");
+        sensors.take("s1", "winch", "2");
 
         assertThat(read("winch", "depth")).isEqualTo("[1.0] m");
         assertThat(read("winch", "depth")).isEqualTo("[2.0] m");
@@ -64,18 +64,31 @@ class BoardSensorsTest {
 
     @Test
     void whatNoWaterHasIsRefusedAndTheOtherValueIsKept() {
-        assertThat(sensors.take("es2", "NaN 18")).isFalse();
-        assertThat(sensors.take("atlas_ph", "99")).isFalse();
-        assertThat(sensors.take("atlas_do", "")).isFalse();
-        assertThat(sensors.take("laser", "1")).isFalse();
+        assertThat(sensors.take("s1", "es2", "NaN 18")).isFalse();
+        assertThat(sensors.take("s1", "atlas_ph", "99")).isFalse();
+        assertThat(sensors.take("s1", "atlas_do", "")).isFalse();
+        assertThat(sensors.take("s1", "laser", "1")).isFalse();
 
         assertThat(read("es2", "conductivity")).isEqualTo("[] µS/cm");
         assertThat(read("es2", "temperature")).isEqualTo("[18.0] °C");
     }
 
     @Test
+    void twoInstrumentsOfOneTypeAreTwo() {
+        sensors.take("s2", "es2", "400 18");
+        sensors.take("s3", "es2", "900 19");
+        sensors.take("s2", "es2", "401 18");
+
+        assertThat(read("es2", "conductivity")).isEqualTo("[400.0] µS/cm");
+        assertThat(read("es2", "conductivity")).isEqualTo("[401.0] µS/cm");
+        assertThat(read("es2", "conductivity")).isEqualTo("[] µS/cm");
+        assertThat(read("es2 s3", "conductivity")).isEqualTo("[900.0] µS/cm");
+        assertThat(read("es2 s3", "temperature")).isEqualTo("[19.0] °C");
+    }
+
+    @Test
     void conductivityWithoutAThermometerIsRead() {
-        assertThat(sensors.take("es2", "412.5")).isTrue();
+        assertThat(sensors.take("s1", "es2", "412.5")).isTrue();
     }
 
     @Test
