@@ -28,6 +28,7 @@ public final class PhoneHealth {
     private volatile double freeMegabytes = Double.NaN;
     private volatile double clockSetByS = Double.NaN;
     private volatile boolean logBroken;
+    private volatile boolean dateLost;
 
     /** The phone's battery. */
     public void setBattery(double percent, double celsius) {
@@ -43,6 +44,11 @@ public final class PhoneHealth {
     /** The phone's date was set; told to the base once. */
     public void clockSet(double bySeconds) {
         clockSetByS = bySeconds;
+    }
+
+    /** Whether the phone has lost its date: it shows one before this app was made. */
+    public void setDateLost(boolean lost) {
+        dateLost = lost;
     }
 
     /** The boat's log cannot be written any more. */
@@ -72,6 +78,9 @@ public final class PhoneHealth {
         if (freeMegabytes < LITTLE_STORAGE_MB) {
             troubles.add("phone storage is nearly full, " + Math.round(freeMegabytes) + " MB left: delete something");
         }
+        if (dateLost) {
+            troubles.add("the phone has lost its date: set it; the boat drives all the same");
+        }
         if (logBroken) {
             troubles.add("the log cannot be written: after a restart the boat will not know its last commands");
         }
@@ -85,6 +94,7 @@ public final class PhoneHealth {
         sensors.add(new Channel("temperature", "°C", () -> temperatureC));
         sensors.add(new Channel("free storage", "MB", () -> freeMegabytes));
         sensors.add(new Channel("log broken", "", () -> logBroken ? 1 : Double.NaN));
+        sensors.add(new Channel("date lost", "", () -> dateLost ? 1 : Double.NaN));
         sensors.add(new Channel("date set by", "s", this::takeClockSet));
         return sensors;
     }

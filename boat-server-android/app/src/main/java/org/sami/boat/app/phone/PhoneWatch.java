@@ -14,6 +14,7 @@ import org.sami.boat.app.boat.PhoneHealth;
 /** Watches the phone's battery, heat, storage and date. For the main thread. */
 public final class PhoneWatch {
     private static final double NOT_SET_S = 2; // networks correct phones by less
+    private static final long MADE_MS = 1_767_225_600_000L; // 2026-01-01, before which this app was not there
 
     private final Context context;
     private final PhoneHealth health;
@@ -47,8 +48,9 @@ public final class PhoneWatch {
         look();
     }
 
-    /** Looks at the storage; to be called now and then. */
+    /** Looks at storage and date; to be called now and then. */
     public void look() {
+        health.setDateLost(dateMs.getAsLong() < MADE_MS);
         health.setFreeMegabytes(new StatFs(folder.getPath()).getAvailableBytes() / 1e6);
     }
 

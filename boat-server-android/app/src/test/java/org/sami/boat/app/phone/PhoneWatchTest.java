@@ -63,6 +63,7 @@ public class PhoneWatchTest {
 
     @Test
     public void fullStorageIsTold() {
+        dateMs.set(1_790_000_000_000L);
         ShadowStatFs.registerStats(phone.getFilesDir(), 100_000, 5000, 5000); // blocks of 4096 bytes
         watch.look();
 
@@ -77,6 +78,17 @@ public class PhoneWatchTest {
 
         assertThat(reading("date set by").get(0)).isBetween(1_699_999_999.0, 1_700_000_001.0);
         assertThat(reading("date set by")).isEmpty();
+    }
+
+    @Test
+    public void phoneIn1970IsToldUntilItsDateIsSet() {
+        assertThat(reading("date lost")).containsExactly(1.0);
+        assertThat(health.troubles()).contains("the phone has lost its date: set it; the boat drives all the same");
+
+        dateMs.set(1_790_000_000_000L);
+        watch.look();
+
+        assertThat(reading("date lost")).isEmpty();
     }
 
     @Test
