@@ -18,6 +18,7 @@ import org.sami.boat.app.boat.AppFiles;
 import org.sami.boat.app.boat.BoatOnPhone;
 import org.sami.boat.app.boat.PhoneHealth;
 import org.sami.boat.app.boat.PhoneSettings;
+import org.sami.boat.app.phone.PhoneAnnouncer;
 import org.sami.boat.app.phone.PhonePosition;
 import org.sami.boat.app.phone.PhoneWatch;
 import org.sami.boat.app.phone.UsbBoardPort;
@@ -34,6 +35,7 @@ public final class BoatService extends Service {
     private final Handler main = new Handler(Looper.getMainLooper());
     private final Runnable looks = this::look;
     private PhoneLocks locks;
+    private PhoneAnnouncer announcer;
     private BoatNotification notification;
     private Optional<Parts> parts = Optional.empty();
     private String fault = "";
@@ -69,6 +71,7 @@ public final class BoatService extends Service {
         startForeground(BoatNotification.ID, notification.saying(getString(R.string.begins)));
         locks = new PhoneLocks(this);
         locks.take();
+        announcer = new PhoneAnnouncer(this);
         beginBoat();
         main.post(looks);
     }
@@ -147,9 +150,12 @@ public final class BoatService extends Service {
         void look() {
             position.begin();
             watch.look();
+            boat.announcement()
+                    .ifPresent(text -> announcer.announce(text, boat.status().port()));
         }
 
         void end() {
+            announcer.end();
             position.end();
             watch.end();
             try {

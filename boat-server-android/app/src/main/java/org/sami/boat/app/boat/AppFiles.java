@@ -43,6 +43,16 @@ public final class AppFiles {
         return folder.resolve("stopped");
     }
 
+    /** Folder of the own key and of those of the bases. */
+    Path keys() {
+        return folder.resolve("keys");
+    }
+
+    /** Is there while whoever reaches the boat commands it. */
+    Path openLinks() {
+        return folder.resolve("open-links");
+    }
+
     /** The text of a small file; empty if it is missing. */
     static Optional<String> text(Path file) throws IOException {
         if (!Files.exists(file)) {

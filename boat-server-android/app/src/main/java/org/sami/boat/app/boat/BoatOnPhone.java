@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
@@ -24,6 +25,7 @@ import org.sami.boat.hull.settings.HullFile;
 import org.sami.boat.hull.settings.HullKind;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.hull.stream.StreamPort;
+import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
@@ -50,6 +52,7 @@ public final class BoatOnPhone implements Closeable {
     private static final long RETRY_MS = 5000;
     private static final long COMPASS_WAIT_MS = 3000;
     private static final double LEAST_ERROR_M = 1;
+    private static final int CHARGE_STEP = 10;
     private static final double USUAL_DRIFT_MPS = 0.2;
 
     private final AppFiles files;
@@ -59,6 +62,7 @@ public final class BoatOnPhone implements Closeable {
     private final SteadyClock clock;
     private final PhoneNews listener;
     private final PhoneStop stop;
+    private final PhoneKeys keys;
     private final PositionFilter position = new PositionFilter();
     private final BoardVehicle board;
     private final PhoneVehicle vehicle;
@@ -76,7 +80,7 @@ public final class BoatOnPhone implements Closeable {
      *
      * @param address where it listens; the wildcard address is all networks of the phone
      * @param boardPort where the control board is, or will be
-     * @throws IOException if the hull's settings cannot be read: a wrong kind of hull would be driven wrongly
+     * @throws IOException if the hull's settings cannot be read, for a wrong kind of hull would be driven wrongly, or the keys
      */
     public BoatOnPhone(
             AppFiles files,
@@ -94,6 +98,7 @@ public final class BoatOnPhone implements Closeable {
         this.clock = Objects.requireNonNull(clock, "clock");
         this.listener = Objects.requireNonNull(listener, "listener");
         stop = new PhoneStop(files);
+        keys = new PhoneKeys(files, settings.name());
         board = new BoardVehicle(hullSettings(), position, boardPort, clock, new Board());
         vehicle = new PhoneVehicle(board, health, stop);
         starter = Executors.newSingleThreadScheduledExecutor(work -> {
@@ -171,6 +176,16 @@ public final class BoatOnPhone implements Closeable {
         return stop;
     }
 
+    /** Its key, and the bases that are paired with it. */
+    public PhoneKeys keys() {
+        return keys;
+    }
+
+    /** The boat's clock, in ms. */
+    public long nowMs() {
+        return clock.getAsLong();
+    }
+
     /** Stops the motors at once, until {@link #release}. */
     public void stopNow() {
         try {
@@ -220,12 +235,26 @@ public final class BoatOnPhone implements Closeable {
                 now.map(run -> run.mode),
                 now.flatMap(run -> run.commandedBy),
                 now.map(run -> run.tcp.clientCount()).orElse(0),
+                keys,
                 position.pose(nowMs),
                 position.doubts(nowMs),
                 board,
                 health.batteryPercent(),
                 troubles(),
                 stop.isLatched());
+    }
+
+    /** What it announces on its network; empty while it does not serve. The charge is told in steps of ten percent: each change is a new announcement. */
+    public Optional<BoatAnnouncement> announcement() {
+        if (!running.isPresent()) {
+            return Optional.empty();
+        }
+        String hull = board.hull().kind().name().toLowerCase(Locale.ROOT);
+        BoatAnnouncement boat =
+                BoatAnnouncement.of(settings.name(), keys.own().shortText(), keys.access(clock.getAsLong()), hull);
+        double percent = vehicle.batteryPercent();
+        boolean known = percent >= 0 && percent <= 100;
+        return Optional.of(known ? boat.withBattery(CHARGE_STEP * (int) (percent / CHARGE_STEP)) : boat);
     }
 
     /** The port on which it serves, or will. */
@@ -286,18 +315,17 @@ public final class BoatOnPhone implements Closeable {
                     broken -> health.setLogBroken());
             boat.restore(log.epoch());
             try {
-                tcp = new TcpBoatServer(
-                        settings.name(),
-                        boat,
-                        TcpServerConfig.on(new InetSocketAddress(address, settings.port())),
-                        clock,
-                        this::beforeTick,
-                        this);
+                tcp = new TcpBoatServer(settings.name(), boat, links(), clock, this::beforeTick, this);
                 tcp.start();
             } catch (IOException | RuntimeException e) {
                 log.close();
                 throw e;
             }
+        }
+
+        private TcpServerConfig links() {
+            TcpServerConfig links = TcpServerConfig.on(new InetSocketAddress(address, settings.port()));
+            return keys.areLinksOpen() ? links : links.withKeys(keys.ring(), keys.responder());
         }
 
         private void beforeTick(long nowMs) {

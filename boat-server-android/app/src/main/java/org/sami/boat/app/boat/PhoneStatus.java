@@ -18,6 +18,8 @@ public final class PhoneStatus {
     private final Optional<BoatMode> mode;
     private final Optional<String> commandedBy;
     private final int clients;
+    private final int bases;
+    private final boolean open;
     private final Pose pose;
     private final Set<PositionDoubt> doubts;
     private final BoardState board;
@@ -45,6 +47,7 @@ public final class PhoneStatus {
             Optional<BoatMode> mode,
             Optional<String> commandedBy,
             int clients,
+            PhoneKeys keys,
             Pose pose,
             Set<PositionDoubt> doubts,
             BoardVehicle hull,
@@ -57,6 +60,8 @@ public final class PhoneStatus {
         this.mode = mode;
         this.commandedBy = commandedBy;
         this.clients = clients;
+        bases = keys.bases().size();
+        open = keys.areLinksOpen();
         this.pose = pose;
         this.doubts = Collections.unmodifiableSet(doubts);
         board = hull.boardState();
@@ -96,6 +101,16 @@ public final class PhoneStatus {
     /** How many clients are connected. */
     public int clients() {
         return clients;
+    }
+
+    /** How many bases are paired. */
+    public int bases() {
+        return bases;
+    }
+
+    /** Whether anybody commands it, paired or not. */
+    public boolean areLinksOpen() {
+        return open;
     }
 
     /** Where it is. */

@@ -48,6 +48,7 @@ public final class BoatActivity extends Activity {
         button(R.id.lock).setOnClickListener(view -> lockNow());
         button(R.id.lock).setOnLongClickListener(view -> unlock());
         button(R.id.motors).setOnClickListener(view -> open(MotorCheckActivity.class));
+        button(R.id.pair).setOnClickListener(view -> open(PairActivity.class));
         button(R.id.settings).setOnClickListener(view -> open(SettingsActivity.class));
         askOnce();
     }
@@ -147,6 +148,7 @@ public final class BoatActivity extends Activity {
         button(R.id.stop).setText(stopText(locked, stopped));
         button(R.id.lock).setText(locked ? R.string.hold_to_unlock : R.string.lock);
         button(R.id.motors).setEnabled(!locked);
+        button(R.id.pair).setEnabled(!locked);
         button(R.id.settings).setEnabled(!locked);
     }
 

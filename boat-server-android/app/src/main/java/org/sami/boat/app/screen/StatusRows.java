@@ -54,6 +54,12 @@ final class StatusRows {
             case FAILED:
                 return row(R.string.link, texts.getString(R.string.not_serving, at), Level.BAD);
             default:
+                if (boat.areLinksOpen()) {
+                    return row(R.string.link, texts.getString(R.string.open_to_all, at), Level.DOUBTFUL);
+                }
+                if (boat.bases() == 0) {
+                    return row(R.string.link, texts.getString(R.string.nobody_paired, at), Level.BAD);
+                }
                 String clients = texts.getQuantityString(R.plurals.connected, boat.clients(), boat.clients());
                 return row(R.string.link, at + "\n" + clients, boat.clients() > 0 ? Level.GOOD : Level.DOUBTFUL);
         }

@@ -64,7 +64,9 @@ class BoatOnPhoneTest {
         return new AppFiles(folder);
     }
 
+    /** A boat with open links: who may reach it is shown in {@link PhoneKeysTest}. */
     private BoatOnPhone begin() throws IOException {
+        AppFiles.write(files().openLinks(), "");
         BoatOnPhone boat = new BoatOnPhone(
                 files(),
                 PhoneSettings.readOrMake(files(), new Random(1)),

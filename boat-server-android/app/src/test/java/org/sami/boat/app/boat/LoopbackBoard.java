@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import org.sami.boat.hull.stream.StreamConnection;
 import org.sami.boat.hull.stream.StreamPort;
 import org.sami.boat.hull.stream.TcpPort;
 
@@ -22,6 +23,19 @@ public final class LoopbackBoard implements AutoCloseable {
         Thread thread = new Thread(this::serve, "loopback-board");
         thread.setDaemon(true);
         thread.start();
+    }
+
+    /** The port of a phone into which no board is plugged. */
+    public static final class Absent implements StreamPort {
+        @Override
+        public String name() {
+            return "USB";
+        }
+
+        @Override
+        public StreamConnection open() throws IOException {
+            throw new IOException("no board is plugged in");
+        }
     }
 
     /** Where the phone reaches it. */

@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.Robolectric;
@@ -28,13 +29,19 @@ import org.robolectric.shadows.ShadowStatFs;
 import org.sami.boat.app.BoatService;
 import org.sami.boat.app.R;
 import org.sami.boat.app.boat.BoatOnPhone;
+import org.sami.boat.app.boat.PairedBase;
+import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.hull.position.GpsFix;
+import org.sami.boat.link.Role;
+import org.sami.boat.server.testing.Await;
 
 /** Draws the screens for docs/boat-app.md: {@code ./gradlew :boat-server-android:app:screenshots}. */
 @RunWith(RobolectricTestRunner.class)
 @GraphicsMode(GraphicsMode.Mode.NATIVE)
-@Config(qualifiers = "w411dp-h823dp-xhdpi")
+@Config(qualifiers = "w411dp-h823dp-hdpi", shadows = PictureAddress.class)
 public class ScreenPictures {
+    private static final float LARGE = 1.5f;
+
     private final Path folder = Path.of(System.getProperty("pictures"));
     private final Application phone = RuntimeEnvironment.getApplication();
     private final ServiceController<BoatService> service = Robolectric.buildService(BoatService.class);
@@ -66,55 +73,110 @@ public class ScreenPictures {
         }
     }
 
+    private <A extends Activity> void screen(Class<A> kind, String name, Steps steps) throws IOException {
+        try (ActivityController<A> screen = Robolectric.buildActivity(kind)) {
+            A shown = screen.setup().get();
+            ShadowLooper.idleMainLooper();
+            steps.on(shown);
+            ShadowLooper.idleMainLooper(1, TimeUnit.SECONDS);
+            draw(shown, name);
+        }
+        service.destroy();
+    }
+
+    /** What is done before the picture is taken. */
+    private interface Steps {
+        void on(Activity screen) throws IOException;
+    }
+
+    private static void unlock(Activity screen) {
+        screen.findViewById(R.id.lock).performLongClick();
+    }
+
+    private PairedBase paired(BoatOnPhone boat) throws Exception {
+        Await.until("serves", () -> {
+            measure(boat);
+            return boat.status().serving() == PhoneStatus.Serving.SERVES;
+        });
+        PairedBase base = new PairedBase(boat.status().port(), boat.settings().name());
+        boat.keys().beginPairing(Role.COMMANDER, boat.nowMs());
+        base.pair(boat.keys().words(boat.nowMs()).orElseThrow());
+        return base;
+    }
+
     @Test
     public void indoors() throws IOException {
         begin();
-        try (ActivityController<BoatActivity> screen = Robolectric.buildActivity(BoatActivity.class)) {
-            draw(screen.setup().get(), "app-indoors");
-        }
-        service.destroy();
+        screen(BoatActivity.class, "app-indoors", screen -> {});
+    }
+
+    @Test
+    public void unlocked() throws Exception {
+        BoatOnPhone boat = begin();
+        paired(boat);
+        boat.keys().confirm();
+        screen(BoatActivity.class, "app-unlocked", ScreenPictures::unlock);
     }
 
     @Test
     @Config(qualifiers = "+night")
-    public void dark() throws IOException {
+    public void dark() throws Exception {
         BoatOnPhone boat = begin();
-        measure(boat);
-        try (ActivityController<BoatActivity> screen = Robolectric.buildActivity(BoatActivity.class)) {
-            screen.setup().get().findViewById(R.id.lock).performLongClick();
-            boat.stopNow();
-            screen.get().findViewById(R.id.lock).performLongClick();
-            draw(screen.get(), "app-stopped-dark");
-        }
-        service.destroy();
+        paired(boat);
+        boat.stopNow();
+        screen(BoatActivity.class, "app-stopped-dark", screen -> {});
     }
 
     @Test
-    public void outdoors() throws IOException {
-        BoatOnPhone boat = begin();
-        measure(boat);
-        try (ActivityController<BoatActivity> screen = Robolectric.buildActivity(BoatActivity.class)) {
-            screen.setup().get().findViewById(R.id.lock).performLongClick();
-            draw(screen.get(), "app-unlocked");
-        }
-        service.destroy();
+    public void large() throws IOException {
+        RuntimeEnvironment.setFontScale(LARGE);
+        begin();
+        screen(BoatActivity.class, "app-large", ScreenPictures::unlock);
     }
 
     @Test
     public void settings() throws IOException {
         begin();
-        try (ActivityController<SettingsActivity> screen = Robolectric.buildActivity(SettingsActivity.class)) {
-            draw(screen.setup().get(), "app-settings");
-        }
-        service.destroy();
+        screen(SettingsActivity.class, "app-settings", screen -> {});
     }
 
     @Test
     public void motors() throws IOException {
         begin();
-        try (ActivityController<MotorCheckActivity> screen = Robolectric.buildActivity(MotorCheckActivity.class)) {
-            draw(screen.setup().get(), "app-motors");
-        }
-        service.destroy();
+        screen(MotorCheckActivity.class, "app-motors", screen -> {});
+    }
+
+    @Test
+    public void pairing() throws Exception {
+        BoatOnPhone boat = begin();
+        paired(boat);
+        boat.keys().confirm();
+        screen(PairActivity.class, "app-pair", screen -> {});
+    }
+
+    @Test
+    public void words() throws IOException {
+        begin();
+        screen(
+                PairActivity.class,
+                "app-pair-words",
+                screen -> screen.findViewById(R.id.begin).performClick());
+    }
+
+    @Test
+    @Config(qualifiers = "+night")
+    public void wordsInTheDarkInLargeType() throws IOException {
+        RuntimeEnvironment.setFontScale(LARGE);
+        begin();
+        screen(
+                PairActivity.class,
+                "app-pair-large-dark",
+                screen -> screen.findViewById(R.id.begin).performClick());
+    }
+
+    @Test
+    public void checkCode() throws Exception {
+        paired(begin());
+        screen(PairActivity.class, "app-pair-check", screen -> {});
     }
 }
