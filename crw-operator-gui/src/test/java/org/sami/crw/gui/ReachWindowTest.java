@@ -46,6 +46,7 @@ class ReachWindowTest {
     private static final String HEADS = "-menu '' Set "; // as high as the heads of panels (docs/windows.md)
     private static final List<String> SHEETS = List.of(
             "boat-connect",
+            "boat-pair",
             "project-open",
             "map-base",
             "replay-open",
