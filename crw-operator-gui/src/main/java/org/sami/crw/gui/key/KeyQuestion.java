@@ -69,7 +69,11 @@ final class KeyQuestion extends JPanel {
     }
 
     String text(String name) {
-        return fields.get(name).getText().strip();
+        return field(name).getText().strip();
+    }
+
+    private JTextField field(String name) {
+        return Optional.ofNullable(fields.get(name)).orElseThrow(() -> new IllegalArgumentException(name));
     }
 
     /** The file that is named; empty where the text cannot be one. */
@@ -83,7 +87,7 @@ final class KeyQuestion extends JPanel {
 
     /** What was typed, which the field forgets. */
     char[] password(String name) {
-        JPasswordField field = (JPasswordField) fields.get(name);
+        JPasswordField field = (JPasswordField) field(name);
         char[] typed = field.getPassword();
         field.setText("");
         return typed;
