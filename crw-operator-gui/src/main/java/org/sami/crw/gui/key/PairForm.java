@@ -60,7 +60,8 @@ final class PairForm extends JPanel {
 
     /** An empty form. */
     PairForm(OperatorContext context, BaseProtection protection) {
-        super(new MigLayout("novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2, w 620::", "[][grow,fill]"));
+        super(new MigLayout(
+                "novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2, hidemode 3, w 620::", "[][grow,fill]"));
         this.context = context;
         this.protection = protection;
         setName("pair-form");
@@ -188,6 +189,17 @@ final class PairForm extends JPanel {
         fit();
     }
 
+    /** What is typed gives way to what is asked next, so that both have room in small windows. */
+    private void showEntry(boolean shown) {
+        boolean offers = unpaired.getItemCount() > 1;
+        for (Component part : getComponents()) {
+            boolean offer = part == unpaired || "pair-unpaired-label".equals(part.getName());
+            if (part != judged && part != check) {
+                part.setVisible(shown && (offers || !offer));
+            }
+        }
+    }
+
     private void fit() {
         revalidate();
         WindowSheet.find(this).ifPresent(WindowSheet::fit);
@@ -239,6 +251,7 @@ final class PairForm extends JPanel {
             address.setEnabled(free);
             said.setEnabled(free);
             role.setEnabled(free);
+            showEntry(free && !paired);
             check.show(attempt);
             if (paired) {
                 context.notices().told(one.words());
