@@ -81,6 +81,20 @@ final class Checks {
         return value;
     }
 
+    /** The name of a file in one folder: a {@link #name} that leads to no other folder, on any system, and is not hidden. */
+    static String fileName(String name, String value) {
+        name(name, value);
+        for (int i = 0; i < value.length(); i++) {
+            if ("/\\:*?\"<>|".indexOf(value.charAt(i)) >= 0) {
+                throw new BadValueException(name, "a file name has no " + value.charAt(i));
+            }
+        }
+        if (value.charAt(0) == '.' || value.trim().length() < value.length() || value.endsWith(".")) {
+            throw new BadValueException(name, "a file name begins with no dot or space and ends with none");
+        }
+        return value;
+    }
+
     /** 32 bytes as lower-case hexadecimal digits. */
     static String proof(String name, String value) {
         Objects.requireNonNull(value, name);

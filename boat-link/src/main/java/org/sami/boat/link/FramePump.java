@@ -41,6 +41,11 @@ public final class FramePump {
         return queue.offer(frame);
     }
 
+    /** Puts a frame on its way as soon as no other waits. Returns false, and takes nothing, while an earlier one of these waits. */
+    public boolean sendBelow(byte[] frame) {
+        return queue.offerBelow(frame);
+    }
+
     /** Sends nothing more, and lets {@link #write} end when what waits has been written. */
     public void finish() {
         queue.finish();

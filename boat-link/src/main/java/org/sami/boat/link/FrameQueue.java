@@ -9,6 +9,7 @@ import java.util.Optional;
  */
 final class FrameQueue {
     private final ArrayDeque<byte[]> frames = new ArrayDeque<>();
+    private Optional<byte[]> below = Optional.empty(); // waits for all others
     private final int maxFrames;
     private final int maxBytes;
     private long bytes;
@@ -32,20 +33,32 @@ final class FrameQueue {
         return fits;
     }
 
+    /** Adds a frame that waits until no other does. Returns false, and takes nothing, while an earlier one waits. */
+    synchronized boolean offerBelow(byte[] frame) {
+        boolean fits = !below.isPresent();
+        if (fits && !closed && !finished) {
+            below = Optional.of(frame);
+            notifyAll();
+        }
+        return fits;
+    }
+
     /** The next frame, waited for; empty once the queue is closed, or was finished and nothing waits. */
     synchronized Optional<byte[]> take() throws InterruptedException {
-        while (frames.isEmpty() && !closed && !finished) {
+        while (frames.isEmpty() && !below.isPresent() && !closed && !finished) {
             wait();
         }
         if (frames.isEmpty()) {
-            return Optional.empty();
+            Optional<byte[]> last = below;
+            below = Optional.empty();
+            return last;
         }
         byte[] frame = frames.remove();
         bytes -= frame.length;
         return Optional.of(frame);
     }
 
-    /** Whether nothing waits. */
+    /** Whether nothing waits, but for a frame that waits for all others. */
     synchronized boolean isEmpty() {
         return frames.isEmpty();
     }
@@ -60,6 +73,7 @@ final class FrameQueue {
     synchronized void close() {
         closed = true;
         frames.clear();
+        below = Optional.empty();
         bytes = 0;
         notifyAll();
     }

@@ -12,6 +12,16 @@ public interface FrameSink {
     /** Sends one whole frame, in order with the others. */
     void send(byte[] frame);
 
+    /**
+     * Sends one frame after all others that wait, for what must delay nothing else. A sink without a queue sends it at once.
+     *
+     * @return false, and nothing is sent, while an earlier frame of this kind waits
+     */
+    default boolean sendBelow(Frame frame) {
+        send(frame);
+        return true;
+    }
+
     /** Sends one frame, in order with the others, as the standard codec writes it; a sink that needs no bytes takes it as it is. */
     default void send(Frame frame) {
         send(LinkCodec.STANDARD.encode(frame));

@@ -50,6 +50,11 @@ final class MessageReaders {
         BY_TYPE.put(Pair.TYPE, Pair::read);
         BY_TYPE.put(Paired.TYPE, Paired::read);
         BY_TYPE.put(WithdrawKeys.TYPE, WithdrawKeys::read);
+        BY_TYPE.put(ListFiles.TYPE, ListFiles::read);
+        BY_TYPE.put(FileList.TYPE, FileList::read);
+        BY_TYPE.put(GetPiece.TYPE, GetPiece::read);
+        BY_TYPE.put(FilePiece.TYPE, FilePiece::read);
+        BY_TYPE.put(FileRefusal.TYPE, FileRefusal::read);
     }
 
     private MessageReaders() {}

@@ -57,7 +57,12 @@ class LinkPageTest {
     @Test
     void everyReasonModeAndActionIsExplained() throws IOException {
         String page = page();
-        Stream.of(NackReason.values(), BoatMode.values(), LostLinkAction.values(), GainAxis.values())
+        Stream.of(
+                        NackReason.values(),
+                        BoatMode.values(),
+                        LostLinkAction.values(),
+                        GainAxis.values(),
+                        FileRefusal.Reason.values())
                 .flatMap(Arrays::stream)
                 .forEach(word -> assertThat(page).contains("`" + word + "`"));
         for (BatteryLevel level : BatteryLevel.values()) {

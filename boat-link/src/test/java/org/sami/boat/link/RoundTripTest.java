@@ -86,7 +86,18 @@ class RoundTripTest {
                         Optional.empty(),
                         "base2"),
                 new SetWaysHome("c", "l", List.of(List.of(), List.of(List.of()), List.of(path, path.subList(0, 1)))),
-                new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12));
+                new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12),
+                new ListFiles("r", KeptFile.LOG, "anna.log"),
+                new FileList(
+                        "r",
+                        List.of(
+                                new KeptFile("anna.log", KeptFile.LOG, 12, "0123456789abcdef".repeat(4)),
+                                new KeptFile("bärbel 2.jpg", KeptFile.PICTURE, 200_000_000, "")),
+                        true),
+                new GetPiece("r", "../anna.log", Long.MAX_VALUE, FilePiece.MAX_BYTES),
+                new FilePiece("r", "anna.log", 7, new byte[] {0, -1, 10, 127}),
+                new FilePiece("r", "anna.log", Long.MAX_VALUE, new byte[FilePiece.MAX_BYTES]),
+                new FileRefusal("r", FileRefusal.Reason.PAST_END, "anna.log has 7 bytes"));
     }
 
     @ParameterizedTest
@@ -108,7 +119,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(35);
+                .hasSize(40);
     }
 
     @Test

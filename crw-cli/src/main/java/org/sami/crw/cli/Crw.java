@@ -27,6 +27,7 @@ import org.sami.crw.cli.record.ImportLegacyCommand;
 import org.sami.crw.cli.record.ImportLocationsCommand;
 import org.sami.crw.cli.record.JournalCommand;
 import org.sami.crw.cli.record.LogCommand;
+import org.sami.crw.cli.record.LogsCommand;
 import org.sami.crw.cli.run.BoatServerCommand;
 import org.sami.crw.cli.run.DemoCommand;
 import org.sami.crw.cli.run.ExperimentCommand;
@@ -76,6 +77,7 @@ import picocli.CommandLine.Spec;
             VehiclesCommand.class,
             FindCommand.class,
             StopCommand.class,
+            LogsCommand.class,
             KeysCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,

@@ -12,6 +12,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.FileRequest;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
@@ -117,7 +118,12 @@ public final class BoatServer {
 
     /** A link to a client has opened; the client then says hello. */
     public ServerSession connect(FrameSink toClient) {
-        ServerSession session = new ServerSession(this, toClient);
+        return connect(toClient, FileDesk.NONE);
+    }
+
+    /** A link to a client has opened, which may fetch files; the client then says hello. */
+    public ServerSession connect(FrameSink toClient, FileDesk files) {
+        ServerSession session = new ServerSession(this, toClient, files);
         sessions.add(session);
         return session;
     }
@@ -194,6 +200,8 @@ public final class BoatServer {
         LinkMessage message = frame.message();
         if (message instanceof Hello) {
             greet(session, (Hello) message, nowMs);
+        } else if (message instanceof FileRequest) {
+            session.askForFile((FileRequest) message, nowMs);
         } else if (isCommander(session) && commanderLost && !isStopping(message)) {
             refuseLate(session, message, "the link was lost: say hello again", nowMs);
         } else if (message instanceof CommandMessage) {

@@ -3,6 +3,8 @@ package org.sami.boat.server;
 import java.io.IOException;
 import java.util.Optional;
 import org.sami.boat.link.EarlierVersion;
+import org.sami.boat.link.FileRefusal;
+import org.sami.boat.link.FileRequest;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Goodbye;
@@ -31,6 +33,8 @@ public final class ServerSession {
 
     private final BoatServer server;
     private final FrameSink toClient;
+    private final FileDesk files;
+    private boolean fileAsked; // and not answered
     private Optional<Role> role = Optional.empty();
     private String clientId = "";
     private String claimedSession = "";
@@ -50,9 +54,10 @@ public final class ServerSession {
     private Optional<Fingerprint> key = Optional.empty();
     private long unheard;
 
-    ServerSession(BoatServer server, FrameSink toClient) {
+    ServerSession(BoatServer server, FrameSink toClient, FileDesk files) {
         this.server = server;
         this.toClient = toClient;
+        this.files = files;
     }
 
     /** Takes one whole frame from the client. An unreadable frame is counted and, where it names a command, refused. */
@@ -245,6 +250,28 @@ public final class ServerSession {
     void send(LinkMessage message, long nowMs) {
         lastSentMs = nowMs;
         toClient.send(new Frame(sequence++, "", message));
+    }
+
+    /** A client that has said hello gets one answer after the other, each when the boat has nothing else to say to it. */
+    void askForFile(FileRequest request, long nowMs) {
+        if (!role.isPresent()) {
+            send(new Nack("", NackReason.NOT_GREETED, "say hello before you ask for files"), nowMs);
+        } else if (fileAsked) {
+            send(busy(request), nowMs);
+        } else {
+            fileAsked = true;
+            files.asked(request, answer -> {
+                fileAsked = false;
+                if (open && !toClient.sendBelow(new Frame(sequence++, "", answer))) {
+                    send(busy(request), nowMs);
+                }
+            });
+        }
+    }
+
+    private static FileRefusal busy(FileRequest request) {
+        return new FileRefusal(
+                request.requestId(), FileRefusal.Reason.BUSY, "one request at a time: an earlier one is not answered");
     }
 
     void tick(long nowMs) {

@@ -18,6 +18,7 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerLog;
+import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpBoatServer;
@@ -80,7 +81,7 @@ public final class BoatOnTcp implements Closeable {
             server = new TcpBoatServer(
                     settings.name(),
                     boat,
-                    links.apply(TcpServerConfig.on(settings.address())),
+                    links.apply(TcpServerConfig.on(settings.address()).withFiles(files(settings))),
                     clock,
                     this::moveTo,
                     listener);
@@ -90,6 +91,11 @@ public final class BoatOnTcp implements Closeable {
             closeLog();
             throw e;
         }
+    }
+
+    /** What its clients may fetch: its log, where it keeps one. */
+    private static BoatFiles files(BoatSettings settings) {
+        return settings.logFile().map(CommandLogFile::files).orElseGet(BoatFiles::none);
     }
 
     /** Writes the server's log entries to the file, where there is one. */

@@ -30,6 +30,7 @@ import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
+import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
@@ -174,7 +175,8 @@ public final class HullBoat implements Closeable {
             log = Optional.of(openLog(logFile.get(), boat, listener));
             boat.restore(log.get().epoch());
         }
-        TcpServerConfig tcpConfig = links.apply(TcpServerConfig.on(address));
+        BoatFiles files = logFile.map(CommandLogFile::files).orElseGet(BoatFiles::none);
+        TcpServerConfig tcpConfig = links.apply(TcpServerConfig.on(address).withFiles(files));
         TcpBoatServer tcp = new TcpBoatServer(name, boat, tcpConfig, clock, this::tellDoubts, listener);
         server = Optional.of(tcp);
         tcp.start();

@@ -20,8 +20,10 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.server.ServerLog;
+import org.sami.boat.server.file.BoatFiles;
 
 /**
  * A boat's log as a text file with one line for each command, appended to over all starts. The operating system gets each line before the boat's answer
@@ -84,6 +86,12 @@ public final class CommandLogFile implements ServerLog, Closeable {
             channel.close();
             throw e;
         }
+    }
+
+    /** The log as clients may fetch it; nothing else of its folder, where other boats of this machine may have theirs. */
+    public static BoatFiles files(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return BoatFiles.none().with(KeptFile.LOG, file.toAbsolutePath().getParent(), name::equals);
     }
 
     /** The log is read by its user only, where the file system knows users. */

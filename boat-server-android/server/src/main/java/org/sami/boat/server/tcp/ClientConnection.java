@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.util.Optional;
+import org.sami.boat.link.Frame;
 import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.FrameThreads;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.LinkRefusedException;
@@ -80,6 +82,11 @@ final class ClientConnection implements FrameSink {
         if (!pump.send(frame)) {
             close("it does not take what it is sent");
         }
+    }
+
+    @Override
+    public boolean sendBelow(Frame frame) {
+        return pump.sendBelow(LinkCodec.STANDARD.encode(frame));
     }
 
     /** Closes the socket, which ends both threads. */

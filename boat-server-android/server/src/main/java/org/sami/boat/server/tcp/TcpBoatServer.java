@@ -49,6 +49,7 @@ public final class TcpBoatServer implements Closeable {
     private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
     private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
     private final ConnectionSlots places;
+    private final FileThread files;
     private final AtomicLong refused = new AtomicLong();
     private long accepts; // for the accepting thread
     private volatile boolean stopping;
@@ -77,6 +78,7 @@ public final class TcpBoatServer implements Closeable {
         this.listener = Objects.requireNonNull(listener, "listener");
         places = new ConnectionSlots(config.maxClients());
         boatThread = Executors.newSingleThreadScheduledExecutor(work -> daemon(work, name + "-boat"));
+        files = new FileThread(name, config.files(), this::onBoat);
         acceptor = daemon(this::accept, name + "-accepts");
     }
 
@@ -131,6 +133,7 @@ public final class TcpBoatServer implements Closeable {
             List<ClientConnection> open = new ArrayList<>(connections);
             open.forEach(connection -> connection.close("the boat's server stops"));
             ticks.cancel(false);
+            files.close(STOP_MS);
             boatThread.shutdown(); // the ends of the links still reach the boat
             boatThread.awaitTermination(STOP_MS, TimeUnit.MILLISECONDS);
             for (ClientConnection connection : open) {
@@ -169,7 +172,7 @@ public final class TcpBoatServer implements Closeable {
         }
         connections.add(connection);
         listener.connected(connection.name());
-        onBoat(() -> clients.put(connection, new Client(connection, boat.connect(connection), now())));
+        onBoat(() -> clients.put(connection, new Client(connection, boat.connect(connection, files), now())));
         try {
             connection.start();
         } catch (RuntimeException | Error e) {

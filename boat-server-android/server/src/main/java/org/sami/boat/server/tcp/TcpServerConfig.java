@@ -10,6 +10,7 @@ import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.BoatKeys;
+import org.sami.boat.server.file.BoatFiles;
 
 /** What is set for a boat's TCP side before it starts. Immutable; a value that makes no sense is refused. */
 public final class TcpServerConfig {
@@ -22,6 +23,7 @@ public final class TcpServerConfig {
     private final int maxQueuedBytes;
     private final LinkSecurity security;
     private final Optional<BoatKeys> keys;
+    private final BoatFiles files;
 
     private TcpServerConfig(
             InetSocketAddress address,
@@ -32,7 +34,8 @@ public final class TcpServerConfig {
             int maxQueuedFrames,
             int maxQueuedBytes,
             LinkSecurity security,
-            Optional<BoatKeys> keys) {
+            Optional<BoatKeys> keys,
+            BoatFiles files) {
         this.address = Objects.requireNonNull(address, "address");
         this.tickMs = positive("time between ticks", tickMs);
         this.maxClients = (int) positive("number of clients", maxClients);
@@ -41,6 +44,7 @@ public final class TcpServerConfig {
         this.maxQueuedFrames = (int) positive("number of frames in a queue", maxQueuedFrames);
         this.security = Objects.requireNonNull(security, "security");
         this.keys = Objects.requireNonNull(keys, "keys");
+        this.files = Objects.requireNonNull(files, "files");
         this.maxQueuedBytes = (int) positive("number of bytes in a queue", maxQueuedBytes);
     }
 
@@ -54,13 +58,14 @@ public final class TcpServerConfig {
      * or 8 MiB that a client does not take.
      */
     public static TcpServerConfig on(InetSocketAddress address) {
-        return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20, new OpenLinks(), Optional.empty());
+        return new TcpServerConfig(
+                address, 100, 16, 10_000, 10_000, 512, 8 << 20, new OpenLinks(), Optional.empty(), BoatFiles.none());
     }
 
     /** The same with other bounds on the messages waiting for a slow client. */
     public TcpServerConfig withQueue(int frames, int bytes) {
         return new TcpServerConfig(
-                address, tickMs, maxClients, helloWithinMs, silentAfterMs, frames, bytes, security, keys);
+                address, tickMs, maxClients, helloWithinMs, silentAfterMs, frames, bytes, security, keys, files);
     }
 
     /** The same with other limits on clients that say nothing: for the hello, and between two bytes. */
@@ -74,7 +79,8 @@ public final class TcpServerConfig {
                 maxQueuedFrames,
                 maxQueuedBytes,
                 security,
-                keys);
+                keys,
+                files);
     }
 
     /** The same with another bound on clients at a time. */
@@ -88,7 +94,8 @@ public final class TcpServerConfig {
                 maxQueuedFrames,
                 maxQueuedBytes,
                 security,
-                keys);
+                keys,
+                files);
     }
 
     /** The same with protected links: only clients with known keys command. */
@@ -102,7 +109,28 @@ public final class TcpServerConfig {
                 maxQueuedFrames,
                 maxQueuedBytes,
                 TlsLinks.of(ring),
-                Optional.of(new BoatKeys(ring, responder)));
+                Optional.of(new BoatKeys(ring, responder)),
+                files);
+    }
+
+    /** The same with files that every client may fetch which is allowed to observe. */
+    public TcpServerConfig withFiles(BoatFiles given) {
+        return new TcpServerConfig(
+                address,
+                tickMs,
+                maxClients,
+                helloWithinMs,
+                silentAfterMs,
+                maxQueuedFrames,
+                maxQueuedBytes,
+                security,
+                keys,
+                given);
+    }
+
+    /** The files that clients may fetch. */
+    public BoatFiles files() {
+        return files;
     }
 
     /** How connections are protected. */

@@ -1,0 +1,205 @@
+package org.sami.crw.proxy.file;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.sami.boat.link.KeptFile;
+import org.sami.boat.link.security.LinkRefusedException;
+import org.sami.boat.link.security.LinkSecurity;
+
+/**
+ * Fetches files of the boat at one address into a folder, over a link of its own, as an observer: {@link KeptFile#LOG logs}, {@link KeptFile#PICTURE pictures}. A link that breaks is made anew and goes
+ * on where it was; so does a later fetch into the same folder. Waits for the boat, so never on the event thread or an engine's. {@link #cancel} is for any thread.
+ */
+public final class BoatFileFetch {
+    private static final long[] WAITS_MS = {250, 500, 1000, 2000, 4000};
+
+    private final InetSocketAddress address;
+    private final LinkSecurity security;
+    private final FileNews news;
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition cancelling = lock.newCondition();
+    private Optional<Socket> socket = Optional.empty(); // this and the next are guarded by the lock
+    private boolean cancelled;
+    private boolean progressed; // this and the next are for the fetching thread
+    private long bytes; // of all links of this fetch
+
+    /**
+     * What came of it.
+     *
+     * @param boatId the boat that answered
+     * @param files all that were wanted and are whole in the folder
+     * @param bytes that came over the link this time
+     * @param refused in words, one for each file that the boat did not give
+     */
+    public record Result(String boatId, List<Path> files, long bytes, List<String> refused) {
+        /** Copies the lists. */
+        public Result {
+            files = List.copyOf(files);
+            refused = List.copyOf(refused);
+        }
+    }
+
+    private interface Work {
+        Result on(BoatFileLink link) throws IOException;
+    }
+
+    /**
+     * A fetch that has not begun.
+     *
+     * @param security such as {@code BaseProtection.ofThisProcess()}
+     */
+    public BoatFileFetch(InetSocketAddress address, LinkSecurity security, FileNews news) {
+        this.address = Objects.requireNonNull(address, "address");
+        this.security = Objects.requireNonNull(security, "security");
+        this.news = Objects.requireNonNull(news, "news");
+    }
+
+    /**
+     * Fetches all files of a kind into {@code folder/BOAT}; what is there already is not fetched again. A file that the boat does not give is named in the result, and the others
+     * come.
+     *
+     * @throws IOException with the reason, if the boat is not reached five times in a row, gives no files, or this was cancelled
+     */
+    public Result fetchAll(String kind, Path folder) throws IOException {
+        return retrying(link -> {
+            Path own = folder.resolve(checked(link.boatId()));
+            List<Path> files = new ArrayList<>();
+            List<String> refused = new ArrayList<>();
+            for (KeptFile file : link.list(kind)) {
+                try {
+                    files.add(fetch(link, file, own));
+                } catch (FileFetchException e) {
+                    refused.add(String.valueOf(e.getMessage()));
+                }
+            }
+            return result(link, files, refused);
+        });
+    }
+
+    /**
+     * Fetches one file into a folder, for instance one that an event named.
+     *
+     * @return the whole file
+     * @throws FileFetchException if the boat at that address is another one, or does not give the file
+     * @throws IOException with the reason, if the boat is not reached five times in a row, or this was cancelled
+     */
+    public Path fetch(String boatId, String kind, String name, Path folder) throws IOException {
+        Result result = retrying(link -> {
+            if (!link.boatId().equals(boatId)) {
+                throw new FileFetchException("at " + address.getHostString() + ":" + address.getPort() + " answers "
+                        + link.boatId() + ", not " + boatId);
+            }
+            for (KeptFile file : link.list(kind)) {
+                if (file.name().equals(name)) {
+                    return result(link, List.of(fetch(link, file, folder)), List.of());
+                }
+            }
+            throw new FileFetchException(boatId + " keeps no " + kind + " " + name + ", or does so no longer");
+        });
+        return result.files().get(0);
+    }
+
+    /** Bytes that came over the link so far; for the fetching thread. */
+    long bytes() {
+        return bytes;
+    }
+
+    private Result result(BoatFileLink link, List<Path> files, List<String> refused) {
+        return new Result(link.boatId(), files, bytes, refused);
+    }
+
+    private Path fetch(BoatFileLink link, KeptFile file, Path folder) throws IOException {
+        FileCopy copy = new FileCopy(file, folder);
+        copy.fetch(link, (here, piece) -> {
+            bytes += piece;
+            progressed = true;
+            news.come(link.boatId(), file.name(), here, file.bytes());
+        });
+        return copy.path();
+    }
+
+    private static String checked(String boatId) throws FileFetchException {
+        if (!KeptFile.isName(boatId)) {
+            throw new FileFetchException("the boat's name is no name of a folder: " + boatId);
+        }
+        return boatId;
+    }
+
+    private Result retrying(Work work) throws IOException {
+        int failures = 0;
+        while (true) {
+            progressed = false;
+            try (Socket next = begin();
+                    BoatFileLink link = BoatFileLink.open(next, address, security)) {
+                return work.on(link);
+            } catch (FileFetchException | LinkRefusedException e) {
+                throw e;
+            } catch (IOException e) {
+                failures = progressed ? 1 : failures + 1;
+                if (failures > WAITS_MS.length) {
+                    throw e;
+                }
+                await(WAITS_MS[failures - 1]);
+            }
+        }
+    }
+
+    private Socket begin() throws IOException {
+        lock.lock();
+        try {
+            checkCancelled();
+            Socket next = new Socket();
+            socket = Optional.of(next);
+            return next;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void await(long waitMs) throws IOException {
+        lock.lock();
+        try {
+            long left = TimeUnit.MILLISECONDS.toNanos(waitMs);
+            while (left > 0 && !cancelled) {
+                left = cancelling.awaitNanos(left);
+            }
+            checkCancelled();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new FileFetchException("interrupted; what has come is kept");
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void checkCancelled() throws FileFetchException {
+        if (cancelled) {
+            throw new FileFetchException("cancelled; what has come is kept");
+        }
+    }
+
+    /** Ends it soon: what has come is kept, and a later fetch goes on there. */
+    public void cancel() {
+        lock.lock();
+        try {
+            cancelled = true;
+            cancelling.signalAll();
+            if (socket.isPresent()) {
+                socket.get().close();
+            }
+        } catch (IOException e) {
+            // it is closed for us all the same
+        } finally {
+            lock.unlock();
+        }
+    }
+}
