@@ -20,7 +20,9 @@ final class SelfSignedCertificate {
     private static final int SET = 0x31;
     private static final byte[] ECDSA_WITH_SHA256 = {0x06, 0x08, 0x2a, (byte) 0x86, 0x48, (byte) 0xce, 0x3d, 4, 3, 2};
     private static final byte[] COMMON_NAME = {0x06, 0x03, 0x55, 0x04, 0x03};
-    private static final String FROM = "20200101000000Z";
+    private static final int UTC_TIME = 0x17; // of dates before 2050, with two digits of the year (RFC 5280, 4.1.2.5)
+    private static final String FROM = "200101000000Z";
+    private static final int GENERALIZED_TIME = 0x18; // of dates from 2050 on
     private static final String TO = "21200101000000Z";
 
     private SelfSignedCertificate() {}
@@ -40,7 +42,7 @@ final class SelfSignedCertificate {
                 serial,
                 algorithm,
                 name,
-                tagged(SEQUENCE, time(FROM), time(TO)),
+                tagged(SEQUENCE, time(UTC_TIME, FROM), time(GENERALIZED_TIME, TO)),
                 name,
                 keys.getPublic().getEncoded());
         Signature signer = Signature.getInstance("SHA256withECDSA");
@@ -52,8 +54,8 @@ final class SelfSignedCertificate {
                 CertificateFactory.getInstance("X.509").generateCertificate(new ByteArrayInputStream(certificate));
     }
 
-    private static byte[] time(String text) {
-        return tagged(0x18, text.getBytes(StandardCharsets.US_ASCII));
+    private static byte[] time(int tag, String text) {
+        return tagged(tag, text.getBytes(StandardCharsets.US_ASCII));
     }
 
     /** One DER value: its tag, its length, its parts one after the other. */

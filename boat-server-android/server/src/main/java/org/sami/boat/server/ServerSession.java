@@ -91,6 +91,11 @@ public final class ServerSession {
         return keys.isPresent() ? keys.get().roleOf(key.get()) : Optional.of(Role.COMMANDER);
     }
 
+    /** Whether the client has shown a key that this boat does not know, or knows no longer. */
+    public boolean isStranger() {
+        return !granted().isPresent();
+    }
+
     /** The client's key; empty on a link without protection. */
     Optional<Fingerprint> key() {
         return key;

@@ -168,7 +168,7 @@ public final class BoatOnTcp implements Closeable {
         return log.map(CommandLogFile::unreadLines).orElse(0);
     }
 
-    /** How many connections were refused because they could not be protected. */
+    /** How many connections were refused because they could not be protected, or for the client's key. */
     public long refusedConnections() {
         return server.refusedConnections();
     }

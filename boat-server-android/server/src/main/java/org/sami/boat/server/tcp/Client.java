@@ -88,6 +88,11 @@ final class Client {
         return session.dismissal().isPresent();
     }
 
+    /** Whether it has been dismissed because of its key. */
+    boolean isRefusedForItsKey() {
+        return isLeaving() && session.isStranger();
+    }
+
     /** Dismisses it; the goodbye leaves before the connection is closed. */
     void turnAway(String reason, long nowMs) {
         session.turnAway(reason, nowMs);

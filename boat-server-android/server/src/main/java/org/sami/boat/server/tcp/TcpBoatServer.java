@@ -115,7 +115,7 @@ public final class TcpBoatServer implements Closeable {
         return connections.size();
     }
 
-    /** How many connections were refused because they could not be protected. */
+    /** How many connections were refused because they could not be protected, or for the client's key. */
     public long refusedConnections() {
         return refused.get();
     }
@@ -269,6 +269,7 @@ public final class TcpBoatServer implements Closeable {
             onBoat(() -> {
                 Client client = clients.remove(connection);
                 if (client != null) {
+                    refused.addAndGet(client.isRefusedForItsKey() ? 1 : 0);
                     client.closed(now());
                 }
             });
