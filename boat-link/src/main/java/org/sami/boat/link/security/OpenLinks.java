@@ -9,20 +9,20 @@ import java.util.Optional;
 /** No protection: whoever reaches the port commands the boat. For simulated boats on loopback. */
 public final class OpenLinks implements LinkSecurity {
     @Override
-    public SecureLink accept(Socket socket) {
-        return of(socket);
+    public SecureLink accept(Socket socket) throws IOException {
+        return of(socket, socket.getInputStream());
     }
 
     @Override
-    public SecureLink connect(Socket socket) {
-        return of(socket);
+    public SecureLink connect(Socket socket) throws IOException {
+        return of(socket, new PlainInput(socket));
     }
 
-    private static SecureLink of(Socket socket) {
+    private static SecureLink of(Socket socket, InputStream in) {
         return new SecureLink() {
             @Override
-            public InputStream in() throws IOException {
-                return socket.getInputStream();
+            public InputStream in() {
+                return in;
             }
 
             @Override

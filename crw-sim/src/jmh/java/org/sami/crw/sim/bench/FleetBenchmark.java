@@ -6,7 +6,12 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
+import org.sami.boat.link.security.TlsLinks;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.figures.Figure;
 import org.sami.spn.protocol.Priority;
@@ -30,9 +35,32 @@ final class FleetBenchmark {
 
     /** CPU of this process, in parts of one core, the 99th percentile of an acknowledgement, and the poses that came. */
     List<Figure> run() throws Exception {
-        try (FleetProcess fleet = new FleetProcess(boats);
-                MeasuredBase base = new MeasuredBase("bench-fleet", HZ)) {
+        Measured measured = measure(Optional.empty());
+        Map<String, Integer> params = Map.of("boats", boats, "hz", HZ);
+        return List.of(
+                new Figure(NAME, params, measured.baseCores, "of one core, CPU of the base", 0),
+                new Figure(NAME, params, measured.medianMs, "ms, acknowledgement, median", 0),
+                new Figure(NAME, params, measured.p99Ms, "ms, acknowledgement, p99", 0),
+                new Figure(NAME, params, measured.posesPerS, "poses/s received", 0));
+    }
+
+    /**
+     * What a fleet costs.
+     *
+     * @param baseCores processor time of the base, in parts of one core
+     * @param boatsCores the same of all boats together
+     */
+    record Measured(
+            double baseCores, double boatsCores, double medianMs, double p99Ms, double posesPerS, double linkedAfterS) {}
+
+    /** Measures a fleet with plain links, or with those of a base's keys. */
+    Measured measure(Optional<KeyRing> keys) throws Exception {
+        LinkSecurity links = keys.isPresent() ? TlsLinks.of(keys.get()) : new OpenLinks();
+        try (FleetProcess fleet = new FleetProcess(boats, keys);
+                MeasuredBase base = new MeasuredBase("bench-fleet", HZ, links)) {
+            long connectNanos = System.nanoTime();
             base.connect(fleet);
+            double linkedAfterS = (System.nanoTime() - connectNanos) / 1e9;
             for (int i = 1; i <= boats; i++) {
                 base.submit("boat" + i, farAway(i));
             }
@@ -40,19 +68,22 @@ final class FleetBenchmark {
             base.takeAnswers();
             long poses = base.poses();
             long cpuNanos = cpuNanos();
+            long boatsNanos = fleet.cpuNanos();
             long startNanos = System.nanoTime();
             command(base, measuredS);
             double seconds = (System.nanoTime() - startNanos) / 1e9;
             double cores = (cpuNanos() - cpuNanos) / 1e9 / seconds;
+            double boatsCores = (fleet.cpuNanos() - boatsNanos) / 1e9 / seconds;
             double posesPerS = (base.poses() - poses) / seconds;
             List<Double> answersMs = new ArrayList<>(base.takeAnswers());
             Collections.sort(answersMs);
-            Map<String, Integer> params = Map.of("boats", boats, "hz", HZ);
-            return List.of(
-                    new Figure(NAME, params, cores, "of one core, CPU of the base", 0),
-                    new Figure(NAME, params, percentile(answersMs, 0.5), "ms, acknowledgement, median", 0),
-                    new Figure(NAME, params, percentile(answersMs, 0.99), "ms, acknowledgement, p99", 0),
-                    new Figure(NAME, params, posesPerS, "poses/s received", 0));
+            return new Measured(
+                    cores,
+                    boatsCores,
+                    percentile(answersMs, 0.5),
+                    percentile(answersMs, 0.99),
+                    posesPerS,
+                    linkedAfterS);
         }
     }
 

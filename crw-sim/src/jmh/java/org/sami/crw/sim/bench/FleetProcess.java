@@ -7,9 +7,16 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.security.Fingerprint;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.PairingResponder;
+import org.sami.boat.link.security.Peer;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
@@ -23,15 +30,22 @@ public final class FleetProcess implements AutoCloseable {
     private final Process process;
     private final List<InetSocketAddress> addresses = new ArrayList<>();
 
-    /** Begins the process; its boats are named "boat1" and so on. */
+    /** Begins the process; its boats are named "boat1" and so on, and linked plainly. */
     public FleetProcess(int boats) throws IOException {
+        this(boats, Optional.empty());
+    }
+
+    /** The same with a base's keys: boats and base are paired with one another, and linked by TLS. */
+    public FleetProcess(int boats, Optional<KeyRing> base) throws IOException {
         process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-cp",
                         System.getProperty("java.class.path"),
                         "-Xss256k",
                         FleetProcess.class.getName(),
-                        "" + boats)
+                        "" + boats,
+                        base.map(keys -> keys.identity().fingerprint().toString())
+                                .orElse(""))
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         BufferedReader out =
@@ -41,8 +55,17 @@ public final class FleetProcess implements AutoCloseable {
             if (port == null) {
                 throw new IOException("the boats' process has ended");
             }
-            addresses.add(new InetSocketAddress(InetAddress.getLoopbackAddress(), Integer.parseInt(port)));
+            String[] parts = port.split(" ");
+            addresses.add(new InetSocketAddress(InetAddress.getLoopbackAddress(), Integer.parseInt(parts[0])));
+            if (base.isPresent()) {
+                base.get().add(new Peer(Fingerprint.parse(parts[1]), "boat" + (i + 1), Role.OBSERVER));
+            }
         }
+    }
+
+    /** Processor time that the boats have needed so far, in ns. */
+    public long cpuNanos() {
+        return process.info().totalCpuDuration().orElse(Duration.ZERO).toNanos();
     }
 
     /** Where the boats listen, in order. */
@@ -56,14 +79,22 @@ public final class FleetProcess implements AutoCloseable {
         process.waitFor();
     }
 
-    /** The boats' process: prints a port a boat, and runs until its input ends. */
+    /** The boats' process, given their number and the key of their base, or nothing: prints a port, and a key, a boat, and runs until its input ends. */
     public static void main(String[] args) throws IOException {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         int boats = Integer.parseInt(args[0]);
         for (int i = 1; i <= boats; i++) {
+            KeyRing keys = KeyRing.inMemory();
+            if (!args[1].isEmpty()) {
+                keys.add(new Peer(Fingerprint.parse(args[1]), "base", Role.COMMANDER));
+            }
             BoatOnTcp boat = new BoatOnTcp(
-                    BoatSettings.of("boat" + i, anyPort, PIER, i), SteadyClock.ofThisMachine(), TcpServerListener.NONE);
-            System.out.println(boat.address().getPort());
+                    BoatSettings.of("boat" + i, anyPort, PIER, i),
+                    SteadyClock.ofThisMachine(),
+                    TcpServerListener.NONE,
+                    plain -> args[1].isEmpty() ? plain : plain.withKeys(keys, new PairingResponder(keys)));
+            System.out.println(
+                    boat.address().getPort() + " " + keys.identity().fingerprint());
         }
         while (System.in.read() >= 0) {
             // nothing is expected: the end is

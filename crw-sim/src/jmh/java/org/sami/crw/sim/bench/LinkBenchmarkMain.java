@@ -23,6 +23,8 @@ import org.sami.figures.FigureFile;
 public final class LinkBenchmarkMain {
     private static final String SPEED = "sim.speed";
     private static final String PREFIX = "link.";
+    private static final String PROTECTED = "link.tls";
+    private static final String BOAT_STEP = "boat.step";
     private static final String SERVICES = "service.";
     private static final String BALANCE = "service.balance";
     private static final String HEAP = "heap.growth";
@@ -42,6 +44,12 @@ public final class LinkBenchmarkMain {
             figures.addAll(new FleetBenchmark(250, quick ? 4 : 10, quick ? 8 : 30).run());
             figures.addAll(new UploadBenchmark(10_000, quick ? 5 : 25).run());
             note(file, PREFIX, figures);
+        }
+        if (isWanted(PROTECTED)) {
+            note(file, PROTECTED, new ProtectedLinkBenchmark(quick ? 4 : 10, quick ? 6 : 20, quick ? 1 : 3).run());
+        }
+        if (isWanted(BOAT_STEP)) {
+            note(file, BOAT_STEP, new BoatStepBenchmark(8).run());
         }
         if (isWanted(SERVICES)) {
             note(file, SERVICES, services(quick));

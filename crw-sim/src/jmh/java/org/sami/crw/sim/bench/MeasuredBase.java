@@ -9,6 +9,8 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
@@ -28,8 +30,13 @@ final class MeasuredBase implements BaseListener, Consumer<FleetEvent>, AutoClos
     private final List<Double> answeredMs = new ArrayList<>(); // for the base's thread
 
     MeasuredBase(String clientId, double telemetryHz) {
+        this(clientId, telemetryHz, new OpenLinks());
+    }
+
+    /** A base with links of some kind. */
+    MeasuredBase(String clientId, double telemetryHz, LinkSecurity links) {
         ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(telemetryHz);
-        base = new TcpBase(TcpBaseConfig.of(proxy, 1), SteadyClock.ofThisMachine(), this);
+        base = new TcpBase(TcpBaseConfig.of(proxy, 1).withSecurity(links), SteadyClock.ofThisMachine(), this);
     }
 
     /** Links all boats of a process. */

@@ -33,9 +33,14 @@ class LongOutageTest {
 
     private TcpTestFleet fleet;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     @BeforeEach
     void open() {
-        fleet = new TcpTestFleet(logs, LongOutageTest::clockMs);
+        fleet = new TcpTestFleet(logs, LongOutageTest::clockMs, links());
     }
 
     @AfterEach

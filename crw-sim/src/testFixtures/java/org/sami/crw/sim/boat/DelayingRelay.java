@@ -1,10 +1,12 @@
 package org.sami.crw.sim.boat;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
@@ -13,12 +15,9 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
-import org.sami.boat.link.FrameReader;
-import org.sami.boat.link.LinkCodec;
-import org.sami.boat.link.LinkException;
 
 /**
- * A way to a boat on which frames take their time, and come through to their end even after the one who sent them has hung up: as over
+ * A way to a boat on which bytes take their time, and come through to their end even after the one who sent them has hung up: as over
  * a satellite, or through a router with deep buffers.
  */
 final class DelayingRelay implements AutoCloseable {
@@ -28,8 +27,8 @@ final class DelayingRelay implements AutoCloseable {
     private volatile long delayMs;
     private final AtomicLong delivered = new AtomicLong();
 
-    /** A frame and when it is to come out; without one, the end of the connection. */
-    private record Late(Optional<byte[]> frame, long dueNanos) {}
+    /** Bytes and when they are to come out; without any, the end of the connection. */
+    private record Late(Optional<byte[]> bytes, long dueNanos) {}
 
     DelayingRelay(InetSocketAddress boat) throws IOException {
         this.boat = boat;
@@ -45,7 +44,7 @@ final class DelayingRelay implements AutoCloseable {
         delayMs = ms;
     }
 
-    /** How many frames have come out more than a second late. */
+    /** How often bytes have come out more than a second late. */
     long deliveredLate() {
         return delivered.get();
     }
@@ -80,11 +79,12 @@ final class DelayingRelay implements AutoCloseable {
 
     private void read(Socket from, BlockingQueue<Late> onTheWay) {
         try {
-            FrameReader frames = new FrameReader(from.getInputStream(), new LinkCodec());
-            for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
-                onTheWay.add(new Late(next, due()));
+            InputStream in = from.getInputStream();
+            byte[] buffer = new byte[8192];
+            for (int read = in.read(buffer); read > 0; read = in.read(buffer)) {
+                onTheWay.add(new Late(Optional.of(Arrays.copyOf(buffer, read)), due()));
             }
-        } catch (IOException | LinkException e) {
+        } catch (IOException e) {
             // it has hung up
         }
         onTheWay.add(new Late(Optional.empty(), due()));
@@ -96,14 +96,14 @@ final class DelayingRelay implements AutoCloseable {
 
     private void deliver(BlockingQueue<Late> onTheWay, Socket to) {
         try (to) {
-            for (Late next = onTheWay.take(); next.frame().isPresent(); next = onTheWay.take()) {
+            for (Late next = onTheWay.take(); next.bytes().isPresent(); next = onTheWay.take()) {
                 long began = System.nanoTime();
                 while (next.dueNanos() > System.nanoTime()) {
                     LockSupport.parkNanos(next.dueNanos() - System.nanoTime());
                 }
-                to.getOutputStream().write(next.frame().get());
+                to.getOutputStream().write(next.bytes().get());
                 if (System.nanoTime() - began > TimeUnit.SECONDS.toNanos(1)) {
-                    delivered.incrementAndGet(); // of the frames that come together the first is counted
+                    delivered.incrementAndGet(); // of what comes together the first is counted
                 }
             }
         } catch (IOException | InterruptedException e) {

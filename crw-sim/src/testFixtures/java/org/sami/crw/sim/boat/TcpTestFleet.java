@@ -98,6 +98,16 @@ final class TcpTestFleet implements AutoCloseable {
         return keep(new TestRelay(boat.address()));
     }
 
+    RoughNetwork roughNetwork(BoatOnTcp boat) throws IOException {
+        return keep(new RoughNetwork(boat.address()));
+    }
+
+    /** A base with links of another kind than those of this fleet. */
+    Base base(String clientId, TestLinks ownLinks) {
+        ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20);
+        return keep(new Base(proxy, new SteadyClock(clockMs), ownLinks));
+    }
+
     Base base(String clientId) {
         return base(clientId, clockMs);
     }
