@@ -25,7 +25,7 @@ import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.sim.hull.Conditions;
-import org.sami.crw.sim.hull.HullProfile;
+import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.figures.Figure;
@@ -61,7 +61,7 @@ final class BoatStepBenchmark {
     BoatStepBenchmark(int hours) {
         this.hours = hours;
         hull = new SimulatedHull(
-                HullProfile.DEFAULT, Conditions.CALM, new LocalFrame(LAT_DEG, LON_DEG), 0, 0, 1);
+                HullConfig.DEFAULT, Conditions.CALM, new LocalFrame(LAT_DEG, LON_DEG), 0, 0, 1);
         instruments = new Instruments(hull, Conditions.CALM, 2, 3);
         boat = new BoatServer(ServerConfig.of("boat1", "boot1").build(), instruments);
         session = boat.connect(this::take);

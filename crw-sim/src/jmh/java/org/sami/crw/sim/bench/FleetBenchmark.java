@@ -49,9 +49,20 @@ final class FleetBenchmark {
      *
      * @param baseCores processor time of the base, in parts of one core
      * @param boatsCores the same of all boats together
+     * @param linkedAfterS from the first connection until all boats have said where they are
      */
     record Measured(
-            double baseCores, double boatsCores, double medianMs, double p99Ms, double posesPerS, double linkedAfterS) {}
+            double baseCores, double boatsCores, double medianMs, double p99Ms, double posesPerS, double linkedAfterS) {
+        /** Processor time of the base for each pose, in us: fewer poses come where the machine has no time for all. */
+        double baseMicrosAPose() {
+            return baseCores * 1e6 / posesPerS;
+        }
+
+        /** The same of the boats. */
+        double boatsMicrosAPose() {
+            return boatsCores * 1e6 / posesPerS;
+        }
+    }
 
     /** Measures a fleet with plain links, or with those of a base's keys. */
     Measured measure(Optional<KeyRing> keys) throws Exception {

@@ -1,6 +1,5 @@
 package org.sami.crw.sim.bench;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -56,8 +55,8 @@ final class ProtectedLinkBenchmark {
         figures.addAll(figures(plain, 0));
         figures.addAll(figures(tls, 1));
         Map<String, Integer> params = Map.of("boats", BOATS);
-        figures.add(ratio(params, plain, tls, Measured::baseCores, "CPU of the base, TLS : plain"));
-        figures.add(ratio(params, plain, tls, Measured::boatsCores, "CPU of the boats, TLS : plain"));
+        figures.add(ratio(params, plain, tls, Measured::baseMicrosAPose, "CPU of the base a pose, TLS : plain"));
+        figures.add(ratio(params, plain, tls, Measured::boatsMicrosAPose, "CPU of the boats a pose, TLS : plain"));
         figures.add(new Figure(
                 NAME, Map.of("boats", CONNECTED), middle(linkedS), "s until all are linked, TLS", apart(linkedS)));
         return figures;
@@ -67,7 +66,7 @@ final class ProtectedLinkBenchmark {
         return new FleetBenchmark(CONNECTED, 0, 1).measure(Optional.of(KeyRing.inMemory())).linkedAfterS();
     }
 
-    private static Measured row(String links, Measured measured, double linkedS) throws IOException {
+    private static Measured row(String links, Measured measured, double linkedS) {
         System.out.printf(
                 Locale.ROOT,
                 "%6s %12.3f %13.3f %10.2f %8.2f %9.0f %12s%n",
