@@ -71,9 +71,8 @@ class SelfSignedCertificateTest {
     void itsNumberIsPositiveShortAndItsOwn() throws Exception {
         Set<BigInteger> numbers = new HashSet<>();
         for (int i = 0; i < 100; i++) {
-            BigInteger number = new X509CertificateHolder(
-                            SelfSignedCertificate.of(keys).getEncoded())
-                    .getSerialNumber();
+            BigInteger number =
+                    new X509CertificateHolder(SelfSignedCertificate.of(keys).getEncoded()).getSerialNumber();
             assertThat(number.signum()).isPositive();
             assertThat(number.toByteArray()).hasSizeLessThanOrEqualTo(20);
             numbers.add(number);

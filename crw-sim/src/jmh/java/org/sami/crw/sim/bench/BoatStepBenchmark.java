@@ -60,8 +60,7 @@ final class BoatStepBenchmark {
 
     BoatStepBenchmark(int hours) {
         this.hours = hours;
-        hull = new SimulatedHull(
-                HullConfig.DEFAULT, Conditions.CALM, new LocalFrame(LAT_DEG, LON_DEG), 0, 0, 1);
+        hull = new SimulatedHull(HullConfig.DEFAULT, Conditions.CALM, new LocalFrame(LAT_DEG, LON_DEG), 0, 0, 1);
         instruments = new Instruments(hull, Conditions.CALM, 2, 3);
         boat = new BoatServer(ServerConfig.of("boat1", "boot1").build(), instruments);
         session = boat.connect(this::take);

@@ -93,8 +93,7 @@ public final class FleetProcess implements AutoCloseable {
                     SteadyClock.ofThisMachine(),
                     TcpServerListener.NONE,
                     plain -> args[1].isEmpty() ? plain : plain.withKeys(keys, new PairingResponder(keys)));
-            System.out.println(
-                    boat.address().getPort() + " " + keys.identity().fingerprint());
+            System.out.println(boat.address().getPort() + " " + keys.identity().fingerprint());
         }
         while (System.in.read() >= 0) {
             // nothing is expected: the end is

@@ -63,7 +63,9 @@ final class ProtectedLinkBenchmark {
     }
 
     private static double linkTwenty() throws Exception {
-        return new FleetBenchmark(CONNECTED, 0, 1).measure(Optional.of(KeyRing.inMemory())).linkedAfterS();
+        return new FleetBenchmark(CONNECTED, 0, 1)
+                .measure(Optional.of(KeyRing.inMemory()))
+                .linkedAfterS();
     }
 
     private static Measured row(String links, Measured measured, double linkedS) {

@@ -65,7 +65,8 @@ class LinkOfBeforeTest {
                 assertThat(alarm.kind()).isEqualTo(LinkAlarm.Kind.LINK_OF_BEFORE);
                 assertThat(alarm.text())
                         .startsWith("anna at ")
-                        .endsWith(":" + before.address().getPort() + " speaks the link of before: it obeys bases that were replaced. Bring it to this"
+                        .endsWith(":" + before.address().getPort()
+                                + " speaks the link of before: it obeys bases that were replaced. Bring it to this"
                                 + " base's version");
             });
             assertThat(base.failures).isEmpty();

@@ -7,6 +7,9 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
@@ -36,8 +39,9 @@ final class RoughNetwork implements AutoCloseable {
     private final CountDownLatch closing = new CountDownLatch(1);
     private final AtomicLong late = new AtomicLong();
     private final AtomicLong resets = new AtomicLong();
-    private final AtomicLong[] untilReset = {new AtomicLong(NEVER), new AtomicLong(NEVER)};
-    private final boolean[] still = new boolean[2]; // guarded by this
+    private final Map<Way, AtomicLong> untilReset =
+            Map.of(Way.TO_BOAT, new AtomicLong(NEVER), Way.TO_BASE, new AtomicLong(NEVER));
+    private final Set<Way> still = EnumSet.noneOf(Way.class); // guarded by this
     private volatile double lost;
     private volatile long resentAfterMs;
 
@@ -69,7 +73,11 @@ final class RoughNetwork implements AutoCloseable {
 
     /** Resets the connection once so many further bytes have gone that way. */
     void resetAfter(Way way, long bytes) {
-        untilReset[way.ordinal()].set(bytes);
+        bytesUntilReset(way).set(bytes);
+    }
+
+    private AtomicLong bytesUntilReset(Way way) {
+        return Objects.requireNonNull(untilReset.get(way));
     }
 
     /** How often a connection was reset. */
@@ -79,12 +87,16 @@ final class RoughNetwork implements AutoCloseable {
 
     /** From now on nothing goes that way, on no connection, until it goes on; nothing is left out. */
     synchronized void setStill(Way way, boolean stands) {
-        still[way.ordinal()] = stands;
+        if (stands) {
+            still.add(way);
+        } else {
+            still.remove(way);
+        }
         notifyAll();
     }
 
     private synchronized void awaitMotion(Way way) throws InterruptedException {
-        while (still[way.ordinal()] && closing.getCount() > 0) {
+        while (still.contains(way) && closing.getCount() > 0) {
             wait();
         }
     }
@@ -127,9 +139,9 @@ final class RoughNetwork implements AutoCloseable {
                     closing.await(resentAfterMs, TimeUnit.MILLISECONDS);
                 }
                 awaitMotion(way);
-                long left = untilReset[way.ordinal()].addAndGet(-read);
+                long left = bytesUntilReset(way).addAndGet(-read);
                 if (left <= 0) {
-                    untilReset[way.ordinal()].set(NEVER);
+                    bytesUntilReset(way).set(NEVER);
                     out.write(packet, 0, (int) (read + left));
                     reset(from);
                     reset(to);

@@ -16,13 +16,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.Ack;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameReader;
-import org.sami.boat.link.LinkCodec;
-import org.sami.boat.link.Ack;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
@@ -139,7 +139,8 @@ class IntruderTest {
                 new Identity(Identity.generate().key(), base.identity().certificate());
 
         assertThatThrownBy(() -> {
-                    Speaker thief = new Speaker(socket(), pretended); // the boat's verdict may come only with the answer
+                    Speaker thief =
+                            new Speaker(socket(), pretended); // the boat's verdict may come only with the answer
                     thief.say(new Hello("boat1", "base", Role.COMMANDER, 1, "", "base.0", 1));
                     thief.hear(Welcome.class);
                 })
