@@ -76,18 +76,13 @@ public final class TlsLinks implements LinkSecurity {
 
     @Override
     public SecureLink accept(Socket socket) throws IOException {
-        SSLSocket secured = layered(socket);
-        secured.setUseClientMode(false);
-        secured.setNeedClientAuth(true);
-        return handshake(secured);
+        return handshake(socket, false);
     }
 
     @Override
     public SecureLink connect(Socket socket) throws IOException {
         InetSocketAddress address = (InetSocketAddress) socket.getRemoteSocketAddress();
-        SSLSocket secured = layered(socket);
-        secured.setUseClientMode(true);
-        SecureLink link = handshake(secured);
+        SecureLink link = handshake(socket, true);
         Fingerprint peer = link.peer().orElseThrow(() -> new LinkRefusedException("it shows no key"));
         if (!pinned.test(peer)) {
             throw new LinkRefusedException("its key " + peer.shortText()
@@ -108,14 +103,20 @@ public final class TlsLinks implements LinkSecurity {
                 .createSocket(socket, address.getAddress().getHostAddress(), address.getPort(), true);
     }
 
-    private SecureLink handshake(SSLSocket socket) throws IOException {
-        List<String> spoken = new ArrayList<>(versions);
-        spoken.retainAll(Arrays.asList(socket.getSupportedProtocols()));
-        socket.setEnabledProtocols(spoken.toArray(new String[0]));
+    /** Whatever fails here is a refusal, also a socket that was closed before the first byte. */
+    private SecureLink handshake(Socket socket, boolean isBase) throws IOException {
         try {
-            socket.startHandshake();
-            Certificate[] chain = socket.getSession().getPeerCertificates();
-            return new EstablishedLink(socket, Fingerprint.of(chain[0].getPublicKey()));
+            SSLSocket secured = layered(socket);
+            secured.setUseClientMode(isBase);
+            if (!isBase) {
+                secured.setNeedClientAuth(true);
+            }
+            List<String> spoken = new ArrayList<>(versions);
+            spoken.retainAll(Arrays.asList(secured.getSupportedProtocols()));
+            secured.setEnabledProtocols(spoken.toArray(new String[0]));
+            secured.startHandshake();
+            Certificate[] chain = secured.getSession().getPeerCertificates();
+            return new EstablishedLink(secured, Fingerprint.of(chain[0].getPublicKey()));
         } catch (IOException e) {
             boolean plain = String.valueOf(e.getMessage()).contains("unrecognized SSL message");
             String why = plain ? "it speaks plain, and only protected links are taken here" : words(e);
