@@ -200,8 +200,7 @@ class KilledAppointmentTest {
                     0,
                     0,
                     1);
-            BoatServer boat =
-                    new BoatServer(ServerConfig.of("anna", "boot").build(), hull, log);
+            BoatServer boat = new BoatServer(ServerConfig.of("anna", "boot").build(), hull, log);
             TcpBoatServer server = new TcpBoatServer(
                     "anna",
                     boat,
@@ -223,10 +222,12 @@ class KilledAppointmentTest {
             TcpBaseConfig config = TcpBaseConfig.of(ProxyConfig.DEFAULT.withClientId("second"), 1);
             TcpBase base = new TcpBase(config, SteadyClock.ofThisMachine(), new BaseThatTakes());
             base.connect(TcpTestFleet.port(Integer.parseInt(args[0])));
-            Await.until("the boat says who has it", () -> base.query(boats -> boats.find("anna")
-                            .filter(boat -> boat.status().pose().isPresent())
-                            .isPresent())
-                    .join());
+            Await.until(
+                    "the boat says who has it",
+                    () -> base.query(boats -> boats.find("anna")
+                                    .filter(boat -> boat.status().pose().isPresent())
+                                    .isPresent())
+                            .join());
             System.out.println("takes");
             base.query(boats -> {
                         boats.find("anna").orElseThrow().handOver().takeCommand();
