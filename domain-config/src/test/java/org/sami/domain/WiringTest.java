@@ -121,7 +121,8 @@ class WiringTest {
 
         EditResult.Done done = add("GenerateTasks", new EventTarget.OnVertex(placeBehind("OperatorCreatesLocations")));
 
-        assertThat(done.told()).contains("locations is read from Operator Creates Locations: locations, 1 step before");
+        assertThat(done.remarks())
+                .contains("locations is read from Operator Creates Locations: locations, 1 step before");
         history.undo();
         assertThat(plan()).isEqualTo(before);
     }

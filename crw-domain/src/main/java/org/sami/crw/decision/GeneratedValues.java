@@ -25,11 +25,11 @@ final class GeneratedValues {
     /** A single point lies in the inner part of the square, so that boats that gather there stay inside. */
     private static final double INNER_PART = 0.5;
 
-    private final OperatorDefaults defaults;
+    private final DefaultAnswers defaults;
     private final Random locations;
     private final Random points;
 
-    GeneratedValues(OperatorDefaults defaults) {
+    GeneratedValues(DefaultAnswers defaults) {
         this.defaults = defaults;
         locations = new Random(mixed(defaults.seed()));
         points = new Random(mixed(defaults.seed() ^ 0x5A5A5A5AL));

@@ -27,11 +27,11 @@ import org.sami.spn.vocabulary.Vocabulary;
 public final class SimulatedOperator {
     private final Vocabulary vocabulary;
     private final List<CountedRule> rules = new ArrayList<>();
-    private final OperatorDefaults defaults;
+    private final DefaultAnswers defaults;
     private final GeneratedValues madeUp;
 
     /** An operator with rules and what it does without them. */
-    public SimulatedOperator(Vocabulary vocabulary, OperatorDefaults defaults, AnswersFile answers) {
+    public SimulatedOperator(Vocabulary vocabulary, DefaultAnswers defaults, AnswersFile answers) {
         this.vocabulary = vocabulary;
         this.defaults = defaults;
         madeUp = new GeneratedValues(defaults);

@@ -80,7 +80,7 @@ class SimulatedOperatorTest {
     void everyBoatThatItKnowsGetsAShareOfItsOwn() {
         ValueType shares = new ValueType.MapOf(ValueType.Simple.PROXY, ValueType.Simple.POINT);
         SimulatedOperator knowing = new SimulatedOperator(
-                VOCABULARY, new OperatorDefaults(CENTRE, CENTRE, 600, 20, 1, List.of("a", "b")), AnswersFile.EMPTY);
+                VOCABULARY, new DefaultAnswers(CENTRE, CENTRE, 600, 20, 1, List.of("a", "b")), AnswersFile.EMPTY);
 
         Value given = fields(knowing, item("points", shares, Optional.empty())).get("points");
 
@@ -235,8 +235,8 @@ class SimulatedOperatorTest {
 
     @Test
     void settingsThatMakeNoSenseAreRefused() {
-        assertThatThrownBy(() -> new OperatorDefaults(CENTRE, 0, 20, 1)).hasMessageContaining("0.0");
-        assertThatThrownBy(() -> new OperatorDefaults(CENTRE, 600, -1, 1)).hasMessageContaining("-1");
+        assertThatThrownBy(() -> new DefaultAnswers(CENTRE, 0, 20, 1)).hasMessageContaining("0.0");
+        assertThatThrownBy(() -> new DefaultAnswers(CENTRE, 600, -1, 1)).hasMessageContaining("-1");
     }
 
     private static void assertFinding(Reading<Answer> reading, String pointer, String words) {
@@ -265,7 +265,7 @@ class SimulatedOperatorTest {
 
     private static SimulatedOperator operator(long seed, String rules) {
         AnswersFile answers = AnswersFileReader.read(file(rules), VOCABULARY).orThrow();
-        return new SimulatedOperator(VOCABULARY, new OperatorDefaults(CENTRE, 600, 20, seed), answers);
+        return new SimulatedOperator(VOCABULARY, new DefaultAnswers(CENTRE, 600, 20, seed), answers);
     }
 
     private static String file(String rules) {

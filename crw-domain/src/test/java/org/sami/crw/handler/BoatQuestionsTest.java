@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.LinkCodec;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.OfferedOption;
-import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.decision.PendingDecision;
@@ -231,7 +231,7 @@ class BoatQuestionsTest {
         String file = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": " + rules + "}";
         return new SimulatedOperator(
                 TestWorld.VOCABULARY,
-                new OperatorDefaults(TestWorld.HOME, 100, 0, 1),
+                new DefaultAnswers(TestWorld.HOME, 100, 0, 1),
                 AnswersFileReader.read(file, TestWorld.VOCABULARY).orThrow());
     }
 }

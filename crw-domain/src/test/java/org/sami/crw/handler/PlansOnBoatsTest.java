@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.decision.AnswersFile;
-import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.decision.PendingDecision;
@@ -167,7 +167,7 @@ class PlansOnBoatsTest {
         world = new TestWorld(new HostedEngine(project), enginesOwn);
         world.host.addListener((index, atMillis, input, stepped, view) -> effects.addAll(stepped));
         operator = new SimulatedOperator(
-                TestWorld.VOCABULARY, new OperatorDefaults(TestWorld.HOME, 200, locations, 42), AnswersFile.EMPTY);
+                TestWorld.VOCABULARY, new DefaultAnswers(TestWorld.HOME, 200, locations, 42), AnswersFile.EMPTY);
         for (int boat = 1; boat <= boats; boat++) {
             world.addBoat("boat-" + boat, 4.0 * boat, 0);
         }

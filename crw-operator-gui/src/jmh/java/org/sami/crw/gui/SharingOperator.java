@@ -3,7 +3,7 @@ package org.sami.crw.gui;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.decision.AnswersFile;
-import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionOperator;
@@ -24,7 +24,7 @@ final class SharingOperator implements SessionOperator {
         this.missions = missions;
         simulated = new SimulatedOperator(
                 session.setup().vocabulary(),
-                new OperatorDefaults(FleetProcess.PIER, FleetProcess.PIER, AREA_M, 1, 1),
+                new DefaultAnswers(FleetProcess.PIER, FleetProcess.PIER, AREA_M, 1, 1),
                 AnswersFile.EMPTY);
     }
 

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import javax.imageio.ImageIO;
 import org.sami.crw.decision.AnswersFile;
-import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
@@ -111,7 +111,7 @@ final class ScreenshotMain {
     }
 
     private void answer() {
-        OperatorDefaults defaults = new OperatorDefaults(LoopbackFleet.QUAY, CENTRE, 150, 6, 1, NAMES);
+        DefaultAnswers defaults = new DefaultAnswers(LoopbackFleet.QUAY, CENTRE, 150, 6, 1, NAMES);
         SimulatedOperatorDriver driver = new SimulatedOperatorDriver(
                 new SimulatedOperator(session().setup().vocabulary(), defaults, AnswersFile.EMPTY),
                 session().scheduler(),

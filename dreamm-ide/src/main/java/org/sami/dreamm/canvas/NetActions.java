@@ -65,7 +65,7 @@ final class NetActions {
     }
 
     void tell(String text) {
-        context.notices().told(text);
+        context.notices().show(text);
     }
 
     void refuse(String text) {

@@ -93,7 +93,7 @@ final class CompareCommands {
         } else {
             context.commands().find("panel-comparison").ifPresent(Command::run);
             compare.accept(before.get(), name);
-            context.notices().told("Compared with " + name);
+            context.notices().show("Compared with " + name);
         }
     }
 }

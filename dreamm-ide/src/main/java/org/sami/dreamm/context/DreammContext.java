@@ -161,7 +161,7 @@ public final class DreammContext implements AutoCloseable {
         if (result instanceof EditResult.Refused refused) {
             notices.refused(refused.message());
         } else if (result instanceof EditResult.Done done) {
-            notices.told(told(edit.label(), done));
+            notices.show(withRemarks(edit.label(), done));
         }
         return result;
     }
@@ -169,17 +169,17 @@ public final class DreammContext implements AutoCloseable {
     /** Takes the last edit back and says so. */
     public void undo() {
         Optional<String> label = document.undoLabel();
-        document.undo().ifPresent(done -> notices.told(told("Undone: " + label.orElse(""), done)));
+        document.undo().ifPresent(done -> notices.show(withRemarks("Undone: " + label.orElse(""), done)));
     }
 
     /** Makes the edit again that was taken back last, and says so. */
     public void redo() {
         Optional<String> label = document.redoLabel();
-        document.redo().ifPresent(done -> notices.told(told("Done again: " + label.orElse(""), done)));
+        document.redo().ifPresent(done -> notices.show(withRemarks("Done again: " + label.orElse(""), done)));
     }
 
-    private static String told(String label, EditResult.Done done) {
-        return done.told().isEmpty() ? label : label + " – " + String.join("; ", done.told());
+    private static String withRemarks(String label, EditResult.Done done) {
+        return done.remarks().isEmpty() ? label : label + " – " + String.join("; ", done.remarks());
     }
 
     /** Ends what works off the event thread. */

@@ -16,9 +16,9 @@ import org.sami.spn.model.Project;
  * @param before the project as it was
  * @param after the project as it is
  * @param plans ids of the plans that were changed, added or removed; the others are the same objects as before
- * @param told sentences for the author about parts that were removed along with others, or still refer to removed ones
+ * @param remarks sentences for the author about parts that were removed along with others, or still refer to removed ones
  */
-public record DocumentChange(Cause cause, Project before, Project after, Set<String> plans, List<String> told) {
+public record DocumentChange(Cause cause, Project before, Project after, Set<String> plans, List<String> remarks) {
     /** Why the document is another one. */
     public enum Cause {
         /** Another project was opened, or a new one begun. */
@@ -36,7 +36,7 @@ public record DocumentChange(Cause cause, Project before, Project after, Set<Str
         Objects.requireNonNull(before, "before");
         Objects.requireNonNull(after, "after");
         plans = Collections.unmodifiableSet(new LinkedHashSet<>(plans));
-        told = List.copyOf(told);
+        remarks = List.copyOf(remarks);
     }
 
     /** Whether another project was opened: nothing that was known of the one before holds. */

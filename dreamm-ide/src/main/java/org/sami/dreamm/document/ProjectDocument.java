@@ -166,7 +166,7 @@ public final class ProjectDocument {
     }
 
     private void tell(Cause cause, Project before, EditResult.Done done) {
-        tell(new DocumentChange(cause, before, done.changed(), done.touched(), done.told()));
+        tell(new DocumentChange(cause, before, done.changed(), done.touched(), done.remarks()));
     }
 
     private void tell(DocumentChange change) {

@@ -82,7 +82,7 @@ public final class ExportCommands {
                             }
                         },
                         written -> context.notices()
-                                .told((there ? "Replaced " : "Exported ") + plan.title() + " as " + written));
+                                .show((there ? "Replaced " : "Exported ") + plan.title() + " as " + written));
     }
 
     /** The picture of a plan, where it lies on the canvas. */

@@ -70,7 +70,7 @@ final class DiskWatch implements AutoCloseable {
     private void load(Path path) {
         try {
             file.take(file.read(path));
-            context.notices().told(path.getFileName() + " is loaded as it is on disk");
+            context.notices().show(path.getFileName() + " is loaded as it is on disk");
         } catch (IOException unfit) {
             context.notices().refused(unfit.getMessage());
         }

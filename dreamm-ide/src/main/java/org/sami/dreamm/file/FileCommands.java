@@ -120,12 +120,12 @@ public final class FileCommands implements AutoCloseable {
         Project project = new Project(
                 "project", "New project", domain, List.of(), List.of(), List.of(new PlanBuilder("plan").build()));
         file.open(project);
-        context.notices().told("A new project; F2 in the mission tree renames its plan");
+        context.notices().show("A new project; F2 in the mission tree renames its plan");
     }
 
     private void openLibrary() {
         file.open(LibraryProject.of(context.domain()));
-        context.notices().told("The library's plans; what you change is saved as a project of your own");
+        context.notices().show("The library's plans; what you change is saved as a project of your own");
     }
 
     private void choose() {
@@ -150,7 +150,7 @@ public final class FileCommands implements AutoCloseable {
     private void opened(ProjectFile.Read read) {
         file.open(read);
         recent.add(read.path());
-        context.notices().told(read.path() + " is open");
+        context.notices().show(read.path() + " is open");
     }
 
     private record Outcome(Optional<ProjectFile.Read> read, String why) {
@@ -247,7 +247,7 @@ public final class FileCommands implements AutoCloseable {
         }
         context.questions().withdraw("changed-on-disk");
         recent.add(path);
-        context.notices().told("Saved in " + path);
+        context.notices().show("Saved in " + path);
         then.run();
     }
 

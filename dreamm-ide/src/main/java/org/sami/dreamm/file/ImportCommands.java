@@ -77,7 +77,7 @@ final class ImportCommands {
         file.open(result.project().get());
         int losses = result.losses().size();
         context.notices()
-                .told(export.getFileName() + ": "
+                .show(export.getFileName() + ": "
                         + result.project().get().plans().size() + " plans are imported"
                         + (losses == 0
                                 ? ", nothing was lost"

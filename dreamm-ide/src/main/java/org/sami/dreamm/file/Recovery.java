@@ -59,7 +59,7 @@ final class Recovery {
         String missing = openBase(work.file(), project);
         context.document().apply(new ReplaceProject("Restore unsaved changes", project));
         autosave.keep(Optional.of(work));
-        context.notices().told("The unsaved changes are restored; Save keeps them" + missing);
+        context.notices().show("The unsaved changes are restored; Save keeps them" + missing);
     }
 
     /** Opens what the changes were made to, so that undo leads there; where that is gone, an empty project. */

@@ -211,7 +211,7 @@ public final class ReplayPanel extends FoldingPanel {
             player.goTo(next.atMillis());
             context.editor().open(at.plan());
             context.editor().highlight(Set.of(at.vertex()));
-            context.notices().told("The replay stopped at the breakpoint at " + name(at));
+            context.notices().show("The replay stopped at the breakpoint at " + name(at));
         });
         refresh();
         String open = context.editor().planId().orElse("");

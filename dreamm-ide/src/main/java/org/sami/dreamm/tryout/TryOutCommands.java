@@ -210,7 +210,7 @@ public final class TryOutCommands {
             timer.stop();
             context.editor().open(at.plan());
             context.editor().highlight(Set.of(at.vertex()));
-            context.notices().told("Stopped at the breakpoint at " + name(at.plan(), at.vertex()));
+            context.notices().show("Stopped at the breakpoint at " + name(at.plan(), at.vertex()));
         });
         context.commands().refresh();
     }
@@ -231,7 +231,7 @@ public final class TryOutCommands {
         String plan = context.editor().planId().orElseThrow();
         String transition = selected(true).get(0);
         context.notices()
-                .told(name(plan, transition) + ": "
+                .show(name(plan, transition) + ": "
                         + tryOut.whyNot(plan, transition)
                                 .orElse(
                                         tryOut.mission(plan).isPresent()

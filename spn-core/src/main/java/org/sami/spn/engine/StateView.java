@@ -306,6 +306,6 @@ final class StateView implements EngineView {
 
     @Override
     public EnablingExplanation whyNotEnabled(long mission, String transition) {
-        return new WhyNot(whole).explain(mission, transition);
+        return new EnablingExplainer(whole).explain(mission, transition);
     }
 }

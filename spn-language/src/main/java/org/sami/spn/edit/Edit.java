@@ -26,7 +26,7 @@ public interface Edit {
         EditContext context = new EditContext(vocabulary);
         try {
             Project changed = context.settle(project, change(project, context));
-            return EditResult.Done.of(project, changed, context.told());
+            return EditResult.Done.of(project, changed, context.remarks());
         } catch (EditRefusedException e) {
             return new EditResult.Refused(e.reason());
         }

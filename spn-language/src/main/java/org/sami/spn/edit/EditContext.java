@@ -13,7 +13,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 /** The context in which edits are applied: the domain's vocabulary, and the list of parts that were removed along. */
 public final class EditContext {
     private final Vocabulary vocabulary;
-    private final List<String> told = new ArrayList<>();
+    private final List<String> remarks = new ArrayList<>();
 
     EditContext(Vocabulary vocabulary) {
         this.vocabulary = Objects.requireNonNull(vocabulary, "vocabulary");
@@ -26,11 +26,11 @@ public final class EditContext {
 
     /** Tells the author, in one sentence, what went along or still speaks of what is gone. */
     public void tell(String sentence) {
-        told.add(sentence);
+        remarks.add(sentence);
     }
 
-    List<String> told() {
-        return told;
+    List<String> remarks() {
+        return remarks;
     }
 
     /** Removes parts that refer to removed ones, keeps plans that are equal to what they were, and refuses what is not well-formed. */

@@ -20,22 +20,22 @@ public sealed interface EditResult {
      *
      * @param changed the project after it
      * @param touched ids of the plans that were changed, added or removed; plans that are not named are the same objects as before
-     * @param told sentences for the author about parts that were removed along with others, or still refer to removed ones
+     * @param remarks sentences for the author about parts that were removed along with others, or still refer to removed ones
      */
-    record Done(Project changed, Set<String> touched, List<String> told) implements EditResult {
+    record Done(Project changed, Set<String> touched, List<String> remarks) implements EditResult {
         public Done {
             Objects.requireNonNull(changed, "changed");
             touched = Collections.unmodifiableSet(new LinkedHashSet<>(touched));
-            told = List.copyOf(told);
+            remarks = List.copyOf(remarks);
         }
 
-        static Done of(Project before, Project after, List<String> told) {
+        static Done of(Project before, Project after, List<String> remarks) {
             IdentityHashMap<Plan, Boolean> same = new IdentityHashMap<>();
             before.plans().forEach(p -> same.put(p, Boolean.TRUE));
             Set<String> touched = new LinkedHashSet<>();
             after.plans().stream().filter(p -> same.remove(p) == null).forEach(p -> touched.add(p.id()));
             same.keySet().stream().map(Plan::id).sorted().forEach(touched::add);
-            return new Done(after, touched, told);
+            return new Done(after, touched, remarks);
         }
 
         @Override

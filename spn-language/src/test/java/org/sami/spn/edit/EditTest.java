@@ -75,12 +75,12 @@ class EditTest {
         assertThat(plan(withoutT, "p").layout()).containsOnlyKeys("end");
         assertThat(plan(withoutT, "p").place("start").orElseThrow().transitionOrder())
                 .isEmpty();
-        assertThat(withoutT.told()).hasSize(2).allMatch(told -> told.contains("went along"));
+        assertThat(withoutT.remarks()).hasSize(2).allMatch(told -> told.contains("went along"));
 
         EditResult.Done withoutEnd = done(project, new RemoveElements("p", Set.of("end")));
         assertThat(plan(withoutEnd, "p").testCases().get(0).steps()).hasSize(1);
-        assertThat(withoutEnd.told()).anyMatch(told -> told.contains("Step 1 of the test case \"runs\""));
-        assertThat(done(project, new RemoveElements("p", Set.of("start.Do"))).told())
+        assertThat(withoutEnd.remarks()).anyMatch(told -> told.contains("Step 1 of the test case \"runs\""));
+        assertThat(done(project, new RemoveElements("p", Set.of("start.Do"))).remarks())
                 .singleElement()
                 .asString()
                 .contains("Step 2", "there is no output event start.Do");
@@ -111,7 +111,7 @@ class EditTest {
                     .extracting(StartMarking.Tokens::place)
                     .containsExactly("start");
         });
-        assertThat(done.told())
+        assertThat(done.remarks())
                 .anyMatch(told -> told.contains("The tokens in side went along"))
                 .anyMatch(told -> told.contains("\"later\"") && told.contains("no place is left"));
     }
@@ -146,7 +146,7 @@ class EditTest {
         assertThat(new Usages(done.changed()).ofElement("p", "begin"))
                 .extracting(Usage::where)
                 .containsExactly("edge", "layout", "test case \"runs\", step 1");
-        assertThat(done.told()).isEmpty();
+        assertThat(done.remarks()).isEmpty();
         assertThat(refused(NetBuilder.project(plan), new RenameElement("p", "start", "end")))
                 .contains("\"p\"", "end is used already");
     }
@@ -182,7 +182,7 @@ class EditTest {
         assertThat(done.changed().plan("child")).containsSame(child);
         assertThat(plan(done, "parent").places().get(0).subMissions().get(0).variables())
                 .containsExactly(Map.entry("@said", "@word"));
-        assertThat(done.told()).singleElement().asString().contains("gives @word as @said");
+        assertThat(done.remarks()).singleElement().asString().contains("gives @word as @said");
     }
 
     @Test
@@ -230,7 +230,7 @@ class EditTest {
         assertThat(done.changed().missionTree())
                 .extracting(MissionTreeNode::plan)
                 .containsExactly(Optional.of("parent"));
-        assertThat(done.told()).singleElement().asString().contains("\"parent\"", "start.sub0", "\"child\"");
+        assertThat(done.remarks()).singleElement().asString().contains("\"parent\"", "start.sub0", "\"child\"");
         EditResult.Done renamed = done(project, new ProjectEdit.RenamePlan("child", "kid"));
         assertThat(new Usages(renamed.changed()).ofPlan("kid"))
                 .extracting(Usage::where)
@@ -252,7 +252,7 @@ class EditTest {
         assertThat(b.inEdges()).hasSize(2);
         assertThat(b.outEdges()).hasSize(1);
         assertThat(b.variables()).extracting(VariableSpec::name).containsExactly("@said");
-        assertThat(done.told()).singleElement().asString().contains("@said");
+        assertThat(done.remarks()).singleElement().asString().contains("@said");
     }
 
     @Test

@@ -12,7 +12,7 @@ import java.util.concurrent.Future;
 import java.util.function.BiConsumer;
 import org.sami.ui.EventThread;
 import org.sami.ui.map.base.BaseSource;
-import org.sami.ui.map.base.MapBudget;
+import org.sami.ui.map.base.MapFileLimits;
 import org.sami.ui.map.base.MbTiles;
 import org.sami.ui.map.base.OutlineSource;
 
@@ -97,7 +97,7 @@ final class BaseMapLoader {
     private void read(Load load) {
         try {
             BaseSource source = isOutlines(load.file)
-                    ? OutlineSource.read(load.file, MapBudget.OF_A_FILE)
+                    ? OutlineSource.read(load.file, MapFileLimits.OF_A_FILE)
                     : MbTiles.open(load.file);
             done(load, () -> sources.accept(load.file, source), () -> close(source));
         } catch (IOException | RuntimeException e) {

@@ -15,12 +15,12 @@ public final class Notices {
      */
     public record Notice(String text, boolean refused) {}
 
-    /** Something was done. */
-    public void told(String text) {
+    /** Shows what was done. */
+    public void show(String text) {
         tell(new Notice(text, false));
     }
 
-    /** Something was not done, for this reason. */
+    /** Shows why something was not done. */
     public void refused(String text) {
         tell(new Notice(text, true));
     }
@@ -29,7 +29,7 @@ public final class Notices {
         listeners.forEach(listener -> listener.accept(notice));
     }
 
-    /** Adds who shows them. */
+    /** Adds a listener that shows them. */
     public void addListener(Consumer<Notice> listener) {
         listeners.add(listener);
     }

@@ -18,7 +18,7 @@ class NoticeLabelTest {
 
     @Test
     void whatWasDoneLeavesAfterTenSeconds() {
-        notices.told("Saved in lake.json");
+        notices.show("Saved in lake.json");
         pass(9);
         assertThat(label.getText()).isEqualTo("Saved in lake.json");
         assertThat(label.getToolTipText()).isEqualTo("Saved in lake.json");
@@ -46,9 +46,9 @@ class NoticeLabelTest {
 
     @Test
     void aNoticeBeginsAnewWithTheOneThatFollows() {
-        notices.told("first");
+        notices.show("first");
         pass(8);
-        notices.told("second");
+        notices.show("second");
         pass(8);
 
         assertThat(label.getText()).isEqualTo("second");

@@ -67,7 +67,7 @@ public final class BoatServer {
     private final BatteryWatch battery;
     private final MotionReports motion;
     private final EpochGuard epochs;
-    private final TransferLimits limits = new TransferLimits();
+    private final TransferRateLimits limits = new TransferRateLimits();
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;

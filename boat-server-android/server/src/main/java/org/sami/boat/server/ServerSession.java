@@ -47,7 +47,7 @@ public final class ServerSession {
     private long newestExecuted = -1; // by its sequence; it outlives every hello
     private long refusedFrames;
     private boolean wishesToCommand;
-    private final RateLimit wishes = TransferLimits.wishesOfOne();
+    private final RateLimit wishes = TransferRateLimits.wishesOfOne();
     private Optional<String> dismissal = Optional.empty();
     private boolean open = true;
     private Optional<BoatKeys> keys = Optional.empty(); // of a boat that speaks with protection

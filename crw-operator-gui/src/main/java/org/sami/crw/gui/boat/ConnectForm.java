@@ -150,7 +150,7 @@ public final class ConnectForm extends JPanel {
         if (one.state() == State.REFUSED) {
             context.notices().refused(one.words());
         } else {
-            context.notices().told(one.words());
+            context.notices().show(one.words());
         }
         refresh();
     }

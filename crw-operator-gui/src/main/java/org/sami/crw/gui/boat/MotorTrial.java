@@ -67,7 +67,7 @@ final class MotorTrial {
         boat = context.boats().first();
         left = TIMES;
         boat.ifPresent(which -> seenMps.put(which, 0.0));
-        context.notices().told("Motor of " + boat.orElse("") + ": 25 % thrust for one second; keep clear");
+        context.notices().show("Motor of " + boat.orElse("") + ": 25 % thrust for one second; keep clear");
         timer.start();
         step();
     }

@@ -64,7 +64,7 @@ final class SettingsForm extends JPanel {
                     say(fault == null ? "✓ taken" : "▲ " + RefusedException.reason(fault), fault != null);
                     if (fault == null) {
                         context.notices()
-                                .told(whom + " took it: " + command.title().toLowerCase(Locale.ROOT));
+                                .show(whom + " took it: " + command.title().toLowerCase(Locale.ROOT));
                     } else {
                         context.notices().refused(RefusedException.reason(fault));
                     }

@@ -97,7 +97,7 @@ final class Teleoperation {
         send();
         timer.start();
         context.notices()
-                .told("You drive " + which + ": arrow keys or the stick; Escape or " + command.keyText()
+                .show("You drive " + which + ": arrow keys or the stick; Escape or " + command.keyText()
                         + " gives it back");
         listeners.forEach(Runnable::run);
     }
@@ -137,7 +137,7 @@ final class Teleoperation {
                     end();
                 } else if (thrust != 0 || rudder != 0) {
                     context.notices()
-                            .told(String.format(
+                            .show(String.format(
                                     Locale.ROOT,
                                     "%s by hand: thrust %+.0f %%, rudder %+.0f %%",
                                     which,

@@ -79,7 +79,7 @@ public record OperatorContext(
     public <T> void tell(CompletionStage<T> stage, String done) {
         stage.whenComplete((result, fault) -> {
             if (fault == null) {
-                notices.told(done);
+                notices.show(done);
             } else {
                 notices.refused(RefusedException.reason(fault));
             }

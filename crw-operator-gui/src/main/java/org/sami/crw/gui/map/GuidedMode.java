@@ -91,7 +91,7 @@ final class GuidedMode {
         all.addAll(told);
         String words = String.join("; ", all);
         if (refused.isEmpty()) {
-            context.notices().told(words);
+            context.notices().show(words);
         } else {
             context.notices().refused(words);
         }

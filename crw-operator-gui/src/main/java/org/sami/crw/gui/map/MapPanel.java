@@ -139,7 +139,7 @@ public final class MapPanel extends JPanel {
     private void addTools() {
         tool("boats-go", "Go here", "ctrl G", "go-to", this::beginPointing);
         tool("boats-hold", "Hold", "ctrl H", "hold", () -> {
-            context.notices().told(guided.consequence());
+            context.notices().show(guided.consequence());
             guided.hold();
         });
         tool("boats-home", "Return home", "ctrl shift H", "home", this::goHome);
@@ -187,7 +187,7 @@ public final class MapPanel extends JPanel {
     private void escape() {
         if (pointing) {
             endPointing();
-            context.notices().told("No boat is sent");
+            context.notices().show("No boat is sent");
         } else {
             pen.escape();
         }
@@ -203,7 +203,7 @@ public final class MapPanel extends JPanel {
         pointing = true;
         view.canvas().requestFocusInWindow(); // Escape leaves it
         view.canvas().setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
-        context.notices().told("Click where to go. " + guided.consequence());
+        context.notices().show("Click where to go. " + guided.consequence());
     }
 
     private void clicked(MapClick click) {
@@ -231,7 +231,7 @@ public final class MapPanel extends JPanel {
         context.shown().ask(EngineView::globals).thenAccept(globals -> {
             Value home = globals.get(HOME);
             if (home instanceof GeoPoint point) {
-                context.notices().told(guided.consequence());
+                context.notices().show(guided.consequence());
                 guided.goTo(point);
             } else {
                 context.notices().refused("the project has no point " + HOME + " to return to");
@@ -273,7 +273,7 @@ public final class MapPanel extends JPanel {
         partShown = part.number();
         view.fit(new GeoBounds(part.southDeg(), part.westDeg(), part.northDeg(), part.eastDeg()));
         if (!part.why().isEmpty()) {
-            context.notices().told(part.why());
+            context.notices().show(part.why());
         }
     }
 

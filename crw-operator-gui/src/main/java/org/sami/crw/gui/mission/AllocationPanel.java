@@ -174,7 +174,7 @@ public final class AllocationPanel extends FoldingPanel {
         effect.setText(preview.map(TaskMovePreview::words).orElse(HINT));
         effect.setColor(preview.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
         if (low.isFolded()) {
-            preview.ifPresent(shown -> context.notices().told(shown.words()));
+            preview.ifPresent(shown -> context.notices().show(shown.words()));
         }
     }
 

@@ -305,7 +305,7 @@ final class GlobalsPanel extends JPanel {
                 file.set(to);
                 saved = values;
                 reload();
-                context.notices().told(text);
+                context.notices().show(text);
             } else {
                 context.notices().refused(RefusedException.reason(fault));
             }

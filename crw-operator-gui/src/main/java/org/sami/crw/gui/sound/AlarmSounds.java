@@ -59,7 +59,7 @@ public final class AlarmSounds implements AutoCloseable {
     private void toggle() {
         on = !on;
         settings.keep(KEY, on ? "on" : OFF);
-        context.notices().told(on ? "Alarms are heard again" : "Alarms make no sound; they are seen as before");
+        context.notices().show(on ? "Alarms are heard again" : "Alarms make no sound; they are seen as before");
     }
 
     /** Looks whether something is to be heard. */

@@ -34,6 +34,6 @@ public final class FaultCommands {
         BoatsAtFault chosen = session().faults().boats() == BoatsAtFault.HOLD ? BoatsAtFault.STOP : BoatsAtFault.HOLD;
         session().faults().setBoats(chosen);
         settings.keep(KEY, chosen.typed());
-        context.notices().told("When the engine or its journal does not work, " + chosen.words());
+        context.notices().show("When the engine or its journal does not work, " + chosen.words());
     }
 }

@@ -63,7 +63,7 @@ final class WindowCommands {
 
     private void replay(Path journal, Path folder) {
         try {
-            context.notices().told(journal.getFileName() + " is opened in a window of its own");
+            context.notices().show(journal.getFileName() + " is opened in a window of its own");
             ReplayProcess.start(
                     journal,
                     folder,

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
-import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.report.LinkResult;
 import org.sami.crw.report.LinkResult.Uploads;
@@ -86,9 +86,9 @@ final class InProcessFleet implements RunFleet {
     }
 
     @Override
-    public OperatorDefaults operatorDefaults() {
+    public DefaultAnswers operatorDefaults() {
         RunSettings.Fleet fleet = settings.fleet();
-        return new OperatorDefaults(
+        return new DefaultAnswers(
                 water.quay(),
                 fleet.site().centreInProcess(),
                 fleet.areaM(),

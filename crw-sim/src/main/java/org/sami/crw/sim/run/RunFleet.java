@@ -2,7 +2,7 @@ package org.sami.crw.sim.run;
 
 import java.util.List;
 import org.sami.boat.server.vehicle.LocalFrame;
-import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.report.LinkResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.sim.run.record.BoatState;
@@ -17,7 +17,7 @@ public interface RunFleet {
     LocalFrame plane();
 
     /** The simulated operator's answers where no rule gives one. */
-    OperatorDefaults operatorDefaults();
+    DefaultAnswers operatorDefaults();
 
     /** The boats that interrupts may name; an interrupt counts them in this order. */
     List<String> names();

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Collectors;
 import org.sami.boat.server.vehicle.LocalFrame;
-import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.report.LinkResult;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
@@ -79,9 +79,9 @@ final class ConnectedFleet implements RunFleet {
     }
 
     @Override
-    public OperatorDefaults operatorDefaults() {
+    public DefaultAnswers operatorDefaults() {
         RunSettings.Fleet size = settings.fleet();
-        return new OperatorDefaults(area.centre(), size.areaM(), size.locations(), size.seed());
+        return new DefaultAnswers(area.centre(), size.areaM(), size.locations(), size.seed());
     }
 
     @Override

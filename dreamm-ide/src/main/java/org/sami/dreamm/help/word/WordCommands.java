@@ -53,7 +53,7 @@ public final class WordCommands implements AutoCloseable {
                             hover.setOn(!hover.isOn());
                             settings.keep(SETTING, hover.isOn() ? "" : OFF);
                             context.notices()
-                                    .told(
+                                    .show(
                                             hover.isOn()
                                                     ? "Words under the pointer are explained"
                                                     : "Words under the pointer are not explained; Ctrl+F1 explains those of what has the focus");

@@ -44,7 +44,7 @@ final class GeoJson {
      *
      * @throws IOException with the file's name, the place and what is wrong, if it is no GeoJSON or holds nothing
      */
-    static OutlineCollector read(Path file, MapBudget budget) throws IOException {
+    static OutlineCollector read(Path file, MapFileLimits budget) throws IOException {
         if (!Files.exists(file) || Files.isDirectory(file)) {
             throw new IOException("There is no map file " + file);
         }
@@ -58,7 +58,7 @@ final class GeoJson {
             } catch (JsonProcessingException | CharConversionException | GeoJsonFault e) {
                 String said = e instanceof JsonProcessingException json ? json.getOriginalMessage() : e.getMessage();
                 String kind = e instanceof GeoJsonFault ? " is no GeoJSON, " : " is no JSON, ";
-                throw new IOException(file + kind + place(in) + ": " + MapBudget.cut(said, 200), e);
+                throw new IOException(file + kind + place(in) + ": " + MapFileLimits.cut(said, 200), e);
             }
         }
         if (found.isEmpty()) {
@@ -97,7 +97,7 @@ final class GeoJson {
             String member = in.currentName();
             JsonToken value = in.nextToken();
             switch (member) {
-                case "type" -> type = value == JsonToken.VALUE_STRING ? MapBudget.cut(in.getText(), 40) : "";
+                case "type" -> type = value == JsonToken.VALUE_STRING ? MapFileLimits.cut(in.getText(), 40) : "";
                 case "coordinates" -> coordinates(coordinates, value);
                 case "geometry", "features", "geometries" -> {
                     hasGeometry = true;
@@ -148,7 +148,7 @@ final class GeoJson {
             boolean isName = in.currentName().equals("name");
             JsonToken next = in.nextToken();
             if (isName && next == JsonToken.VALUE_STRING) {
-                name = Optional.of(MapBudget.cut(in.getText(), MapBudget.NAME_LETTERS));
+                name = Optional.of(MapFileLimits.cut(in.getText(), MapFileLimits.NAME_LETTERS));
             } else {
                 in.skipChildren();
             }
@@ -219,8 +219,9 @@ final class GeoJson {
             case VALUE_STRING -> "a text";
             default ->
                 "'"
-                        + MapBudget.cut(
-                                in.getText().substring(0, Math.min(in.getText().length(), LONGEST_WORD)), 40) + "'";
+                        + MapFileLimits.cut(
+                                in.getText().substring(0, Math.min(in.getText().length(), LONGEST_WORD)), 40)
+                        + "'";
         };
     }
 }

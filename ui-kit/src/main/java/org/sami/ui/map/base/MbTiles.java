@@ -56,14 +56,14 @@ public final class MbTiles implements BaseSource {
         }
         Metadata named = metadata("name");
         name = named.start().isBlank()
-                ? MapBudget.cut(file.getFileName().toString(), MapBudget.NAME_LETTERS)
-                : MapBudget.cut(named.whole(), MapBudget.NAME_LETTERS);
+                ? MapFileLimits.cut(file.getFileName().toString(), MapFileLimits.NAME_LETTERS)
+                : MapFileLimits.cut(named.whole(), MapFileLimits.NAME_LETTERS);
         Metadata thanks = metadata("attribution");
-        attribution = MapBudget.cut(
-                thanks.whole().replaceAll("<[^>]*>", ""), MapBudget.ATTRIBUTION_LETTERS); // it may be HTML
+        attribution = MapFileLimits.cut(
+                thanks.whole().replaceAll("<[^>]*>", ""), MapFileLimits.ATTRIBUTION_LETTERS); // it may be HTML
         restriction = thanks.letters() <= READ_LETTERS
                 ? Optional.empty()
-                : Optional.of(file + " has an attribution of " + MapBudget.number(thanks.letters())
+                : Optional.of(file + " has an attribution of " + MapFileLimits.number(thanks.letters())
                         + " letters: its beginning is shown");
         bounds = bounds(metadata("bounds").start());
         try (Statement statement = connection.createStatement();
@@ -103,7 +103,7 @@ public final class MbTiles implements BaseSource {
         } catch (SQLException e) {
             close(connection);
             throw new IOException(
-                    file + " is no map of MBTiles: " + MapBudget.cut(String.valueOf(e.getMessage()), 200), e);
+                    file + " is no map of MBTiles: " + MapFileLimits.cut(String.valueOf(e.getMessage()), 200), e);
         } catch (IOException e) {
             close(connection);
             throw e;
@@ -202,15 +202,16 @@ public final class MbTiles implements BaseSource {
                     return Optional.empty();
                 }
                 String which = file + ": tile " + key.x() + ", " + key.y() + " of level " + level;
-                if (rows.getLong(1) > MapBudget.TILE_BYTES) {
-                    throw new IOException(which + " has " + MapBudget.number(rows.getLong(1)) + " bytes, more than "
-                            + MapBudget.number(MapBudget.TILE_BYTES) + ", and is left out");
+                if (rows.getLong(1) > MapFileLimits.TILE_BYTES) {
+                    throw new IOException(which + " has " + MapFileLimits.number(rows.getLong(1)) + " bytes, more than "
+                            + MapFileLimits.number(MapFileLimits.TILE_BYTES) + ", and is left out");
                 }
                 byte[] picture = rows.getBytes(2);
                 return Optional.of(TilePicture.read(picture == null ? new byte[0] : picture, which));
             }
         } catch (SQLException e) {
-            throw new IOException(file + " cannot be read: " + MapBudget.cut(String.valueOf(e.getMessage()), 200), e);
+            throw new IOException(
+                    file + " cannot be read: " + MapFileLimits.cut(String.valueOf(e.getMessage()), 200), e);
         }
     }
 

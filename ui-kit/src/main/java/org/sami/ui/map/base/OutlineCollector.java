@@ -11,7 +11,7 @@ final class OutlineCollector {
     private static final int CHECK_INTERVAL = 1024; // positions and members
 
     private final Path file;
-    private final MapBudget budget;
+    private final MapFileLimits budget;
     private final long begun;
     private final List<Run> lines = new ArrayList<>();
     private final List<List<Run>> polygons = new ArrayList<>();
@@ -32,7 +32,7 @@ final class OutlineCollector {
         }
     }
 
-    OutlineCollector(Path file, MapBudget budget) {
+    OutlineCollector(Path file, MapFileLimits budget) {
         this.file = file;
         this.budget = budget;
         begun = budget.nanos().getAsLong();
@@ -51,7 +51,7 @@ final class OutlineCollector {
      */
     void look() throws InterruptedReading {
         if (points + current.size() > budget.points()) {
-            full("more than " + MapBudget.number(budget.points()) + " points");
+            full("more than " + MapFileLimits.number(budget.points()) + " points");
         }
         if (++looks % CHECK_INTERVAL == 0) {
             if (Thread.currentThread().isInterrupted()) {
@@ -106,7 +106,7 @@ final class OutlineCollector {
         }
         current = new Coordinates();
         if (outlines >= budget.outlines()) {
-            full("more than " + MapBudget.number(budget.outlines()) + " lines and outlines");
+            full("more than " + MapFileLimits.number(budget.outlines()) + " lines and outlines");
         }
     }
 
@@ -140,12 +140,12 @@ final class OutlineCollector {
     Optional<String> restriction() {
         if (!full.isEmpty()) {
             return Optional.of(file + " has " + full + ": the rest is not shown (shown are "
-                    + MapBudget.number((long) lines.size() + polygons.size()) + " lines and areas)");
+                    + MapFileLimits.number((long) lines.size() + polygons.size()) + " lines and areas)");
         }
         return namesBeyond == 0
                 ? Optional.empty()
-                : Optional.of(file + " has " + MapBudget.number(names.size() + namesBeyond)
-                        + " single points: shown are the first " + MapBudget.number(names.size()));
+                : Optional.of(file + " has " + MapFileLimits.number(names.size() + namesBeyond)
+                        + " single points: shown are the first " + MapFileLimits.number(names.size()));
     }
 
     /** Reading was left. */

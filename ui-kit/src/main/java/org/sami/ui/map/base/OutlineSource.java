@@ -33,7 +33,7 @@ public final class OutlineSource implements BaseSource {
     private final Optional<GeoBounds> bounds;
 
     private OutlineSource(Path file, OutlineCollector json, List<Level> levels) {
-        this.name = MapBudget.cut(file.getFileName().toString(), MapBudget.NAME_LETTERS);
+        this.name = MapFileLimits.cut(file.getFileName().toString(), MapFileLimits.NAME_LETTERS);
         this.restriction = json.restriction();
         this.levels = levels;
         json.names().forEach(point -> names.insert(new Envelope(at(point)), point));
@@ -62,7 +62,7 @@ public final class OutlineSource implements BaseSource {
      *
      * @throws IOException with the file's name, the place in it and what is wrong
      */
-    public static OutlineSource read(Path file, MapBudget budget) throws IOException {
+    public static OutlineSource read(Path file, MapFileLimits budget) throws IOException {
         OutlineCollector json = GeoJson.read(file, budget);
         List<Level> levels = new ArrayList<>();
         try {

@@ -71,7 +71,7 @@ final class OutlineTile {
     }
 
     private boolean isOver() {
-        return work > MapBudget.TILE_POINTS || Thread.currentThread().isInterrupted();
+        return work > MapFileLimits.TILE_POINTS || Thread.currentThread().isInterrupted();
     }
 
     /** A chunk wholly above, below, left or right of the tile is replaced by the line between its ends: nothing changes inside the tile. */

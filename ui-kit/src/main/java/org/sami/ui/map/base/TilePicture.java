@@ -33,9 +33,9 @@ final class TilePicture {
                 reader.setInput(in, true, true);
                 int width = side(reader, which, true);
                 int height = side(reader, which, false);
-                if (width > MapBudget.TILE_SIDE_PX || height > MapBudget.TILE_SIDE_PX) {
+                if (width > MapFileLimits.TILE_SIDE_PX || height > MapFileLimits.TILE_SIDE_PX) {
                     throw new IOException(which + " has " + width + " by " + height + " pixels, more than "
-                            + MapBudget.TILE_SIDE_PX + ", and is left out");
+                            + MapFileLimits.TILE_SIDE_PX + ", and is left out");
                 }
                 return plain(decoded(reader, which));
             } finally {
@@ -48,7 +48,7 @@ final class TilePicture {
         try {
             return isWidth ? reader.getWidth(0) : reader.getHeight(0);
         } catch (IOException | RuntimeException broken) {
-            throw new IOException(which + " is a broken picture: " + MapBudget.cut(broken.toString(), 200), broken);
+            throw new IOException(which + " is a broken picture: " + MapFileLimits.cut(broken.toString(), 200), broken);
         }
     }
 
@@ -56,7 +56,7 @@ final class TilePicture {
         try {
             return reader.read(0);
         } catch (IOException | RuntimeException broken) { // readers of pictures throw many kinds for one that is broken
-            throw new IOException(which + " is a broken picture: " + MapBudget.cut(broken.toString(), 200), broken);
+            throw new IOException(which + " is a broken picture: " + MapFileLimits.cut(broken.toString(), 200), broken);
         }
     }
 

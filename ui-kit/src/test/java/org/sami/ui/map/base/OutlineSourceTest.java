@@ -40,7 +40,7 @@ class OutlineSourceTest {
     }
 
     private static OutlineSource read(Path file) throws IOException {
-        return OutlineSource.read(file, MapBudget.OF_A_FILE);
+        return OutlineSource.read(file, MapFileLimits.OF_A_FILE);
     }
 
     @Test
@@ -145,7 +145,7 @@ class OutlineSourceTest {
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void whatIsBeyondTheBudgetIsNotShownAndItIsSaid(boolean ofOneLine) throws Exception {
-        MapBudget small = new MapBudget(5_000, 100, 10, 60, System::nanoTime);
+        MapFileLimits small = new MapFileLimits(5_000, 100, 10, 60, System::nanoTime);
         Path large = ofOneLine
                 ? HeavyFiles.line(folder.resolve("large.geojson"), 20_000)
                 : HeavyFiles.outlines(folder.resolve("large.geojson"), 300);
@@ -172,7 +172,7 @@ class OutlineSourceTest {
     @Test
     void readingEndsWhenItsTimeIsUp() throws Exception {
         AtomicLong clock = new AtomicLong();
-        MapBudget short1 = new MapBudget(100_000, 100, 10, 1, () -> clock.getAndAdd(400_000_000));
+        MapFileLimits short1 = new MapFileLimits(100_000, 100, 10, 1, () -> clock.getAndAdd(400_000_000));
         Path long1 = HeavyFiles.line(folder.resolve("long.geojson"), 20_000);
 
         Optional<String> said = OutlineSource.read(long1, short1).restriction();

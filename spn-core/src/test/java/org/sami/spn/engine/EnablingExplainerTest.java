@@ -16,7 +16,7 @@ import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.TextValue;
 
 /** "Why is this transition not enabled?" has an answer in words. */
-class WhyNotTest {
+class EnablingExplainerTest {
     private final Session s = new Session(new NetBuilder("net")
             .start("s")
             .input("pull", "Interrupt", Map.of("interruptName", new TextValue("Stop")), Map.of())

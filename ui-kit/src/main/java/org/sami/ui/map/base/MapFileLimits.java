@@ -12,9 +12,9 @@ import java.util.function.LongSupplier;
  * @param seconds how long reading may take
  * @param nanos a clock
  */
-public record MapBudget(int points, int outlines, int names, int seconds, LongSupplier nanos) {
+public record MapFileLimits(int points, int outlines, int names, int seconds, LongSupplier nanos) {
     /** What is allowed to files that operators open. */
-    public static final MapBudget OF_A_FILE = new MapBudget(4_000_000, 150_000, 2_000, 60, System::nanoTime);
+    public static final MapFileLimits OF_A_FILE = new MapFileLimits(4_000_000, 150_000, 2_000, 60, System::nanoTime);
 
     /** How many letters of a name are kept. */
     static final int NAME_LETTERS = 60;

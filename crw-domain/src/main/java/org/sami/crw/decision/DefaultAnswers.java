@@ -14,9 +14,9 @@ import org.sami.spn.value.GeoPoint;
  * @param seed of all invented values
  * @param boats the boats that get a share where a value for each boat is asked for
  */
-public record OperatorDefaults(
+public record DefaultAnswers(
         GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed, List<String> boats) {
-    public OperatorDefaults {
+    public DefaultAnswers {
         boats = List.copyOf(boats);
         Objects.requireNonNull(quay, "quay");
         Objects.requireNonNull(centre, "centre");
@@ -29,12 +29,12 @@ public record OperatorDefaults(
     }
 
     /** The names of the boats are not known. */
-    public OperatorDefaults(GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed) {
+    public DefaultAnswers(GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed) {
         this(quay, centre, areaM, locations, seed, List.of());
     }
 
     /** The quay lies in the middle of the square. */
-    public OperatorDefaults(GeoPoint centre, double areaM, int locations, long seed) {
+    public DefaultAnswers(GeoPoint centre, double areaM, int locations, long seed) {
         this(centre, centre, areaM, locations, seed);
     }
 }

@@ -25,13 +25,13 @@ import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 
 /** Says in words why a transition cannot fire now. */
-final class WhyNot {
+final class EnablingExplainer {
     private final NetState state;
     private final Rules rules;
     private final Awaiting awaiting;
     private final ElementWords words;
 
-    WhyNot(EngineState state) {
+    EnablingExplainer(EngineState state) {
         this.state = state.net;
         this.rules = state.rules();
         this.awaiting = new Awaiting(state.net);

@@ -6,7 +6,7 @@ import org.sami.boat.link.RateLimit;
  * Limits what observers can make the boat send and log, so that none fills the commander's link or the boat's log. Taking the command is never limited,
  * only its line in the log. For the thread that drives the boat.
  */
-final class TransferLimits {
+final class TransferRateLimits {
     private static final double WISHES_PER_SECOND = 2;
     private static final double WISHES_AT_ONCE = 20;
     private static final double LINES_PER_SECOND = 0.1;
