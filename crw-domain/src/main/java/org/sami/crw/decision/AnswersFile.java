@@ -3,7 +3,7 @@ package org.sami.crw.decision;
 import java.util.List;
 
 /**
- * What the simulated operator is told to answer: rules in order, the first that fits counts (docs/answers-file.md). Read by
+ * What the simulated operator answers: rules in order, the first that fits counts (docs/answers-file.md). Read by
  * {@link AnswersFileReader}.
  */
 public final class AnswersFile {

@@ -5,7 +5,7 @@ import java.util.Optional;
 
 /** What the operator is asked outside of any plan: yes or no, about one boat or what one activation asks of several. */
 public enum DomainQuestion {
-    /** A boat's server has started anew: may the boat be moved again? */
+    /** A boat's server has restarted: may the boat be moved again? */
     BOAT_RESTARTED("BoatRestarted", true),
     /** Another base wishes to command a boat: is it to have it? */
     COMMAND_ASKED("CommandAsked", true),

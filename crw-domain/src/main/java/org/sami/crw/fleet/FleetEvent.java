@@ -44,10 +44,10 @@ public sealed interface FleetEvent {
     /** A boat is reached at another address from now on. */
     record Moved(String boat, InetSocketAddress from, InetSocketAddress to) implements FleetEvent {}
 
-    /** A boat's server started anew; nothing moves the boat until the operator allows it. */
+    /** A boat's server restarted; nothing moves the boat until the operator allows it. */
     record Restarted(BoatStatus status) implements OfStatus {}
 
-    /** A boat that had started anew may be moved again. */
+    /** A boat whose server had restarted may be moved again. */
     record RestartAllowed(BoatStatus status) implements OfStatus {}
 
     /** The base gave a boat up; its commands have failed. */

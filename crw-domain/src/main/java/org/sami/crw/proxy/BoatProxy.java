@@ -171,7 +171,7 @@ public final class BoatProxy {
         settle();
     }
 
-    /** Whether the boat still has to be told to stop, and can be. */
+    /** Whether the boat still has to be stopped, and its link works. */
     public boolean isBeingStopped() {
         return link.isCommanding() && driver.isStopping();
     }
@@ -284,7 +284,7 @@ public final class BoatProxy {
         settle();
     }
 
-    /** The operator allows a boat that has started anew to be moved again. */
+    /** The operator allows a boat whose server has restarted to be moved again. */
     public void confirmRestart() {
         if (condition.unconfirmedRestart) {
             condition.unconfirmedRestart = false;
@@ -390,12 +390,12 @@ public final class BoatProxy {
         return fleetRequests.areWaiting();
     }
 
-    /** Why the boat moves or does not; missions are told by their numbers. */
+    /** Why the boat moves or does not; missions are named by their numbers. */
     public BoatExplanation explain() {
         return explain(MissionTitles.NONE);
     }
 
-    /** Why the boat moves or does not; missions are told by their numbers and plans. */
+    /** Why the boat moves or does not; missions are named by their numbers and plans. */
     public BoatExplanation explain(MissionTitles titles) {
         return explainer(titles).explain();
     }

@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
  * zero while a current takes the boat away.
  *
  * <p>Positions of the last {@link #WINDOW_MS} are compared with those half the window later; of these displacements the median counts, east and north each, so that no
- * jump of the receiver moves it. A drift is told only where that displacement is beyond the noise of the boat's position.
+ * jump of the receiver moves it. A drift is reported only where that displacement is beyond the noise of the boat's position.
  */
 final class DriftTrack {
     static final long WINDOW_MS = 120_000;

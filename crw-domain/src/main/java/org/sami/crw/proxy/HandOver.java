@@ -13,7 +13,7 @@ import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.crw.proxy.status.LinkState;
 
 /**
- * The hand-over of a boat's command between bases: what the operator asks of the boat, and what the proxy's listener has been told of it.
+ * The hand-over of a boat's command between bases: what the operator asks of the boat, and what the proxy's listener knows of it.
  * Only one of several bases commands a boat. For the proxy's thread.
  */
 public final class HandOver {
@@ -84,7 +84,7 @@ public final class HandOver {
         return requests.answered(commandId).isPresent();
     }
 
-    /** Whether a refusal was of such a request; then the listener is told. */
+    /** Whether a refusal was of such a request; then the listener is notified. */
     boolean refused(Nack nack) {
         boolean ofHello =
                 nack.reason() == NackReason.SUPERSEDED && nack.commandId().isEmpty();

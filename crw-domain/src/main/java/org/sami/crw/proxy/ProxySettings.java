@@ -67,7 +67,7 @@ public final class ProxySettings {
     /**
      * Sets the gains of one of the boat's control loops.
      *
-     * @return the id of the command, by which the listener is told
+     * @return the id of the command, under which the listener gets the outcome
      */
     public String setGains(GainAxis axis, Gains gains) {
         return ask("gains " + axis, new SetGains(ids.apply("gains"), axis, gains));
@@ -77,7 +77,7 @@ public final class ProxySettings {
      * Scales the speed of every leg.
      *
      * @param multiplier 0 to {@link SetVelocityMultiplier#MAX_MULTIPLIER}; the boat's own limit still holds
-     * @return the id of the command, by which the listener is told
+     * @return the id of the command, under which the listener gets the outcome
      */
     public String setVelocityMultiplier(double multiplier) {
         return ask("velocity", new SetVelocityMultiplier(ids.apply("velocity"), multiplier));
@@ -86,7 +86,7 @@ public final class ProxySettings {
     /**
      * Sets what the boat does when the link is lost.
      *
-     * @return the id of the command, by which the listener is told
+     * @return the id of the command, under which the listener gets the outcome
      */
     public String setLostLinkAction(LostLinkAction action) {
         return ask("lost-link", new SetLostLinkAction(ids.apply("lost-link"), action));
@@ -129,7 +129,7 @@ public final class ProxySettings {
                 .anyMatch(requests -> requests.answered(commandId).isPresent());
     }
 
-    /** The boat has refused something. A setting that it may take later is asked for again; of another the listener is told. */
+    /** The boat has refused something. A setting that it may take later is asked for again; a refusal of another is reported to the listener. */
     void refused(Nack nack) {
         boolean willPass = switch (nack.reason()) {
             case NOT_GREETED, NOT_COMMANDER, STALE -> true;

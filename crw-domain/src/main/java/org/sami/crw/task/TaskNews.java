@@ -9,7 +9,7 @@ import org.sami.spn.value.TaskId;
  *     is about none
  */
 public record TaskNews(Kind kind, TaskId task, String boat) {
-    /** What happened, in the order in which news of one moment is told. */
+    /** What happened, in the order in which news of one moment is published. */
     public enum Kind {
         /** The boat is no longer responsible for it. */
         RELEASED("TaskReleased"),

@@ -22,7 +22,7 @@ import org.sami.spn.value.TaskId;
 
 /**
  * The queue of tasks of every boat, kept in step with what the engine allocates, and the news of it for plans (docs/language.md).
- * The queues stand in the session's journalled memory, written in one batch with the news, so that each is told once, whatever dies in
+ * The queues stand in the session's journalled memory, written in one batch with the news, so that each is published once, whatever dies in
  * between. News that no transition waits for is not posted.
  *
  * <p>Changes on the engine's thread; may be asked from any.
@@ -39,7 +39,7 @@ public final class TaskQueues implements HostListener {
     /**
      * The queues of a host, which may go on with a state that was restored.
      *
-     * @param listener told of all news, whether a plan waits for it or not
+     * @param listener receives all news, whether a plan waits for it or not
      */
     public TaskQueues(EngineHost host, TaskListener listener) {
         this.host = host;

@@ -12,7 +12,7 @@ public final class ClickModel extends Model<Long> {
         super(0L);
     }
 
-    /** Begins to count anew. */
+    /** Starts counting from zero. */
     void clear() {
         count = new ClickCount();
         change();

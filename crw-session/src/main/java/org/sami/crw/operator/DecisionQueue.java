@@ -139,7 +139,7 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
                 .orElse(Optional.of("Decision " + decision + " waits no longer"));
     }
 
-    /** Adds a listener that is told of each decision; closing the result takes it away. From any thread. */
+    /** Adds a listener to all decisions; closing the result takes it away. From any thread. */
     public Registration addListener(DecisionListener listener) {
         return listeners.add(listener);
     }

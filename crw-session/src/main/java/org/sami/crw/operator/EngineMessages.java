@@ -8,7 +8,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
 
-/** What of the engine's notes the operator is told. */
+/** Which of the engine's notes are shown to the operator. */
 final class EngineMessages {
     private EngineMessages() {}
 

@@ -19,7 +19,7 @@ public final class FleetModel extends Model<List<BoatSnapshot>> {
     private final Map<String, Optional<BoatSnapshot>> waiting = new ConcurrentHashMap<>();
     private final Map<String, BoatSnapshot> boats = new TreeMap<>(NaturalOrder.INSTANCE);
 
-    /** Other models that follow boats; told on the owner's thread. */
+    /** Other models that follow boats; notified on the owner's thread. */
     interface Listener {
         void seen(BoatSnapshot boat);
 

@@ -118,7 +118,7 @@ public final class MapModel extends Model<MapSnapshot> {
         });
     }
 
-    /** Only what these missions speak of is drawn from now on, beside what the project does; none = all missions. */
+    /** Only what these missions speak of is drawn from now on, next to what the project draws; none = all missions. */
     public void showMissions(Set<Long> missions) {
         Set<Long> copy = Set.copyOf(missions);
         inbox.accept(() -> {
@@ -258,7 +258,7 @@ public final class MapModel extends Model<MapSnapshot> {
         change();
     }
 
-    /** Which data are wanted may have changed as well. */
+    /** Which data are needed may have changed as well. */
     private void changed() {
         fields.want(layers.requests(inForce(), boats.keySet()));
         change();

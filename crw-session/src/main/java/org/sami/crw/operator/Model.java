@@ -9,7 +9,7 @@ import org.sami.spn.host.Registration;
  * Something that lies before the operator, as an immutable snapshot that is replaced when it changes.
  *
  * <p>The state behind it belongs to the owner's thread. The snapshot may be read from any thread, at once. Listeners are called on the
- * owner's thread, after the snapshot was replaced; several changes that came together are told as one.
+ * owner's thread, after the snapshot was replaced; several changes that came together are published as one.
  *
  * @param <S> type of the snapshot; immutable
  */

@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * Brings changes to the one thread that owns the models: the only hop between those who feed them and those who read them. Whoever posts
- * a change never waits. Changes that wait are made together, and told together afterwards.
+ * a change never waits. Changes that wait are made together, and published together afterwards.
  */
 final class ModelInbox {
     private static final System.Logger LOG = System.getLogger(ModelInbox.class.getName());

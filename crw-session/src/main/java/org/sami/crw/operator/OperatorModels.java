@@ -146,7 +146,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         }
     }
 
-    /** Completes, on the owner's thread, when all that was told until now is in the snapshots. From any thread. */
+    /** Completes, on the owner's thread, when all that happened until now is in the snapshots. From any thread. */
     public CompletionStage<Void> shown() {
         CompletableFuture<Void> shown = new CompletableFuture<>();
         inbox.post(() -> awaitShown.add(shown));
@@ -283,7 +283,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         communication.seen(boat);
     }
 
-    /** Listeners are told of nothing while it is held; afterwards of all at once. */
+    /** Listeners get nothing while it is held, and everything at once afterwards. */
     void hold(boolean hold) {
         inbox.post(() -> held = hold);
     }

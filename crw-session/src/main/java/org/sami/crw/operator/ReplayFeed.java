@@ -7,7 +7,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Tells models what happened once, at any speed and again from the start. Steps of the engine are told to {@link OperatorModels#onPastStep}. For one
+ * Tells models what happened once, at any speed and again from the start. Steps of the engine go to {@link OperatorModels#onPastStep}. For one
  * thread of the replay's, which never waits for the models' owner.
  */
 public final class ReplayFeed {
@@ -18,7 +18,7 @@ public final class ReplayFeed {
     }
 
     /**
-     * Begins anew: forgets what happened, and shows what a session shows at its start. What the person who watches chose to see, such as layers
+     * Starts again: forgets what happened, and shows what a session shows at its start. What the person who watches chose to see, such as layers
      * of the map, stays.
      *
      * @param start a state without missions
@@ -29,7 +29,7 @@ public final class ReplayFeed {
         models.restore(start, 0);
     }
 
-    /** Listeners are told of nothing until {@link #release}: a jump is no flicker. */
+    /** Listeners get nothing until {@link #release}, so that a jump does not flicker. */
     public void hold() {
         models.hold(true);
     }

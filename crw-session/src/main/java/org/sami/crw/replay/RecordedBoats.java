@@ -73,7 +73,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         this.messages = messages;
     }
 
-    /** Begins anew. */
+    /** Starts again. */
     void clear() {
         boats.clear();
         commands.clear();

@@ -20,7 +20,7 @@ import org.sami.spn.protocol.Effect;
 
 /**
  * Shows what lay before the operator at any moment of a journal: models of its own, which the journal's inputs and telemetry are told again.
- * The same moment gives the same snapshots, whichever way it was reached: forwards nothing is left out, and backwards it begins anew.
+ * The same moment gives the same snapshots, whichever way it was reached: forwards nothing is left out, and backwards it starts from the beginning.
  *
  * <p>Nothing acts: there is no host, no link and no clock. {@link #goTo} computes on the caller's thread and is for one at a time that is
  * no window's; models and {@link #shownMillis} belong to the owner's.
@@ -28,7 +28,7 @@ import org.sami.spn.protocol.Effect;
 public final class Replay {
     private static final long SECOND_MS = 1000;
 
-    /** So many items are told before the models' owner is waited for: a long journal does not pile up before a window. */
+    /** So many items are replayed before the models' owner is waited for: a long journal does not pile up before a window. */
     private static final int MOST_AHEAD = 2000;
 
     private final ReplayedJournal journal;

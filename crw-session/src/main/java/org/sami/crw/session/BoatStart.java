@@ -15,9 +15,9 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
-/** Where a boat is, and how far it may be beside its ways: what a way that it has not been sent yet depends on. Immutable. */
+/** Where a boat is, and how far it may be off its ways: what a way that it has not been sent yet depends on. Immutable. */
 public record BoatStart(GeoPoint at, CrossTrackError error) {
-    /** That of a boat, if it is known where it is; one that does not say how far it may be beside its ways is as the services have it. */
+    /** That of a boat, if it is known where it is; one that does not say how far it may be off its ways is as the services have it. */
     static Optional<BoatStart> of(BoatProxy boat, CrwServices services) {
         return boat.status()
                 .pose()

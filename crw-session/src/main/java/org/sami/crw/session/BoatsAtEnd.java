@@ -6,6 +6,6 @@ public enum BoatsAtEnd {
     STOP,
     /** What missions have for them is taken back, and each keeps the place where it is. */
     HOLD,
-    /** Nothing: they go on with what they were told last. */
+    /** Nothing: they go on with their last command. */
     GO_ON
 }

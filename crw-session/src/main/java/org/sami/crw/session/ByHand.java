@@ -119,7 +119,7 @@ public final class ByHand {
         });
     }
 
-    /** Takes back what the operator wanted of a boat: it goes on with what missions want. */
+    /** Cancels what the operator asked of a boat: it goes on with the commands of missions. */
     public CompletionStage<Void> giveBack(String boat) {
         wish(boat);
         return tell(

@@ -25,7 +25,7 @@ public final class EarlierBoats {
 
     /**
      * Connects again to the boats that were not disconnected; what missions want of them waits until they answer. Boats that an earlier process simulated
-     * are launched again where they were last; they count as started anew. To be called once. Gives their ids.
+     * are launched again where they were last; they count as restarted. To be called once. Gives their ids.
      *
      * @throws IOException if the journal cannot be read
      */
@@ -44,7 +44,7 @@ public final class EarlierBoats {
     }
 
     /**
-     * Where earlier processes saw each boat last, by its id; for boats that are simulated anew. Reads the journal.
+     * Where earlier processes saw each boat last, by its id; for boats that are simulated again. Reads the journal.
      *
      * @throws IOException if the journal cannot be read
      */

@@ -103,7 +103,7 @@ public final class Fleet {
     }
 
     /**
-     * Gives up a boat and its address: its commands fail, it is stopped if it can be told, and is then left alone. Missions keep it;
+     * Gives up a boat and its address: its commands fail, it is stopped if its link works, and is then left alone. Missions keep it;
      * {@link Session#drop(String)} takes it out of them. Gives whether it was known.
      */
     public CompletionStage<Boolean> disconnect(String boat) {

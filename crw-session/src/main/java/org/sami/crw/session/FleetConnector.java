@@ -36,7 +36,7 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
         throw new IllegalStateException("this session has nobody who makes simulated boats");
     }
 
-    /** Gives up a boat and its address: its commands fail, it is stopped if it can be told. Gives whether it was known. */
+    /** Gives up a boat and its address: its commands fail, it is stopped if its link works. Gives whether it was known. */
     CompletionStage<Boolean> disconnect(String boat);
 
     /** Gives up an address, and the boat that it leads to. Gives whether it was known. */

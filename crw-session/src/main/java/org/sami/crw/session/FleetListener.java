@@ -28,7 +28,7 @@ import org.sami.spn.host.ListenerList;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Is told of the boats and their links before plans are, and notes what a session keeps of them: status, telemetry, addresses. For the
+ * Receives news of the boats and their links before plans do, and notes what a session keeps of them: status, telemetry, addresses. For the
  * fleet's thread, but where said.
  */
 final class FleetListener implements BaseListener {

@@ -11,7 +11,7 @@ import org.sami.crw.task.TaskMove;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TaskId;
 
-/** What an operator does to running missions beside their plans: refused where it makes no sense as things stand, and written into the operator's log. */
+/** What an operator does to running missions apart from their plans: refused where it makes no sense as things stand, and written into the operator's log. */
 final class MissionActions {
     private final SessionEngine engine;
     private final OperatorModels models;

@@ -89,7 +89,7 @@ final class Operators implements HostListener {
                         .orElse(""));
     }
 
-    /** How long the operator is busy with what is asked, beside answering (thesis 8.1). */
+    /** How long the operator is busy with what is asked, besides answering (thesis 8.1). */
     private static long workMillis(Activation activation) {
         return activation.type().equals(WORK)
                         && activation.values().get(Reserved.DURATION) instanceof DurationValue duration

@@ -37,7 +37,7 @@ import org.sami.spn.value.Value;
  * connected, before {@link #begin}; from then on any number of missions run, and boats come and go.
  *
  * <p>Methods may be called from any thread and return at once, but where said. What comes of them arrives on the front's executor: a
- * value, or a {@link RefusedException} that says why not. Neither the engine's nor the fleet's thread ever waits for who is told.
+ * value, or a {@link RefusedException} that says why not. Neither the engine's nor the fleet's thread ever waits for a listener.
  */
 public final class Session implements AutoCloseable {
     private final SessionSetup setup;
@@ -171,7 +171,7 @@ public final class Session implements AutoCloseable {
     /**
      * Answers a decision. The first answer counts; a later one is refused.
      *
-     * @param by name of the operator, which the others are told
+     * @param by name of the operator, for the other operators to see
      */
     public CompletionStage<Void> answer(long decision, Answer answer, String by) {
         Input.AnswerDecision input = new Input.AnswerDecision(decision, answer, Answerer.OPERATOR);
@@ -212,7 +212,7 @@ public final class Session implements AutoCloseable {
                 .thenAccept(known -> {});
     }
 
-    // ---- what operators do beside missions
+    // ---- what operators do apart from missions
 
     /**
      * Gives a task to another boat, or to nobody. Refused where the task is not of a running mission or is complete, or where the boat
@@ -263,7 +263,7 @@ public final class Session implements AutoCloseable {
         return engine.operators().add(operator);
     }
 
-    /** Adds a listener to the engine's steps, told on the engine's thread; must be quick. */
+    /** Adds a listener to the engine's steps; called on the engine's thread, must be quick. */
     public Registration addListener(HostListener listener) {
         return engine.host().addListener(listener);
     }
@@ -331,7 +331,7 @@ public final class Session implements AutoCloseable {
         parts.fleet.watches().leavePosesToCaller();
     }
 
-    /** What the session notes beside the engine's inputs. */
+    /** What the session notes next to the engine's inputs. */
     public SessionTelemetry telemetry() {
         return parts.telemetry;
     }

@@ -94,7 +94,7 @@ final class SessionFleet implements Closeable {
                 .join();
     }
 
-    /** Gives the engine's thread the boats of which something is wanted. */
+    /** Gives the engine's thread the boats that have commands. */
     void boatsWithWork(Consumer<Set<String>> then) {
         connector.executor().execute(() -> {
             Set<String> wanted = connector.boats().all().stream()

@@ -10,13 +10,13 @@ import org.sami.spn.value.GeoPoint;
  * wait for the session.
  */
 public interface SessionListener {
-    /** The operator is told something; kept in the journal. On any thread. */
+    /** A message to the operator; kept in the journal. On any thread. */
     default void onNote(SessionNote note) {}
 
-    /** The operator is told something that need not be kept, such as why a boat still stands. On the fleet's thread. */
+    /** A message to the operator that need not be kept, such as why a boat still stands. On the fleet's thread. */
     default void onNotice(String text) {}
 
-    /** A boat says that these points of its path are behind it. On the fleet's thread, before the engine is told of it. */
+    /** A boat says that these points of its path are behind it. On the fleet's thread, before the engine receives it. */
     default void onPassed(String boat, List<GeoPoint> points, long atMillis) {}
 
     /** A sensor has measured. On the fleet's thread. */

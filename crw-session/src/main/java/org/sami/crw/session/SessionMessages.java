@@ -9,7 +9,7 @@ import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Ids;
 
-/** Notes in the journal what the operator is told, and passes it on. Safe for use by several threads. */
+/** Notes in the journal messages to the operator, and passes them on. Safe for use by several threads. */
 final class SessionMessages implements MessageSink {
     private final SessionTelemetry telemetry;
     private final MessageSink models;

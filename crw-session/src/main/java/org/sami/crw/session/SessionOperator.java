@@ -7,7 +7,7 @@ import org.sami.spn.protocol.Decision;
 
 /**
  * Somebody who answers decisions: a window, the simulated operator, an answers file. A session may have several at once: all are
- * asked, the first answer counts, and all are told of it. Called on the engine's thread, must be quick; answers go to
+ * asked, the first answer counts, and all learn it. Called on the engine's thread, must be quick; answers go to
  * {@link Session#answer(long, Answer, String)}, now or later, from any thread.
  */
 public interface SessionOperator {

@@ -31,7 +31,7 @@ public final class SessionProject {
     }
 
     /**
-     * Loads a project beside the missions that run: those keep the plans with which they started, missions that start from now on have
+     * Loads a project while missions run: those keep the plans with which they started, missions that start from now on have
      * these. Its plans are checked on a thread of the session's; one with an error is refused, and nothing changes.
      *
      * @return the session's number for the project: that with which it began is 1

@@ -48,7 +48,7 @@ public record SessionSetup(
     }
 
     /**
-     * A session without a journal, in real time, on boats behind TCP; those that do not say how far they may be beside their ways are taken to be
+     * A session without a journal, in real time, on boats behind TCP; those that do not say how far they may be off their ways are taken to be
      * as in the field.
      */
     public static SessionSetup of(Vocabulary vocabulary, Project project) {

@@ -43,7 +43,7 @@ public final class EventNames {
     public static final String TAKEN_OVER = "ProxyTakenOver";
     public static final String RELEASED = "ProxyReleased";
 
-    /** What a plan is told of motion commands: none of it comes from a boat that has no command. */
+    /** Which outcomes of motion commands reach a plan: none of it comes from a boat that has no command. */
     public static final Set<String> OF_COMMANDS =
             Set.of(PATH_COMPLETED, PATH_FAILED, LIST_COMPLETED, BLOCK_DONE, PANORAMA_TAKEN, PANORAMA_FAILED);
 

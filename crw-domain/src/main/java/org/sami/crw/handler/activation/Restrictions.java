@@ -24,7 +24,7 @@ public final class Restrictions {
     /**
      * The water of an activation, on a plane that touches at a point near by.
      *
-     * @param error how far boats may be beside their ways in it
+     * @param error how far boats may be off their ways in it
      * @throws IllegalArgumentException for an area that is no simple polygon
      */
     public static Water water(Activation activation, GeoPoint origin, CrossTrackError error) {

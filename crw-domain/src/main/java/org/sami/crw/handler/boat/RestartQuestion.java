@@ -34,7 +34,7 @@ final class RestartQuestion {
         this.host = host;
     }
 
-    /** A boat has started anew. */
+    /** A boat's server has restarted. */
     void add(String boat) {
         lookUp();
         if (asked.contains(boat)) {

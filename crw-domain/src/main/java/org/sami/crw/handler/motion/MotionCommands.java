@@ -97,7 +97,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     }
 
     /**
-     * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan is told of this
+     * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan receives this
      * command too what becomes of it; a boat that has no waypoints now has nothing left of them.
      */
     void sendAgain(Activation activation, HandlerContext context, List<Addressee> addressees) {

@@ -30,7 +30,7 @@ enum Reply {
         return Optional.of(completed).filter(name -> !name.isEmpty());
     }
 
-    /** Whether it is only told where a transition waits for it. */
+    /** Whether it is only sent where a transition waits for it. */
     boolean ifAwaited() {
         return this != WAY;
     }

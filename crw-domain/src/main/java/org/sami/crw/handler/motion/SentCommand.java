@@ -83,7 +83,7 @@ final class SentCommand {
         return inputs;
     }
 
-    /** What came of it, told by an event of its own. */
+    /** What came of it, sent as an event of its own. */
     List<Input> result(String event, Map<String, Value> values) {
         return List.of(new Input.Received(addressee.answer(event, activation, values)));
     }
@@ -99,7 +99,7 @@ final class SentCommand {
         return reply.ifAwaited() ? OptionalAnswer.of(answer, context) : List.of(new Input.Received(answer));
     }
 
-    /** What the operator is told when it failed. */
+    /** The message to the operator when it failed. */
     OperatorMessage failure(String reason) {
         return ActivationMessages.of(
                 activation,

@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Proxy Station Keep: each boat goes to its own point of the map and is kept there for the mission; found farther away than the radius,
  * it goes back. A boat without a point has no station, and fails. Where the mission has ended already (its end place asks for
- * it), the boats go to their points and are not kept. Of points that are too near to one another the operator is told ({@link NearPlaces}).
+ * it), the boats go to their points and are not kept. A message warns the operator of points that are too near to one another ({@link NearPlaces}).
  */
 public final class StationKeepHandler implements ActivationHandler {
     public static final String TYPE = "ProxyStationKeep";

@@ -27,7 +27,7 @@ import org.sami.spn.protocol.Priority;
 
 /**
  * What services compute for activations (docs/services.md). In a session in real time they compute on threads of their own, and what
- * they found comes back to the fleet's thread; the operator is told when it takes long, and a computation is given up when its activation
+ * they found comes back to the fleet's thread; a message says when it takes long, and a computation is given up when its activation
  * ends or its time is over. Under a virtual clock, time stands still meanwhile: it is computed on the spot, in the order in which the
  * activations are delivered.
  *

@@ -38,7 +38,7 @@ public record CrwServices(
         Objects.requireNonNull(error, "error");
     }
 
-    /** The same for boats that are otherwise beside their ways. */
+    /** The same for boats with another cross-track error. */
     public CrwServices drivenWith(CrossTrackError other) {
         return new CrwServices(allocation, paths, assembly, coverage, other);
     }

@@ -91,12 +91,12 @@ final class ExploredArea {
         return !tracks.isEmpty();
     }
 
-    /** The area is divided among its boats anew. */
+    /** The area is divided among its boats again. */
     void divide(Map<String, GeoPath> newShares) {
         shares = Map.copyOf(newShares);
     }
 
-    /** Takes where a boat reports to be, if it has a share and the operator has not been told the result yet. */
+    /** Takes where a boat reports to be, if it has a share and no message has given the result yet. */
     void add(String boat, GeoPoint at) {
         if (isReported || !shares.containsKey(boat)) {
             return;

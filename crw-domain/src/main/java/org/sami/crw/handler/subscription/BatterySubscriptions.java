@@ -96,7 +96,7 @@ public final class BatterySubscriptions implements ActivationHandler, Consumer<F
         open.onStep(index, atMillis, input, effects, view);
     }
 
-    /** One activation, and what each of its boats was told last. */
+    /** One activation, and the level that each of its boats reported last to it. */
     private static final class Subscription {
         private final Activation activation;
         private final HandlerContext context;

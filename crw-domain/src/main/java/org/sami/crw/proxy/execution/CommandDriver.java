@@ -84,7 +84,7 @@ public final class CommandDriver {
         return noGoEdges;
     }
 
-    /** Whether the boat was told to go somewhere, and has not said that it is there. */
+    /** Whether the boat was sent somewhere, and has not said that it is there. */
     public boolean isDriving() {
         return run.isPresent() && run.get().isDriving();
     }
@@ -131,7 +131,7 @@ public final class CommandDriver {
         return run.isPresent() && hold.is(run.get().queued());
     }
 
-    /** The boat is out of this base's hands: it is not told to hold its place any longer, nor to stop. */
+    /** The boat is out of this base's hands: the base no longer asks it to hold its place or to stop. */
     public void endHold() {
         if (isHolding()) {
             abandon("the boat holds its place no longer");
@@ -361,7 +361,7 @@ public final class CommandDriver {
         }
     }
 
-    /** The boat has said how far it is, after a time when it could not be told anything. */
+    /** The boat has said how far it is, after a time without a link. */
     public void resume(Progress held, long nowMs) {
         noteVisited(held);
         if (isRunCurrent()) {

@@ -18,7 +18,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Finds the edges of what a boat is not to enter that are near it, so that it keeps off them while it gives way. For one thread. */
 public final class NearbyEdges {
-    /** How far edges matter, in metres: farther than a boat gets before it is told again. */
+    /** How far edges matter, in metres: farther than a boat gets before the next edges reach it. */
     static final double REACH_M = 30;
 
     /** How far a boat may go until edges are looked for again, in metres. */

@@ -10,7 +10,7 @@ import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.queue.QueuedCommand;
 import org.sami.spn.value.GeoPoint;
 
-/** Has the boat take pictures all round. A report that is lost with its link cannot be asked for again: they are taken anew. */
+/** Has the boat take pictures all round. A report that is lost with its link cannot be asked for again: they are taken again. */
 final class PanoramaRun extends CommandRun {
     /** A boat that has not reported after so long was kept from it, or its report was lost. */
     static final long LONGEST_MS = CommandDefaults.LONGEST_PANORAMA_MS;

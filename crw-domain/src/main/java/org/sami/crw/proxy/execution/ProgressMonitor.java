@@ -29,7 +29,7 @@ public final class ProgressMonitor {
         this.nowMs = nowMs;
     }
 
-    /** Counts anew: the boat has no reason to come nearer now. */
+    /** Counts from zero again: the boat has no reason to come nearer now. */
     void pause(long atMs) {
         sinceMs = atMs;
         nowMs = atMs;

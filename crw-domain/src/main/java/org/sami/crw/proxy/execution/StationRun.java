@@ -100,7 +100,7 @@ public final class StationRun extends CommandRun {
         return Verdict.GO_ON;
     }
 
-    /** Starts the way anew, as the boat may have drifted meanwhile; one that is there arrives at once. */
+    /** Starts the way again, as the boat may have drifted meanwhile; one that is there arrives at once. */
     @Override
     Verdict resume(Progress held, long nowMs) {
         there = false;

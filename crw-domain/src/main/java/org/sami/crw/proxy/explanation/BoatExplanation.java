@@ -28,7 +28,7 @@ public record BoatExplanation(boolean shouldMove, Cause cause, String text) {
         FLEET_STOPPED,
         /** A person drives it. */
         TAKEN_OVER,
-        /** Its server has started anew, and the operator has not answered whether it may move. */
+        /** Its server has restarted, and the operator has not answered whether it may move. */
         STARTED_ANEW,
         /** The link is back, and the boat has not said yet what it holds. */
         COMPARING,
@@ -40,17 +40,17 @@ public record BoatExplanation(boolean shouldMove, Cause cause, String text) {
         KEEPS_STATION,
         /** It turns all round and takes pictures. */
         TAKES_PICTURES,
-        /** It is told to stop. */
+        /** A stop was requested. */
         STOPPING,
         /** A mission keeps it where it is. */
         BLOCKED,
-        /** It has done all that was wanted. */
+        /** All its commands are done. */
         ARRIVED,
-        /** What was wanted could not be done. */
+        /** Its last command failed. */
         FAILED,
-        /** What was wanted was taken back. */
+        /** Its last command was cancelled. */
         WITHDRAWN,
-        /** Nothing was ever wanted of it. */
+        /** It never had a command. */
         NO_COMMAND
     }
 

@@ -48,7 +48,7 @@ public record ExplainedCommand(String does, String infinitive, String doing, Str
             "holding its place while the engine does not work",
             "has held its place while the engine did not work");
 
-    /** That of a command. What an operator wants of a boat by hand is for no mission, and is called the same wherever it is told. */
+    /** That of a command. A command that an operator gives by hand belongs to no mission and has the same name everywhere. */
     public static ExplainedCommand of(BoatCommand command, MissionTitles titles) {
         if (command.mission() == Ids.NONE && command instanceof FollowPath) {
             return SENT;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.sami.crw.proxy.command.BoatCommand;
 
 /**
- * What became of the command that left the queue last: why a boat of which nothing is wanted lies where it does.
+ * What became of the command that left the queue last: why a boat without commands lies where it does.
  *
  * @param cause arrived, failed or withdrawn
  * @param command empty if there never was one

@@ -6,7 +6,7 @@ import org.sami.spn.protocol.Ids;
 /** What people call missions. */
 @FunctionalInterface
 public interface MissionTitles {
-    /** Names no plan: missions are told by their numbers alone. */
+    /** Names no plan: missions are named by their numbers alone. */
     MissionTitles NONE = mission -> Optional.empty();
 
     /** The name of a mission, or the title of its plan where it has no name of its own; empty where it is not known. */

@@ -15,7 +15,7 @@ import org.sami.crw.proxy.command.FollowPath;
  * @param blockedBy the mission that reserves the boat for itself; the newest of several
  */
 public record CommandQueueSnapshot(Optional<Entry> current, List<Entry> waiting, OptionalLong blockedBy) {
-    /** Nothing is wanted of the boat. */
+    /** No command waits or runs. */
     public static final CommandQueueSnapshot EMPTY =
             new CommandQueueSnapshot(Optional.empty(), List.of(), OptionalLong.empty());
 

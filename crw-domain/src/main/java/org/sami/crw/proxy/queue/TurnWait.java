@@ -27,7 +27,7 @@ public record TurnWait(long keeper, String text) {
         return new TurnWait(Ids.NONE, text);
     }
 
-    /** In words; the mission is told by its number and, where it is known, by its plan. */
+    /** In words; the mission is named by its number and, where it is known, by its plan. */
     public String words(MissionTitles titles) {
         return keeper == Ids.NONE ? text : titles.words(keeper) + " keeps the boat";
     }

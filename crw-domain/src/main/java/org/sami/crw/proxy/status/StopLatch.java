@@ -20,7 +20,7 @@ public record StopLatch(Where where, String by) {
         NOWHERE,
         /** This base. */
         HERE,
-        /** Another base, or this one before it started anew. */
+        /** Another base, or this one before its restart. */
         ELSEWHERE
     }
 
@@ -30,7 +30,7 @@ public record StopLatch(Where where, String by) {
     }
 
     /**
-     * Another base did, or this one before it started anew.
+     * Another base did, or this one before its restart.
      *
      * @param client as the boat names it; empty where it does not
      */

@@ -254,7 +254,7 @@ final class PairForm extends JPanel {
             showEntry(free && !paired);
             check.show(attempt);
             if (paired) {
-                context.notices().told(one.words());
+                context.notices().show(one.words());
             }
             fit();
         });

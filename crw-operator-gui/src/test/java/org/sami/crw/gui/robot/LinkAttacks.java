@@ -56,7 +56,7 @@ final class LinkAttacks {
                     LinkAttacks::twin),
             new RobotRow(
                     "A connection dropped in the middle of a frame, again and again",
-                    "the link is made anew; the losses are a fault with their count",
+                    "the link is made again; the losses are a fault with their count",
                     LinkAttacks::droppedInMidFrame),
             new RobotRow(
                     "A frame without an end",

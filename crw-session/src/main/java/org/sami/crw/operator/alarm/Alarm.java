@@ -36,7 +36,7 @@ public record Alarm(
         BATTERY_LOW(Priority.MEDIUM, "Send it home soon, or have its battery swapped"),
         /** The charge does not last for what is left of the boat's path. */
         RANGE(Priority.HIGH, "Shorten its path, or send it home"),
-        /** The boat does nothing before a person helps: its server started anew, it refuses this base, or its battery is empty. */
+        /** The boat does nothing before a person helps: its server restarted, it refuses this base, or its battery is empty. */
         BOAT_CRITICAL(Priority.CRITICAL, "Look at the boat: it does nothing before a person helps"),
         /** The boat is, or went, outside of the fence or inside an area that it must not enter; or the fence cannot be watched. */
         FENCE(Priority.CRITICAL, "Stop the boat, or send it back into its water"),

@@ -66,7 +66,7 @@ final class PoseCheck {
     Doubt at(String boat, BoatPose pose) {
         Followed followed = boats.computeIfAbsent(boat, id -> new Followed(pose));
         long sinceMs = pose.boatTimeMs() - followed.last.boatTimeMs();
-        if (sinceMs < 0) { // the boat's server started anew, and with it its clock
+        if (sinceMs < 0) { // the boat's server restarted, and its clock with it
             boats.put(boat, new Followed(pose));
             return Doubt.NONE;
         }

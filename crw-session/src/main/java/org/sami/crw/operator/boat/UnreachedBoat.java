@@ -27,7 +27,7 @@ public record UnreachedBoat(String address, String boat, String reason, boolean 
         return boat.isEmpty() ? address : boat;
     }
 
-    /** How it stands, to be read beside its name, such as {@code no answer · connection refused · tried 12 times in 2 min}. */
+    /** How it stands, to be read next to its name, such as {@code no answer · connection refused · tried 12 times in 2 min}. */
     public String state(long nowMillis) {
         return (refused ? REFUSED : "no answer") + (reason.isEmpty() ? "" : " · " + why()) + " · tried " + times()
                 + " in " + Age.words(nowMillis - sinceMillis);

@@ -5,7 +5,7 @@ import org.sami.crw.operator.DecisionQueue;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 
-/** Is told of changes of a {@link DecisionQueue}, on the thread that owns it, after each. */
+/** Receives the changes of a {@link DecisionQueue}, each after it was made, on the thread that owns the queue. */
 public interface DecisionListener {
     /** A decision waits. */
     void opened(PendingDecision decision);

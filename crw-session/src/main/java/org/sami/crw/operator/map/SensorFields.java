@@ -89,12 +89,12 @@ public final class SensorFields {
         });
     }
 
-    /** These layers are wanted from now on. */
+    /** These layers are shown from now on. */
     public void want(List<Request> layers) {
         wanted = List.copyOf(layers);
     }
 
-    /** Computes what is wanted, if something has changed and the last time is long enough ago. To be called often. */
+    /** Computes the fields of shown layers, if something has changed and the last time is long enough ago. To be called often. */
     public void look(long nowMillis) {
         execute(() -> {
             List<Request> now = wanted;

@@ -24,7 +24,7 @@ public enum ShownLayer {
     WAYS_HOME("expected ways home", true),
     /** The boats. */
     BOATS("boats", true),
-    /** Battery and speed beside each boat. */
+    /** Battery and speed next to each boat. */
     BOAT_STATE("state of boats", false);
 
     private final String label;

@@ -18,7 +18,7 @@ public final class FailedAnswers {
     private final Map<Long, Map<String, Failure>> byActivation = new LinkedHashMap<>();
 
     /**
-     * A failure that the plan was told of, or that its handler met.
+     * A failure that the plan received, or that its handler met.
      *
      * @param boat id; empty text where the whole activation failed
      * @param reason in words, without a full stop; empty text where none was given

@@ -47,7 +47,7 @@ public final class BoatLog {
     /** The boat is no longer among those of the base. */
     static final String REMOVED = "removed";
 
-    /** In a boat's state: how far it may be beside its ways, as the base plans for it. */
+    /** In a boat's state: how far it may be off its ways, as the base plans for it. */
     private static final String ERROR = "crossTrackError";
 
     private static final ObjectMapper JSON = new ObjectMapper();

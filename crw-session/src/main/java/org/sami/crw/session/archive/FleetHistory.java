@@ -21,7 +21,7 @@ public final class FleetHistory {
     private final Map<String, Known> boats = new LinkedHashMap<>();
 
     /**
-     * What a boat has told.
+     * What a boat has reported.
      *
      * @param boatTimeMs the boat's clock
      */
@@ -130,7 +130,7 @@ public final class FleetHistory {
                 .toList();
     }
 
-    /** What a boat told last. */
+    /** What a boat reported last. */
     public synchronized Optional<Report> last(String boat) {
         return of(boat).last;
     }

@@ -8,7 +8,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * What one channel of one of a boat's sensors measured, as a session notes it.
  *
- * @param atMillis when the base was told, in the session's time
+ * @param atMillis when the base received it, in the session's time
  * @param values at least one
  * @param unit of the values; empty for none
  * @param position where the boat took itself to be, to a centimetre

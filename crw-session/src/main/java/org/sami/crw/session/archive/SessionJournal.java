@@ -23,7 +23,7 @@ import org.sami.spn.journal.Telemetry;
 import org.sami.spn.journal.TelemetryRow;
 
 /**
- * The journal of a session: the engine's inputs, telemetry beside them, and what earlier processes of the session left. It
+ * The journal of a session: the engine's inputs, telemetry next to them, and what earlier processes of the session left. It
  * survives the loss of power: real boats go on without the laptop. Telemetry may be added from any thread.
  */
 public final class SessionJournal implements Closeable {

@@ -16,7 +16,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Writes what a session notes beside the engine's inputs: poses, locations passed, how links went, messages, readings. Rows of the
+ * Writes what a session notes next to the engine's inputs: poses, locations passed, how links went, messages, readings. Rows of the
  * journal's telemetry table, which no mission depends on. Safe for use by several threads.
  */
 public final class SessionTelemetry {
@@ -167,7 +167,7 @@ public final class SessionTelemetry {
         /** Why a boat moved or did not. */
         default void why(String boat, String text) {}
 
-        /** What was told. */
+        /** What was reported. */
         default void message(SessionNote note) {}
 
         /** The same in full, where it was a message to the operator. */

@@ -38,7 +38,7 @@ public final class EngineWatch implements HostListener {
      * @param fleet the fleet's thread
      * @param boats for the fleet's thread
      * @param still what boats do meanwhile
-     * @param broken is told why the session cannot go on, once
+     * @param broken receives, once, why the session cannot go on
      */
     public EngineWatch(
             HealthModel health,

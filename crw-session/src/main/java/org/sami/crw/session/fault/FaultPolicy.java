@@ -12,7 +12,7 @@ public record FaultPolicy(BoatsAtFault boats, long patienceMillis) {
     /** Somebody is there who can make room on a disk: the engine waits for as long as it takes, and boats hold their places. */
     public static final FaultPolicy ATTENDED = new FaultPolicy(BoatsAtFault.HOLD, Long.MAX_VALUE);
 
-    /** Nobody is there: a minute, in which others may give room back, and whoever started it is told by its exit code. */
+    /** Nobody is there: a minute, in which others may give room back, and whoever started it learns it from its exit code. */
     public static final FaultPolicy ALONE = new FaultPolicy(BoatsAtFault.HOLD, 60_000);
 
     public FaultPolicy {

@@ -32,7 +32,7 @@ public final class ThreadGuard implements Thread.UncaughtExceptionHandler {
     /**
      * A guard that has met nothing.
      *
-     * @param health is told of each fault
+     * @param health receives each fault
      * @param stop stops the session, for a reason in one sentence
      */
     public ThreadGuard(Consumer<HealthFault> health, Consumer<String> stop) {
@@ -60,7 +60,7 @@ public final class ThreadGuard implements Thread.UncaughtExceptionHandler {
         try {
             boolean isOfMachine = isOfMachine(fault);
             if (isOfMachine) {
-                reserve.set(null); // for the words, and for what boats are told
+                reserve.set(null); // for the words, and for the last commands to boats
             }
             LOG.log(Level.ERROR, () -> "a fault on the thread '" + thread + "'", fault);
             if (isOfMachine && stops) {

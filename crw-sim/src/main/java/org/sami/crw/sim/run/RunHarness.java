@@ -119,14 +119,14 @@ public final class RunHarness implements FleetRun {
         RunOutcome outcome;
         long endMillis;
         double wallSeconds;
-        RunNews told = new RunNews(session.models(), session.scheduler()::nowMs, fleet.heard(observer.news()));
+        RunNews news = new RunNews(session.models(), session.scheduler()::nowMs, fleet.heard(observer.news()));
         try {
             outcome = fleet.live(this, observer);
             wallSeconds = (System.nanoTime() - beganNanos) / 1e9;
             endMillis = endMillis();
             fleet.leave(endMillis);
         } finally {
-            told.close();
+            news.close();
         }
         return report(outcome, endMillis, wallSeconds, resumedFrom.get());
     }
