@@ -48,6 +48,7 @@ class RoundTripTest {
                 new HoldPosition("c"),
                 new TakePanorama("c", 360),
                 new PanoramaReport("c", 8, 45.4, -10.9),
+                new PanoramaReport("c", 8, 45.4, -10.9, List.of("anna-000012.jpg", "anna-000013.jpg")),
                 new FleetStop("c"),
                 new FleetRelease("c"),
                 new AskForCommand("c"),

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.TrackingError;
+import org.sami.boat.server.vehicle.Camera;
+import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 import org.sami.crw.service.Geodesy;
@@ -119,13 +121,13 @@ final class TestHull implements Vehicle {
     }
 
     @Override
-    public boolean hasCamera() {
-        return hasCamera;
+    public Optional<Camera> camera() {
+        return hasCamera ? Optional.of(this::takePicture) : Optional.empty();
     }
 
-    @Override
-    public void takePicture() {
+    private CameraShot takePicture() {
         pictures.add(headingRad);
+        return CameraShot.withoutFile();
     }
 
     @Override

@@ -79,7 +79,7 @@ final class ModeControl {
     }
 
     boolean hasCamera() {
-        return vehicle.hasCamera();
+        return vehicle.camera().isPresent();
     }
 
     /** Whether the boat refuses a command in its present mode. */

@@ -1,16 +1,22 @@
 package org.sami.boat.server;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.TakePanorama;
+import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /** Turns the boat all round on its place and takes the pictures of a panorama. */
 final class PanoramaTurn {
     private static final double TURNING_EFFORT = 0.3; // slow enough for pictures
+    private static final int MOST_WAITED_TICKS = 100; // 10 s
 
     private final Vehicle vehicle;
     private final SteeringControl steering;
+    private final List<CameraShot> shots = new ArrayList<>();
+    private int waitedTicks;
     private Optional<Panorama> panorama = Optional.empty();
     private Optional<PanoramaReport> completed = Optional.empty();
 
@@ -21,6 +27,8 @@ final class PanoramaTurn {
 
     void begin(TakePanorama command) {
         panorama = Optional.of(new Panorama(command));
+        shots.clear();
+        waitedTicks = 0;
     }
 
     void giveUp() {
@@ -35,15 +43,37 @@ final class PanoramaTurn {
     void tick() {
         Panorama turn = panorama.get();
         if (turn.look(vehicle.headingRad())) {
-            vehicle.takePicture();
+            vehicle.camera().ifPresent(camera -> shots.add(camera.take()));
         }
         if (turn.isDone()) {
-            panorama = Optional.empty();
             steering.rest();
-            completed = Optional.of(new PanoramaReport(
-                    turn.command().commandId(), turn.command().pictures(), vehicle.latDeg(), vehicle.lonDeg()));
+            awaitPictures(turn.command());
         } else {
             steering.drive(0, TURNING_EFFORT);
+        }
+    }
+
+    /** Reports once every picture is kept or has failed; a camera that does not come back is waited for only so long. */
+    private void awaitPictures(TakePanorama command) {
+        boolean over = shots.stream().allMatch(CameraShot::isOver);
+        if (!over && waitedTicks < MOST_WAITED_TICKS) {
+            waitedTicks++;
+            return;
+        }
+        List<String> files = new ArrayList<>();
+        int kept = 0;
+        for (CameraShot shot : shots) {
+            if (shot.isKept()) {
+                kept++;
+                if (!shot.fileName().isEmpty()) {
+                    files.add(shot.fileName());
+                }
+            }
+        }
+        panorama = Optional.empty();
+        if (kept > 0) {
+            completed = Optional.of(
+                    new PanoramaReport(command.commandId(), kept, vehicle.latDeg(), vehicle.lonDeg(), files));
         }
     }
 

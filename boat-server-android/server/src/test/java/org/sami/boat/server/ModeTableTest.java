@@ -34,6 +34,7 @@ import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.server.ServerTestBench.Client;
+import org.sami.boat.server.vehicle.CameraShot;
 
 /** The table of docs/link.md, section Modes, says what a boat does at each event in each mode. */
 class ModeTableTest {
@@ -153,7 +154,7 @@ class ModeTableTest {
     @MethodSource("everyCell")
     void boatDoesWhatThePageSays(String event, BoatMode mode, String action) {
         ServerTestBench bench = new ServerTestBench();
-        bench.vehicle.hasCamera = true;
+        bench.vehicle.camera = CameraShot::withoutFile;
         Client client = boatIn(mode, bench);
         bench.vehicle.northM = 46; // drifted, but not out of its radius
         assertThat(bench.server.mode()).isEqualTo(mode);

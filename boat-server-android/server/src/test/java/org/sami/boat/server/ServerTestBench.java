@@ -2,6 +2,7 @@ package org.sami.boat.server;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
@@ -13,6 +14,7 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -177,7 +179,7 @@ final class ServerTestBench {
         double speedMps;
         double batteryPercent = 100;
         boolean fails;
-        boolean hasCamera;
+        Camera camera;
         List<Sensor> sensors = List.of();
         double port = 9;
         double starboard = 9;
@@ -223,8 +225,8 @@ final class ServerTestBench {
         }
 
         @Override
-        public boolean hasCamera() {
-            return hasCamera;
+        public Optional<Camera> camera() {
+            return Optional.ofNullable(camera);
         }
 
         @Override

@@ -15,6 +15,7 @@ import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.boat.server.vehicle.LocalFrame;
 
 /** Whether what the speed's control has learned moves a boat on that is to stand: it learns what current and wear take. */
@@ -113,7 +114,7 @@ class StandingTest {
     /** In rough water it would never have turned all round. */
     @Test
     void boatThatTakesAPanoramaGoesOnTurningWhereItDriftsAmongOthers() {
-        bench.vehicle.hasCamera = true;
+        bench.vehicle.camera = CameraShot::withoutFile;
         commander.command(new TakePanorama("c3", 8));
         commander.say(new Traffic(List.of(boat("boat2", 0, 12))));
         bench.run(0.1, commander);

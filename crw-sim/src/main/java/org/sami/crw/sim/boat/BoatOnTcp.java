@@ -5,10 +5,13 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandEpoch;
@@ -21,6 +24,7 @@ import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.picture.PictureFolder;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -28,6 +32,9 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
+import org.sami.crw.sim.picture.DrawingCamera;
+import org.sami.crw.sim.picture.Scene;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * A simulated boat that is reached over TCP: a hull, the boat server, its port and its log. The hull moves in the time of this
@@ -46,6 +53,7 @@ public final class BoatOnTcp implements Closeable {
     private final Instruments instruments;
     private final String bootId = UUID.randomUUID().toString();
     private final Optional<CommandLogFile> log;
+    private final Optional<DrawingCamera> camera;
     private int restored; // not written any more once the boat is launched
     private final TcpBoatServer server;
     private long lastMs;
@@ -74,6 +82,8 @@ public final class BoatOnTcp implements Closeable {
         hull.setBatteryPercent(settings.batteryPercent());
         batteryPercent = settings.batteryPercent();
         hull.setQuay(Quay.atOrigin());
+        camera = openCamera(settings, listener);
+        camera.ifPresent(hull::setCamera);
         boat = new BoatServer(settings.server(bootId), instruments, new Log());
         log = openLog(settings, boat, listener);
         log.ifPresent(file -> boat.restore(file.epoch()));
@@ -121,6 +131,23 @@ public final class BoatOnTcp implements Closeable {
         if (command instanceof StartWaypoints && answer instanceof Ack) {
             hull.putToUse();
         }
+    }
+
+    /** A boat that keeps a log keeps its pictures too. */
+    private Optional<DrawingCamera> openCamera(BoatSettings settings, TcpServerListener listener) throws IOException {
+        if (settings.pictureFolder().isEmpty()) {
+            return Optional.empty();
+        }
+        PictureFolder folder = PictureFolder.open(settings.pictureFolder().get(), settings.name());
+        Supplier<Scene> ahead = () -> new Scene(
+                settings.name(),
+                GeoPoint.of(hull.latDeg(), hull.lonDeg()),
+                hull.headingRad(),
+                Instant.now(),
+                settings.fieldSeed(),
+                settings.at(),
+                List.of());
+        return Optional.of(new DrawingCamera(settings.name(), folder, ahead, listener::failed));
     }
 
     /** The boat restores entry by entry: a log grows without limit, and only its last list counts. */
@@ -190,6 +217,7 @@ public final class BoatOnTcp implements Closeable {
         try {
             server.close();
         } finally {
+            camera.ifPresent(DrawingCamera::close);
             closeLog();
         }
     }

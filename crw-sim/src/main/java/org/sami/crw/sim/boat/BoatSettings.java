@@ -93,6 +93,11 @@ public record BoatSettings(
         return logFolder.map(folder -> folder.resolve(name + ".log"));
     }
 
+    /** The folder of the boat's pictures, beside its log; none where it keeps no log. */
+    public Optional<Path> pictureFolder() {
+        return logFolder.map(folder -> folder.resolve(name + "-pictures"));
+    }
+
     /** The configuration of the boat's server for one start of it. */
     ServerConfig server(String bootId) {
         return conditions

@@ -2,7 +2,9 @@ package org.sami.crw.sim.hull;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
+import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Sensor;
@@ -107,13 +109,8 @@ public final class Instruments implements Vehicle {
     }
 
     @Override
-    public boolean hasCamera() {
-        return hull.hasCamera();
-    }
-
-    @Override
-    public void takePicture() {
-        hull.takePicture();
+    public Optional<Camera> camera() {
+        return hull.camera();
     }
 
     @Override

@@ -2,6 +2,8 @@ package org.sami.crw.sim.hull;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.sami.boat.server.vehicle.Camera;
+import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -42,6 +44,7 @@ public final class SimulatedHull implements Vehicle {
     private double distanceM;
     private int recharges;
     private int pictures;
+    private Camera camera = this::count;
     private Optional<BatterySwap> swap = Optional.empty();
     private boolean underWay;
 
@@ -120,15 +123,23 @@ public final class SimulatedHull implements Vehicle {
         return recharges;
     }
 
+    /** A camera that counts its pictures; a world in which there is something to be seen sets another one. */
     @Override
-    public boolean hasCamera() {
-        return true;
+    public Optional<Camera> camera() {
+        return Optional.of(camera);
     }
 
-    /** There is nothing to be seen; the picture is counted. */
-    @Override
-    public void takePicture() {
+    /** From now on this camera takes the pictures; they are counted as before. */
+    public void setCamera(Camera seeing) {
+        camera = () -> {
+            pictures++;
+            return seeing.take();
+        };
+    }
+
+    private CameraShot count() {
         pictures++;
+        return CameraShot.withoutFile();
     }
 
     /** How many pictures its camera has taken. */

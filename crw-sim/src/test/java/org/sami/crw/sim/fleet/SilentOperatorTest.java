@@ -19,6 +19,8 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
+import org.sami.boat.server.vehicle.Camera;
+import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Vehicle;
 import org.sami.crw.fleet.FleetEvent;
@@ -168,8 +170,8 @@ class SilentOperatorTest {
         }
 
         @Override
-        public boolean hasCamera() {
-            return true;
+        public Optional<Camera> camera() {
+            return Optional.of(CameraShot::withoutFile);
         }
 
         @Override

@@ -2,6 +2,7 @@ package org.sami.boat.server.vehicle;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A hull with a motor on each side, as the boat server sees it: the phone's own, or a simulated one.
@@ -30,13 +31,10 @@ public interface Vehicle {
         return Collections.emptyList();
     }
 
-    /** Whether there is a camera on board. */
-    default boolean hasCamera() {
-        return false;
+    /** The camera on board, if there is one. */
+    default Optional<Camera> camera() {
+        return Optional.empty();
     }
-
-    /** Takes a picture ahead and keeps it on board; only asked of a vehicle that has a camera. */
-    default void takePicture() {}
 
     /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */
     void setMotors(double port, double starboard);

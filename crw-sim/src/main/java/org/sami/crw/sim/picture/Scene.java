@@ -1,0 +1,45 @@
+package org.sami.crw.sim.picture;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What is before a camera at one moment.
+ *
+ * @param boat that takes the picture
+ * @param at where it is
+ * @param headingRad of boat and camera, clockwise from true north
+ * @param time at which it is taken
+ * @param seed of the water: coast and what floats follow from it, equal for all boats of one water
+ * @param home where the boat was launched, with a jetty
+ * @param others the other boats that are known there
+ */
+public record Scene(
+        String boat, GeoPoint at, double headingRad, Instant time, long seed, GeoPoint home, List<SeenBoat> others) {
+
+    /**
+     * Another boat.
+     *
+     * @param name of the boat
+     * @param at where it is
+     * @param headingRad clockwise from true north
+     */
+    public record SeenBoat(String name, GeoPoint at, double headingRad) {
+        /** Checks that nothing is missing. */
+        public SeenBoat {
+            Objects.requireNonNull(name, "name");
+            Objects.requireNonNull(at, "at");
+        }
+    }
+
+    /** Copies the list. */
+    public Scene {
+        Objects.requireNonNull(boat, "boat");
+        Objects.requireNonNull(at, "at");
+        Objects.requireNonNull(time, "time");
+        Objects.requireNonNull(home, "home");
+        others = List.copyOf(others);
+    }
+}
