@@ -16,6 +16,7 @@ import java.util.function.UnaryOperator;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.SteadyClock;
@@ -103,9 +104,12 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
-    /** What its clients may fetch: its log, where it keeps one. */
+    /** What its clients may fetch: its log and its pictures, where it keeps some. */
     private static BoatFiles files(BoatSettings settings) {
-        return settings.logFile().map(CommandLogFile::files).orElseGet(BoatFiles::none);
+        BoatFiles logs = settings.logFile().map(CommandLogFile::files).orElseGet(BoatFiles::none);
+        return settings.pictureFolder()
+                .map(folder -> logs.with(KeptFile.PICTURE, folder, name -> name.endsWith(".jpg")))
+                .orElse(logs);
     }
 
     /** Writes the server's log entries to the file, where there is one. */
