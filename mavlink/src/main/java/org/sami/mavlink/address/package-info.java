@@ -3,4 +3,7 @@
  *
  * <p>Not here: sockets and ports, which {@code mavlink.link} opens.
  */
+@NullMarked
 package org.sami.mavlink.address;
+
+import org.jspecify.annotations.NullMarked;

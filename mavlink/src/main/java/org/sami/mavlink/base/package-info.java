@@ -3,4 +3,7 @@
  *
  * <p>Not here: plans, proxies and missions of a session.
  */
+@NullMarked
 package org.sami.mavlink.base;
+
+import org.jspecify.annotations.NullMarked;

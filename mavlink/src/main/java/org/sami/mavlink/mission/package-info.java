@@ -3,4 +3,7 @@
  *
  * <p>The transfers have no thread and no clock: messages and moments go in, messages come out.
  */
+@NullMarked
 package org.sami.mavlink.mission;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,7 +3,7 @@ package org.sami.crw.proxy.file;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
@@ -21,8 +21,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 public final class FleetFileFetch {
     private static final int MOST_AT_ONCE = 25;
 
-    private final Map<BoatAddress, BoatFileFetch> fetches = new HashMap<>(); // not changed after the constructor
-    private final List<BoatAddress> addresses;
+    private final Map<BoatAddress, BoatFileFetch> fetches = new LinkedHashMap<>(); // not changed after the constructor
 
     /**
      * What came of it at one address.
@@ -51,8 +50,7 @@ public final class FleetFileFetch {
      * @param news called by several threads
      */
     public FleetFileFetch(List<BoatAddress> addresses, LinkSecurity security, FileNews news) {
-        this.addresses = List.copyOf(addresses);
-        for (BoatAddress address : this.addresses) {
+        for (BoatAddress address : addresses) {
             fetches.put(address, new BoatFileFetch(address.toSocketAddress(), security, news));
         }
     }
@@ -64,19 +62,18 @@ public final class FleetFileFetch {
      * @throws InterruptedException if it is to end; what has come is kept
      */
     public List<Answer> fetch(String kind, Path folder) throws InterruptedException {
-        int threads = Math.max(1, Math.min(MOST_AT_ONCE, addresses.size()));
+        int threads = Math.max(1, Math.min(MOST_AT_ONCE, fetches.size()));
         ExecutorService executor = Executors.newFixedThreadPool(threads, work -> {
             Thread thread = new Thread(work, "file-fetch");
             thread.setDaemon(true);
             return thread;
         });
         try {
-            Map<BoatAddress, Future<Answer>> running = new HashMap<>();
-            fetches.forEach(
-                    (address, one) -> running.put(address, executor.submit(() -> answer(address, one, kind, folder))));
+            List<Future<Answer>> running = new ArrayList<>();
+            fetches.forEach((address, one) -> running.add(executor.submit(() -> answer(address, one, kind, folder))));
             List<Answer> answers = new ArrayList<>();
-            for (BoatAddress address : addresses) {
-                answers.add(running.get(address).get());
+            for (Future<Answer> each : running) {
+                answers.add(each.get());
             }
             return answers;
         } catch (ExecutionException | CancellationException e) {

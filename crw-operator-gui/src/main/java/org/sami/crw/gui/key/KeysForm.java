@@ -36,6 +36,7 @@ public final class KeysForm extends JPanel {
     private final RowTable<Row> table;
     private final List<JButton> buttons = new ArrayList<>();
     private final JButton withdraw;
+    private final JPanel actions = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "", "[40!]"));
     private final JPanel below = new JPanel(new MigLayout("novisualpadding, insets 0, fillx", "[grow,fill]"));
 
     /** A key as it is shown. */
@@ -68,17 +69,16 @@ public final class KeysForm extends JPanel {
         said.setName("keys-said");
         below.setName("keys-below");
         below.setOpaque(false);
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "", "[40!]"));
-        row.setOpaque(false);
-        row.add(button("keys-pair", "Pair a boat…", pair), "growy");
+        actions.setOpaque(false);
+        actions.add(button("keys-pair", "Pair a boat…", pair), "growy");
         withdraw = button("keys-withdraw", "Withdraw…", this::askWithdraw);
-        row.add(withdraw, "growy");
-        row.add(button("keys-lost", "A laptop is lost…", this::askLost), "growy");
-        row.add(button("keys-export", "Export…", this::askExport), "growy");
-        row.add(button("keys-import", "Import…", this::askImport), "growy");
+        actions.add(withdraw, "growy");
+        actions.add(button("keys-lost", "A laptop is lost…", this::askLost), "growy");
+        actions.add(button("keys-export", "Export…", this::askExport), "growy");
+        actions.add(button("keys-import", "Import…", this::askImport), "growy");
         add(own, WIDE);
-        add(table, "growx, h 160:220:");
-        add(row, WIDE);
+        add(table, "growx, h 160:220:, hidemode 3");
+        add(actions, WIDE + ", hidemode 3");
         add(below, WIDE + ", hidemode 3");
         add(said, WIDE + ", hidemode 3");
         table.addSelectionListener(this::enableButtons);
@@ -147,10 +147,17 @@ public final class KeysForm extends JPanel {
     private void ask(KeyQuestion question) {
         below.removeAll();
         below.add(question, "growx");
-        below.setVisible(true);
+        showQuestion(true);
         said.setVisible(false);
         fit();
         question.focusFirst();
+    }
+
+    /** A question takes the place of the list: in a small window with large letters there is no room for both. */
+    private void showQuestion(boolean asked) {
+        below.setVisible(asked);
+        table.setVisible(!asked);
+        actions.setVisible(!asked);
     }
 
     private void fit() {
@@ -160,7 +167,7 @@ public final class KeysForm extends JPanel {
 
     private void leave() {
         below.removeAll();
-        below.setVisible(false);
+        showQuestion(false);
         fit();
         repaint();
         table.table().requestFocusInWindow();

@@ -324,7 +324,8 @@ public final class BoatOnPhone implements Closeable {
         }
 
         private TcpServerConfig links() {
-            TcpServerConfig links = TcpServerConfig.on(new InetSocketAddress(address, settings.port()));
+            TcpServerConfig links = TcpServerConfig.on(new InetSocketAddress(address, settings.port()))
+                    .withFiles(CommandLogFile.files(files.commandLog()));
             return keys.areLinksOpen() ? links : links.withKeys(keys.ring(), keys.responder());
         }
 

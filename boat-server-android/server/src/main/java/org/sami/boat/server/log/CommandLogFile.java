@@ -91,7 +91,8 @@ public final class CommandLogFile implements ServerLog, Closeable {
     /** The log as clients may fetch it; nothing else of its folder, where other boats of this machine may have theirs. */
     public static BoatFiles files(Path file) {
         String name = String.valueOf(file.getFileName());
-        return BoatFiles.none().with(KeptFile.LOG, file.toAbsolutePath().getParent(), name::equals);
+        Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent(), "a log stands in a folder");
+        return BoatFiles.none().with(KeptFile.LOG, folder, name::equals);
     }
 
     /** The log is read by its user only, where the file system knows users. */
