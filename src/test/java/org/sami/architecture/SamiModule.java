@@ -126,7 +126,7 @@ enum SamiModule {
                     SPN_CORE,
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
-    MAVLINK("mavlink", 25, List.of("org.sami.mavlink.."), List.of()),
+    MAVLINK("mavlink", 42, List.of("org.sami.mavlink.."), List.of()),
     /** The command crw. */
     CRW_CLI(
             "crw-cli",

@@ -2,15 +2,16 @@ package org.sami.mavlink.address;
 
 import java.util.Objects;
 
-/** Reads addresses and checks their parts. */
-final class AddressText {
-    private static final int MAX_PORT = 65_535;
-    private static final int MIN_BAUD = 1_200;
-    private static final int MAX_BAUD = 4_000_000;
-
+/** Reads addresses as people write them. */
+public final class AddressText {
     private AddressText() {}
 
-    static MavlinkAddress parse(String text) {
+    /**
+     * Reads an address.
+     *
+     * @throws IllegalArgumentException if it has none of the forms; the message says what is wrong and which forms there are
+     */
+    public static MavlinkAddress parse(String text) {
         Objects.requireNonNull(text, "text");
         try {
             if (!MavlinkAddress.isOne(text)) {
@@ -51,25 +52,6 @@ final class AddressText {
             throw new IllegalArgumentException(
                     digits.isEmpty() ? "the " + what + " is missing" : "the " + what + " is no whole number: " + digits,
                     e);
-        }
-    }
-
-    static void checkHost(String host) {
-        Objects.requireNonNull(host, "host");
-        if (host.isBlank()) {
-            throw new IllegalArgumentException("the host is missing");
-        }
-    }
-
-    static void checkPort(int port) {
-        if (port < 1 || port > MAX_PORT) {
-            throw new IllegalArgumentException("a port is 1 to " + MAX_PORT + ", not " + port);
-        }
-    }
-
-    static void checkBaud(int baud) {
-        if (baud < MIN_BAUD || baud > MAX_BAUD) {
-            throw new IllegalArgumentException("a baud rate is " + MIN_BAUD + " to " + MAX_BAUD + ", not " + baud);
         }
     }
 }

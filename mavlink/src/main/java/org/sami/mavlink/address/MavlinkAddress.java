@@ -20,8 +20,8 @@ public sealed interface MavlinkAddress {
          * @throws IllegalArgumentException if the host is empty or the port is not 1 to 65535
          */
         public Tcp {
-            AddressText.checkHost(host);
-            AddressText.checkPort(port);
+            AddressChecks.checkHost(host);
+            AddressChecks.checkPort(port);
         }
 
         @Override
@@ -37,7 +37,7 @@ public sealed interface MavlinkAddress {
          * @throws IllegalArgumentException if the port is not 1 to 65535
          */
         public UdpListen {
-            AddressText.checkPort(port);
+            AddressChecks.checkPort(port);
         }
 
         @Override
@@ -53,8 +53,8 @@ public sealed interface MavlinkAddress {
          * @throws IllegalArgumentException if the host is empty or the port is not 1 to 65535
          */
         public UdpSend {
-            AddressText.checkHost(host);
-            AddressText.checkPort(port);
+            AddressChecks.checkHost(host);
+            AddressChecks.checkPort(port);
         }
 
         @Override
@@ -74,7 +74,7 @@ public sealed interface MavlinkAddress {
             if (device.isBlank()) {
                 throw new IllegalArgumentException("the device is missing");
             }
-            AddressText.checkBaud(baud);
+            AddressChecks.checkBaud(baud);
         }
 
         @Override
@@ -86,14 +86,5 @@ public sealed interface MavlinkAddress {
     /** Whether a text is meant as one of these addresses; it may have faults still. */
     static boolean isOne(String text) {
         return text.startsWith(PREFIX);
-    }
-
-    /**
-     * Reads an address.
-     *
-     * @throws IllegalArgumentException if it has none of the forms; the message says what is wrong and which forms there are
-     */
-    static MavlinkAddress parse(String text) {
-        return AddressText.parse(text);
     }
 }

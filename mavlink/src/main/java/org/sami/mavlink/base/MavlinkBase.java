@@ -111,24 +111,24 @@ public final class MavlinkBase implements AutoCloseable {
     }
 
     /** On a link's thread: waits where too much is not handled yet, so that the sender is slowed and memory is not filled. */
-    private void received(MavlinkLink link, MavlinkMessage<?> message) {
+    private void received(MavlinkAddress from, MavlinkMessage<?> message) {
         room.acquireUninterruptibly();
         try {
             owner.execute(() -> {
                 room.release();
-                handle(link, message);
+                handle(from, message);
             });
         } catch (RejectedExecutionException closed) {
             room.release();
         }
     }
 
-    private void handle(MavlinkLink link, MavlinkMessage<?> message) {
+    private void handle(MavlinkAddress from, MavlinkMessage<?> message) {
         long now = nowMs.getAsLong();
         VehicleId id = new VehicleId(message.getOriginSystemId(), message.getOriginComponentId());
-        table.heard(link.address(), id.system(), id.component(), message.getPayload(), now);
+        table.heard(from, id.system(), id.component(), message.getPayload(), now);
         if (message.getPayload() instanceof Heartbeat && table.has(id) && asked.add(id)) {
-            REPORTS.forEach(report -> link.send(interval(id, report)));
+            REPORTS.forEach(report -> send(id, interval(id, report)));
         }
         Deque<Transfer> waiting = transfers.get(id);
         if (waiting != null && !waiting.isEmpty()) {

@@ -159,7 +159,7 @@ public final class MavlinkLink implements AutoCloseable {
                     return "the other end closed it";
                 }
                 counted(message);
-                listener.onMessage(this, message);
+                listener.onMessage(address, message);
             }
         } catch (IOException e) {
             return "it broke: " + Objects.requireNonNullElse(e.getMessage(), e.toString());

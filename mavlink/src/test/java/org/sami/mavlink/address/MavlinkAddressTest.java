@@ -20,14 +20,14 @@ class MavlinkAddressTest {
                 "mavlink:tcp:::1:5760"
             })
     void addressIsWrittenAsItIsRead(String text) {
-        assertThat(MavlinkAddress.parse(text)).hasToString(text);
+        assertThat(AddressText.parse(text)).hasToString(text);
     }
 
     @Test
     void partsAreThoseOfItsForm() {
-        assertThat(MavlinkAddress.parse("mavlink:serial:/dev/ttyUSB0:57600"))
+        assertThat(AddressText.parse("mavlink:serial:/dev/ttyUSB0:57600"))
                 .isEqualTo(new MavlinkAddress.Serial("/dev/ttyUSB0", 57_600));
-        assertThat(MavlinkAddress.parse("mavlink:tcp:boat.local:5760"))
+        assertThat(AddressText.parse("mavlink:tcp:boat.local:5760"))
                 .isEqualTo(new MavlinkAddress.Tcp("boat.local", 5_760));
     }
 
@@ -45,7 +45,7 @@ class MavlinkAddressTest {
                 "127.0.0.1:5760 | it does not begin with mavlink:"
             })
     void whatIsWrongIsNamedWithTheFormsThereAre(String text, String why) {
-        assertThatThrownBy(() -> MavlinkAddress.parse(text))
+        assertThatThrownBy(() -> AddressText.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("\"" + text + "\"")
                 .hasMessageContaining(why)

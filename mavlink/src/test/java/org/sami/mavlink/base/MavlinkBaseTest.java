@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
-import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.link.MavlinkLinkState;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
@@ -28,7 +28,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 class MavlinkBaseTest {
     private static MavlinkBase base(String... addresses) {
         return new MavlinkBase(
-                List.of(addresses).stream().map(MavlinkAddress::parse).toList(), ProcessClock::ms);
+                List.of(addresses).stream().map(AddressText::parse).toList(), ProcessClock::ms);
     }
 
     private static List<VehicleSnapshot> vehicles(MavlinkBase base) {
@@ -52,7 +52,7 @@ class MavlinkBaseTest {
             assertThat(first.kind()).isEqualTo(VehicleKind.BOAT);
             assertThat(first.mode()).isEqualTo("HOLD");
             assertThat(first.position().orElseThrow().speedMps()).isEqualTo(0.5);
-            assertThat(first.links()).containsExactly(MavlinkAddress.parse(one.address()));
+            assertThat(first.links()).containsExactly(AddressText.parse(one.address()));
             Await.until(
                     "it has said something",
                     () -> !vehicles(base).get(0).texts().isEmpty());

@@ -18,11 +18,12 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.address.MavlinkAddress;
 
 class VehicleTableTest {
-    private static final MavlinkAddress RADIO = MavlinkAddress.parse("mavlink:serial:/dev/ttyUSB0:57600");
-    private static final MavlinkAddress CABLE = MavlinkAddress.parse("mavlink:tcp:127.0.0.1:5760");
+    private static final MavlinkAddress RADIO = AddressText.parse("mavlink:serial:/dev/ttyUSB0:57600");
+    private static final MavlinkAddress CABLE = AddressText.parse("mavlink:tcp:127.0.0.1:5760");
 
     private final VehicleTable table = new VehicleTable();
 

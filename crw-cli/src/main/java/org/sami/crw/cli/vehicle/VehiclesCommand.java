@@ -10,6 +10,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.StopOnInterrupt;
+import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.link.MavlinkLinkReport;
@@ -116,7 +117,7 @@ public final class VehiclesCommand implements Callable<Integer> {
         try {
             return texts.stream()
                     .flatMap(text -> List.of(text.split(",")).stream())
-                    .map(MavlinkAddress::parse)
+                    .map(AddressText::parse)
                     .toList();
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
