@@ -34,7 +34,7 @@ class ThirdPartyNoticeTest {
             "crw-report",
             "crw-services",
             "hull",
-            "mavlink",
+            "sami-mavlink",
             "crw-session",
             "crw-sim",
             "domain-config",

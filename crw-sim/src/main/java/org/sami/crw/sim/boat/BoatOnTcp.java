@@ -83,12 +83,12 @@ public final class BoatOnTcp implements Closeable {
         hull.setBatteryPercent(settings.batteryPercent());
         batteryPercent = settings.batteryPercent();
         hull.setQuay(Quay.atOrigin());
-        camera = openCamera(settings, listener);
-        camera.ifPresent(hull::setCamera);
         boat = new BoatServer(settings.server(bootId), instruments, new Log());
         log = openLog(settings, boat, listener);
         log.ifPresent(file -> boat.restore(file.epoch()));
         try {
+            camera = openCamera(settings, listener);
+            camera.ifPresent(hull::setCamera);
             server = new TcpBoatServer(
                     settings.name(),
                     boat,

@@ -59,7 +59,7 @@ import org.sami.boat.server.testing.Await;
 /** Streams that are cut, bent, doubled or never were frames: the boat stays whole, and serves the next client. */
 @Timeout(300)
 class HostileTcpClientTest {
-    private static final int MANY = 60; // frames of a megabyte: more than sockets hold
+    private static final int MANY = 200; // frames of a third of a megabyte: more than sockets hold
 
     private static final List<Waypoint> OLD = List.of(new Waypoint(45.1, 10, 1));
     private static final List<Waypoint> NEW = List.of(new Waypoint(45.2, 10, 1), new Waypoint(45.3, 10, 1));
