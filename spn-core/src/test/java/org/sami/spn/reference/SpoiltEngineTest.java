@@ -123,7 +123,7 @@ class SpoiltEngineTest {
                 arguments(
                         "R-VAR-2",
                         "a child writes its own variable where its parent declares it",
-                        "Variables.java",
+                        "VariableScopes.java",
                         "if (declaration != null) {",
                         "if (declaration != null && m == mission) {"),
                 arguments(
@@ -274,13 +274,13 @@ class SpoiltEngineTest {
                 arguments(
                         "R-VAR-1",
                         "a declared variable without value is read from the parent",
-                        "Variables.java",
+                        "VariableScopes.java",
                         "if (value != null || m.plan.variables.containsKey(name)) {",
                         "if (value != null) {"),
                 arguments(
                         "R-VAR-2",
                         "an undeclared variable that a child writes is the root's",
-                        "Variables.java",
+                        "VariableScopes.java",
                         "new Place(own, ownName, null)",
                         "new Place(own.root, ownName, null)"),
                 arguments(
