@@ -341,7 +341,7 @@ class SpoiltEngineTest {
                         "R-FIRE-3",
                         "an input event writes nothing",
                         "Firing.java",
-                        "rules.variables.write(m, write.getValue(), value);",
+                        "rules.scopes.write(m, write.getValue(), value);",
                         ";"),
                 arguments(
                         "R-TASK-3",
