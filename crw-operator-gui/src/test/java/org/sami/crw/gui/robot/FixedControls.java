@@ -24,9 +24,9 @@ final class FixedControls {
         this.frame = frame;
     }
 
-    /** Where they lie now, by their names; without panels that have no room in the midst of a new share of it. */
+    /** Where they lie once no new share of room is under way, by their names; without panels that have no room. */
     Map<String, Rectangle> places() {
-        return WindowRobot.ask(() -> {
+        return WindowRobot.still(() -> {
             Map<String, Rectangle> places = new TreeMap<>();
             add(frame.getRootPane(), places);
             places.values().removeIf(place -> place.width == 0);
