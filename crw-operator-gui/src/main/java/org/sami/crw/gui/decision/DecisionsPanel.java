@@ -61,6 +61,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private final DecisionCommands commands;
     private final DecisionPen pen;
     private final JudgementView judgement = new JudgementView("decision");
+    private final PressTimes presses = new PressTimes(System::currentTimeMillis);
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
     private final AnswerGiving giving;
@@ -229,6 +230,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private void turnTo(Optional<PendingDecision> pending) {
         boolean focused = DecisionKeys.hasFocusIn(this);
         giving.forget();
+        presses.turned();
         pen.lay();
         body.removeAll();
         current = pending.map(one -> views.computeIfAbsent(one.decision().id(), id -> view(one)));
@@ -370,7 +372,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
 
     @Override
     public void answer() {
-        if (whyNot().isEmpty()) {
+        if (whyNot().isEmpty() && !presses.isHandledLate()) {
             attend();
             giving.press(current.orElseThrow());
             commands.refresh();

@@ -4,16 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.sami.crw.gui.EventThreadCall.onEventThread;
 
 import java.awt.Component;
+import java.awt.EventQueue;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Map;
 import javax.swing.AbstractButton;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.palette.Theme;
+import org.sami.spn.protocol.Question;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 
@@ -104,6 +110,43 @@ class DecisionsPanelTest {
                     .as("nothing is lost by leaving it")
                     .isFalse();
         }
+    }
+
+    /** A window that was busy handles the second of two quick presses when the next question is there. */
+    @Test
+    void pressThatWasMadeBeforeAQuestionWasShownAnswersNothing() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
+            world.until("two wait", () -> "1 of 2".equals(world.text("decision-position")));
+            JLabel key = new JLabel();
+            key.addMouseListener(new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent press) {
+                    world.panel.answer();
+                }
+            });
+            MouseEvent early = pressNow(key);
+            world.until("time has passed", () -> System.currentTimeMillis() > early.getWhen());
+            world.press("decision-later");
+            assertThat(world.text("decision-asker")).startsWith("second");
+
+            EventQueue queue = Toolkit.getDefaultToolkit().getSystemEventQueue();
+            queue.postEvent(early);
+            assertThat(world.text("decision-problem")).isEmpty();
+            assertThat(world.enabled("decision-answer"))
+                    .as("no answer is under way")
+                    .isTrue();
+
+            queue.postEvent(pressNow(key));
+            world.until(
+                    "a later press answers",
+                    () -> world.context.models().decisions().snapshot().stream()
+                            .anyMatch(one -> one.decision().question() instanceof Question.FillIn));
+        }
+    }
+
+    private static MouseEvent pressNow(Component at) {
+        return new MouseEvent(at, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), 0, 0, 0, 1, false);
     }
 
     @Test
