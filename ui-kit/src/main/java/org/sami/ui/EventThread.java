@@ -1,7 +1,9 @@
 package org.sami.ui;
 
 import java.awt.EventQueue;
+import java.awt.event.InputEvent;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
@@ -48,6 +50,11 @@ public final class EventThread {
             Throwable cause = Objects.requireNonNull(fault.getCause(), "cause");
             throw new IllegalStateException("the window cannot be opened: " + cause.getMessage(), cause);
         }
+    }
+
+    /** The press of a key or the pointer that the event thread handles now; empty where it does something else, and on other threads. */
+    public static Optional<InputEvent> handledInput() {
+        return EventQueue.getCurrentEvent() instanceof InputEvent press ? Optional.of(press) : Optional.empty();
     }
 
     /** Whether the caller is on the event thread. */

@@ -1,8 +1,7 @@
 package org.sami.crw.gui.decision;
 
-import java.awt.EventQueue;
-import java.awt.event.InputEvent;
 import java.util.function.LongSupplier;
+import org.sami.ui.EventThread;
 
 /**
  * Tells a press that was made before a question was shown from one that is meant for it. A busy window handles presses late: the second of two quick ones may
@@ -36,6 +35,8 @@ final class PressTimes {
 
     /** Whether what the event thread handles now is a press that was made before the question was shown; what a program does is none. */
     boolean isHandledLate() {
-        return EventQueue.getCurrentEvent() instanceof InputEvent press && isEarlier(press.getWhen());
+        return EventThread.handledInput()
+                .filter(press -> isEarlier(press.getWhen()))
+                .isPresent();
     }
 }
