@@ -3,24 +3,20 @@ package org.sami.crw.cli.record;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.KeptFile;
+import org.sami.crw.cli.option.BoatAddresses;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.proxy.file.FleetFileFetch;
 import org.sami.crw.proxy.tcp.BaseProtection;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code crw logs}: the logs of boats, fetched over their links. */
@@ -48,11 +44,8 @@ public final class LogsCommand implements Callable<Integer> {
     @Mixin
     private LinkOptions links = new LinkOptions();
 
-    @Parameters(
-            paramLabel = "HOST:PORT",
-            arity = "1..*",
-            description = "Where a boat's server listens; several with spaces or commas between them.")
-    private List<String> texts = new ArrayList<>();
+    @Mixin
+    private BoatAddresses boats = new BoatAddresses();
 
     @Option(
             names = "--out",
@@ -70,7 +63,7 @@ public final class LogsCommand implements Callable<Integer> {
         if (Files.exists(out) && !Files.isDirectory(out)) {
             throw new ParameterException(spec.commandLine(), "--out: " + out + " is no folder");
         }
-        FleetFileFetch fetch = new FleetFileFetch(addresses(), BaseProtection.ofThisProcess(), this::show);
+        FleetFileFetch fetch = new FleetFileFetch(boats.addresses(), BaseProtection.ofThisProcess(), this::show);
         List<FleetFileFetch.Answer> answers = fetch.fetch(KeptFile.LOG, out);
         PrintWriter lines = spec.commandLine().getOut();
         answers.forEach(answer -> lines.println(words(answer)));
@@ -99,17 +92,5 @@ public final class LogsCommand implements Callable<Integer> {
             err.println(boatId + ": " + name + ", " + 100 * here / Math.max(1, bytes) + " % of " + bytes + " bytes");
             err.flush();
         }
-    }
-
-    private List<BoatAddress> addresses() {
-        Set<BoatAddress> addresses = new LinkedHashSet<>();
-        try {
-            for (String text : texts) {
-                addresses.addAll(BoatAddress.parseAll(text));
-            }
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
-        return new ArrayList<>(addresses);
     }
 }

@@ -4,22 +4,18 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.BoatAddresses;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.tcp.FleetOrder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code crw stop}: the fleet stop, from anywhere. */
@@ -48,11 +44,8 @@ public final class StopCommand implements Callable<Integer> {
     @Mixin
     private LinkOptions links = new LinkOptions();
 
-    @Parameters(
-            paramLabel = "HOST:PORT",
-            arity = "1..*",
-            description = "Where a boat's server listens; several with spaces or commas between them.")
-    private List<String> texts;
+    @Mixin
+    private BoatAddresses boats = new BoatAddresses();
 
     @Option(names = "--release", description = "End a fleet stop instead; nothing is released without --confirm.")
     private boolean release;
@@ -79,7 +72,7 @@ public final class StopCommand implements Callable<Integer> {
         }
         FleetOrder.Kind kind =
                 !release ? FleetOrder.Kind.STOP : confirm ? FleetOrder.Kind.RELEASE : FleetOrder.Kind.LOOK;
-        List<FleetOrder.Answer> answers = FleetOrder.give(kind, addresses(), withinMillis);
+        List<FleetOrder.Answer> answers = FleetOrder.give(kind, boats.addresses(), withinMillis);
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
             out.println(object(answers).toPrettyString());
@@ -101,18 +94,6 @@ public final class StopCommand implements Callable<Integer> {
                 + " stopped. Add --confirm to release all boats at these addresses.");
         err.flush();
         return ExitCode.USAGE;
-    }
-
-    private List<BoatAddress> addresses() {
-        Set<BoatAddress> addresses = new LinkedHashSet<>();
-        try {
-            for (String text : texts) {
-                addresses.addAll(BoatAddress.parseAll(text));
-            }
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
-        return new ArrayList<>(addresses);
     }
 
     private static ObjectNode object(List<FleetOrder.Answer> answers) {
