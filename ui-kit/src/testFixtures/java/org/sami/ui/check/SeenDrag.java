@@ -9,14 +9,8 @@ import java.util.Optional;
 /** Where a drag was seen last, and what became of it. Receives events on the event thread; safe for use by several threads. */
 final class SeenDrag extends DragSourceAdapter {
     private volatile Optional<Point> at = Optional.empty();
-    private volatile boolean begun;
     private volatile boolean over;
     private volatile boolean taken;
-
-    @Override
-    public void dragMouseMoved(DragSourceDragEvent e) {
-        begun = true;
-    }
 
     @Override
     public void dragEnter(DragSourceDragEvent e) {
@@ -32,11 +26,6 @@ final class SeenDrag extends DragSourceAdapter {
     public void dragDropEnd(DragSourceDropEvent e) {
         taken = e.getDropSuccess();
         over = true;
-    }
-
-    /** Whether the display carries something: no events of the pointer come from then on. */
-    boolean isBegun() {
-        return begun || at.isPresent();
     }
 
     boolean isAt(Point point) {

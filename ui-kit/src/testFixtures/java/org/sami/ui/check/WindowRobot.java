@@ -405,14 +405,12 @@ public final class WindowRobot {
         });
         int away = Math.max(Math.abs(to.x - from.x), Math.abs(to.y - from.y));
         int steps = Math.max(1, Math.min(STEPS, away / DRAG_STEP_PX));
-        act(MouseEvent.MOUSE_DRAGGED, 0, () -> {
-            for (int i = 1; i <= steps; i++) {
-                long before = handled.counted(MouseEvent.MOUSE_DRAGGED);
-                robot.mouseMove(
-                        at.x + from.x + (to.x - from.x) * i / steps, at.y + from.y + (to.y - from.y) * i / steps);
-                handled.await(MouseEvent.MOUSE_DRAGGED, before + (away < DRAG_STEP_PX ? 0 : 1), HANDLED_WITHIN_MS);
-            }
-        });
+        int told = away < DRAG_STEP_PX ? 0 : 1;
+        for (int i = 1; i <= steps; i++) {
+            Point next =
+                    new Point(at.x + from.x + (to.x - from.x) * i / steps, at.y + from.y + (to.y - from.y) * i / steps);
+            act(MouseEvent.MOUSE_DRAGGED, told, () -> robot.mouseMove(next.x, next.y));
+        }
         act(MouseEvent.MOUSE_RELEASED, 1, () -> robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK));
     }
 
@@ -445,17 +443,12 @@ public final class WindowRobot {
 
     private boolean drag(SeenDrag seen, Point start, Point end, BooleanSupplier arrived) {
         DragSource.getDefaultDragSource().addDragSourceListener(seen);
-        DragSource.getDefaultDragSource().addDragSourceMotionListener(seen);
+        robot.setAutoWaitForIdle(true); // of what is dragged by the display no events come
         try {
-            act(MouseEvent.MOUSE_PRESSED, 1, () -> {
-                robot.mouseMove(start.x, start.y);
-                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            });
+            robot.mouseMove(start.x, start.y);
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
             for (int i = 1; i <= STEPS; i++) {
-                long before = handled.counted(MouseEvent.MOUSE_DRAGGED);
                 robot.mouseMove(start.x + (end.x - start.x) * i / STEPS, start.y + (end.y - start.y) * i / STEPS);
-                // what the display carries is told by no such event
-                handled.await(MouseEvent.MOUSE_DRAGGED, before + (seen.isBegun() ? 0 : 1), STEP_HANDLED_WITHIN_MS);
             }
             long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
             for (int i = 0; !arrived.getAsBoolean(); i++) {
@@ -470,8 +463,8 @@ public final class WindowRobot {
             until("what is dragged is let go", seen::isOver);
             return seen.isTaken();
         } finally {
+            robot.setAutoWaitForIdle(false);
             DragSource.getDefaultDragSource().removeDragSourceListener(seen);
-            DragSource.getDefaultDragSource().removeDragSourceMotionListener(seen);
         }
     }
 }
