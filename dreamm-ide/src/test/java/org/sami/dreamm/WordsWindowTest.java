@@ -71,6 +71,7 @@ class WordsWindowTest {
             robot.untilFocused("word-go");
             robot.press(VK_ESCAPE);
             robot.until("the words are gone", () -> !isShown("word-card"));
+            robot.untilFocused("palette-search");
             robot.press(VK_F1, VK_CONTROL);
             robot.untilFocused("word-go");
             robot.press(VK_SPACE);
