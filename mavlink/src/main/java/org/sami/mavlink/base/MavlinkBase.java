@@ -1,8 +1,6 @@
 package org.sami.mavlink.base;
 
 import io.dronefleet.mavlink.MavlinkMessage;
-import io.dronefleet.mavlink.common.CommandLong;
-import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
@@ -12,36 +10,48 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.command.CommandOutcome;
+import org.sami.mavlink.command.GuidedTarget;
+import org.sami.mavlink.command.HandControl;
+import org.sami.mavlink.command.PendingCommands;
+import org.sami.mavlink.command.RadioOverride;
+import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.ListDownload;
 import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /**
  * A ground station's end of MAVLink: keeps links open, says on each once a second that it is there, and knows the vehicles that it hears. It asks vehicles to
- * report, and reads what they hold; it moves none. One thread owns its state; any thread may call it.
+ * report, reads what they hold, and gives them the commands that it is given. One thread owns its state; any thread may call it.
  */
 public final class MavlinkBase implements AutoCloseable {
     private static final long HEARTBEAT_MS = 1_000;
     private static final long TICK_MS = 100;
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
-    private static final float REPORTS_EVERY_US = 500_000;
+    private static final double REPORTS_EVERY_S = 0.5;
 
     /** The messages that are asked for: the battery (1), GPS (24), position (33) and state of the filter (193). */
     private static final List<Integer> REPORTS = List.of(1, 24, 33, 193);
@@ -54,6 +64,8 @@ public final class MavlinkBase implements AutoCloseable {
     private final VehicleTable table = new VehicleTable();
     private final Set<VehicleId> asked = new HashSet<>();
     private final Map<VehicleId, Deque<Transfer>> transfers = new HashMap<>();
+    private final Map<VehicleId, PendingCommands> commands = new HashMap<>();
+    private final List<Consumer<VehicleEvent>> listeners = new CopyOnWriteArrayList<>();
 
     /** A transfer and who waits for it. */
     private record Transfer(ListDownload download, CompletableFuture<List<MissionItem>> result) {}
@@ -110,6 +122,66 @@ public final class MavlinkBase implements AutoCloseable {
         return result;
     }
 
+    /**
+     * Gives a vehicle a command, and again until it answers.
+     *
+     * @return how it ended; it does not fail where the vehicle refuses
+     */
+    public CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command) {
+        return command(vehicle, command, percent -> {});
+    }
+
+    /** The same; {@code progress} receives percents while the vehicle is at it, where it says so, on the base's thread. */
+    public CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command, IntConsumer progress) {
+        CompletableFuture<CommandOutcome> result = new CompletableFuture<>();
+        owner.execute(() -> pendingOf(vehicle).give(command, nowMs.getAsLong(), progress, result::complete));
+        return result;
+    }
+
+    private PendingCommands pendingOf(VehicleId vehicle) {
+        return commands.computeIfAbsent(vehicle, id -> new PendingCommands(id, message -> send(id, message)));
+    }
+
+    /**
+     * Changes a vehicle's mode.
+     *
+     * @param mode as pilots name it, such as {@code AUTO}
+     * @return how it ended; fails with an {@link IllegalStateException} where the vehicle was not heard or has no such mode
+     */
+    public CompletableFuture<CommandOutcome> setMode(VehicleId vehicle, String mode) {
+        return CompletableFuture.supplyAsync(() -> table.modeNumber(vehicle, mode), owner)
+                .thenCompose(number -> number.map(
+                                known -> command(vehicle, VehicleCommand.setMode(known, mode.toUpperCase(Locale.ROOT))))
+                        .orElseGet(() -> CompletableFuture.failedFuture(new IllegalStateException(
+                                "vehicle " + vehicle + " was not heard, or has no mode " + mode))));
+    }
+
+    /** Sends a target to a vehicle that is in mode GUIDED; without an answer, and lost where the link loses it. */
+    public void guide(VehicleId vehicle, GuidedTarget target) {
+        owner.execute(() -> send(vehicle, target.message(vehicle)));
+    }
+
+    /** Sends sticks to a vehicle; without an answer. Whoever drives by hand calls it several times a second. */
+    public void steer(VehicleId vehicle, HandControl sticks) {
+        owner.execute(() ->
+                table.vehicle(vehicle).ifPresent(known -> send(vehicle, sticks.message(vehicle, known.kind()))));
+    }
+
+    /** Takes the place of radio control, or gives it back; without an answer, and forgotten by the autopilot after its own time. */
+    public void overrideRadio(VehicleId vehicle, RadioOverride pulses) {
+        owner.execute(() -> send(vehicle, pulses.message(vehicle)));
+    }
+
+    /** Has a listener receive what happens to vehicles from now on, on the base's thread: it must return at once and not throw. */
+    public void addListener(Consumer<VehicleEvent> listener) {
+        listeners.add(listener);
+    }
+
+    /** Ends what {@link #addListener} began. */
+    public void removeListener(Consumer<VehicleEvent> listener) {
+        listeners.remove(listener);
+    }
+
     /** On a link's thread: waits where too much is not handled yet, so that the sender is slowed and memory is not filled. */
     private void received(MavlinkAddress from, MavlinkMessage<?> message) {
         room.acquireUninterruptibly();
@@ -126,25 +198,25 @@ public final class MavlinkBase implements AutoCloseable {
     private void handle(MavlinkAddress from, MavlinkMessage<?> message) {
         long now = nowMs.getAsLong();
         VehicleId id = new VehicleId(message.getOriginSystemId(), message.getOriginComponentId());
-        table.heard(from, id.system(), id.component(), message.getPayload(), now);
+        List<VehicleEvent> events = table.heard(from, id.system(), id.component(), message.getPayload(), now);
+        Optional.ofNullable(commands.get(id)).ifPresent(pending -> {
+            events.forEach(event -> {
+                if (event instanceof VehicleEvent.Said said) {
+                    pending.heard(said.text());
+                }
+            });
+            pending.take(message.getPayload(), now);
+        });
         if (message.getPayload() instanceof Heartbeat && table.has(id) && asked.add(id)) {
-            REPORTS.forEach(report -> send(id, interval(id, report)));
+            REPORTS.forEach(report -> pendingOf(id)
+                    .give(VehicleCommand.sendEvery(report, REPORTS_EVERY_S), now, percent -> {}, outcome -> {}));
         }
         Deque<Transfer> waiting = transfers.get(id);
         if (waiting != null && !waiting.isEmpty()) {
             waiting.getFirst().download().take(message.getPayload(), now);
             goOn(waiting, now);
         }
-    }
-
-    private static CommandLong interval(VehicleId id, int message) {
-        return CommandLong.builder()
-                .targetSystem(id.system())
-                .targetComponent(id.component())
-                .command(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL)
-                .param1(message)
-                .param2(REPORTS_EVERY_US)
-                .build();
+        events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
     }
 
     private void beat() {
@@ -159,6 +231,7 @@ public final class MavlinkBase implements AutoCloseable {
 
     private void tick() {
         long now = nowMs.getAsLong();
+        commands.values().forEach(pending -> pending.tick(now));
         transfers.values().forEach(waiting -> {
             if (!waiting.isEmpty()) {
                 waiting.getFirst().download().tick(now);
@@ -197,10 +270,13 @@ public final class MavlinkBase implements AutoCloseable {
         repeated.forEach(each -> each.cancel(false));
         links.forEach(MavlinkLink::close);
         CompletableFuture.runAsync(
-                        () -> transfers
-                                .values()
-                                .forEach(waiting -> waiting.forEach(each -> each.result()
-                                        .completeExceptionally(new IllegalStateException("the links are closed")))),
+                        () -> {
+                            commands.values().forEach(PendingCommands::close);
+                            transfers
+                                    .values()
+                                    .forEach(waiting -> waiting.forEach(each -> each.result()
+                                            .completeExceptionally(new IllegalStateException("the links are closed"))));
+                        },
                         owner)
                 .join();
         owner.shutdown();

@@ -1,15 +1,20 @@
 package org.sami.mavlink.vehicle;
 
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsRawInt;
+import io.dronefleet.mavlink.common.MissionCurrent;
+import io.dronefleet.mavlink.common.MissionItemReached;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
@@ -32,6 +37,11 @@ final class VehicleRecord {
     private static final int ABSOLUTE_POSITION = 16; // of the filter's flags
     private static final int NO_POSITION = 128;
 
+    private static final long REORDERED_MS =
+            5_000; // a message of so long ago was not late: the autopilot counts from 0
+    private static final int NO_ITEMS =
+            65_535; // how an empty mission is written, as 0 is for firmwares that do not say
+
     private final VehicleId id;
     private final Map<MavlinkAddress, Long> heardOn = new HashMap<>();
     private final StatusTextParts parts = new StatusTextParts();
@@ -44,38 +54,95 @@ final class VehicleRecord {
     private Optional<VehiclePosition> position = Optional.empty();
     private Optional<VehicleBattery> battery = Optional.empty();
     private Optional<GpsState> gps = Optional.empty();
+    private VehicleHealth health = VehicleHealth.unknown();
+    private Optional<Integer> currentItem = Optional.empty();
+    private Optional<Integer> itemsHeld = Optional.empty();
+    private boolean beaten;
+    private long sinceBootMs;
     private long heardMs;
 
     VehicleRecord(VehicleId id) {
         this.id = id;
     }
 
-    void heard(MavlinkAddress on, Object payload, long nowMs) {
+    /** Takes a message; what happened by it. */
+    List<VehicleEvent> heard(MavlinkAddress on, Object payload, long nowMs) {
         heardMs = nowMs;
         heardOn.put(on, nowMs);
+        List<VehicleEvent> events = new ArrayList<>();
         if (payload instanceof Heartbeat beat) {
-            beat(beat);
+            beat(beat, events);
         } else if (payload instanceof GlobalPositionInt at) {
             position = Optional.of(position(at));
+            sinceBoot(at.timeBootMs(), events);
         } else if (payload instanceof SysStatus status) {
             battery = Optional.of(battery(status));
+            health = health.with(status);
         } else if (payload instanceof GpsRawInt raw) {
             gps = Optional.of(gps(raw));
         } else if (payload instanceof EkfStatusReport filter) {
             int flags = filter.flags().value();
             located = (flags & ABSOLUTE_POSITION) != 0 && (flags & NO_POSITION) == 0;
+        } else if (payload instanceof FenceStatus fence) {
+            health = health.withFence(fence.breachStatus() != 0);
+        } else if (payload instanceof MissionCurrent current) {
+            current(current, events);
+        } else if (payload instanceof MissionItemReached reached) {
+            events.add(new VehicleEvent.ItemReached(id, reached.seq()));
         } else if (payload instanceof Statustext text) {
-            parts.take(text, nowMs).forEach(this::said);
+            parts.take(text, nowMs).forEach(whole -> said(whole, events));
+        } else {
+            VehicleReadings.of(payload).forEach(reading -> events.add(new VehicleEvent.Measured(id, reading)));
         }
+        return events;
     }
 
-    private void beat(Heartbeat beat) {
+    private void sinceBoot(long ms, List<VehicleEvent> events) {
+        if (ms + REORDERED_MS < sinceBootMs) {
+            events.add(new VehicleEvent.Restarted(id));
+            located = false;
+            sinceBootMs = ms;
+        }
+        sinceBootMs = Math.max(sinceBootMs, ms);
+    }
+
+    private void current(MissionCurrent current, List<VehicleEvent> events) {
+        Optional<Integer> item = Optional.of(current.seq());
+        if (!item.equals(currentItem)) {
+            events.add(new VehicleEvent.ItemCurrent(id, current.seq()));
+        }
+        currentItem = item;
+        itemsHeld = current.total() == 0
+                ? Optional.empty() // an older firmware does not send it
+                : Optional.of(current.total() == NO_ITEMS ? 0 : current.total());
+    }
+
+    Optional<Long> modeNumber(String mode) {
+        return ModeNames.number(autopilot, VehicleKind.of(type), mode);
+    }
+
+    private void beat(Heartbeat beat, List<VehicleEvent> events) {
+        String modeBefore = mode();
+        boolean armedBefore = armed;
         MavType what = beat.type().entry();
         MavAutopilot whose = beat.autopilot().entry();
         type = what == null ? MavType.MAV_TYPE_GENERIC : what;
         autopilot = whose == null ? MavAutopilot.MAV_AUTOPILOT_GENERIC : whose;
         customMode = beat.customMode();
         armed = beat.baseMode().flagsEnabled(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED);
+        MavState state = beat.systemStatus().entry();
+        health = health.withFailsafe(state == MavState.MAV_STATE_CRITICAL || state == MavState.MAV_STATE_EMERGENCY);
+        if (beaten && !mode().equals(modeBefore)) {
+            events.add(new VehicleEvent.ModeChanged(id, modeBefore, mode()));
+        }
+        if (beaten && armed != armedBefore) {
+            events.add(new VehicleEvent.ArmedChanged(id, armed));
+        }
+        beaten = true;
+    }
+
+    private String mode() {
+        return ModeNames.of(autopilot, VehicleKind.of(type), customMode);
     }
 
     private static VehiclePosition position(GlobalPositionInt at) {
@@ -118,7 +185,8 @@ final class VehicleRecord {
         };
     }
 
-    private void said(StatusText text) {
+    private void said(StatusText text, List<VehicleEvent> events) {
+        events.add(new VehicleEvent.Said(id, text));
         if (texts.size() == TEXTS) {
             texts.removeFirst();
         }
@@ -136,12 +204,15 @@ final class VehicleRecord {
                 id,
                 kind,
                 autopilotName(),
-                ModeNames.of(autopilot, kind, customMode),
+                mode(),
                 armed,
                 located,
                 position,
                 battery,
                 gps,
+                health,
+                currentItem,
+                itemsHeld,
                 links,
                 List.copyOf(texts),
                 heardMs);

@@ -11,6 +11,8 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param mode the autopilot's mode as pilots write it, such as {@code HOLD}
  * @param armed whether its motors may turn
  * @param located whether its filter has an absolute position that it trusts; before that it refuses to drive by itself
+ * @param currentItem the item of its mission that it carries out, or would in mode AUTO; empty where it does not say
+ * @param itemsHeld how many items its mission has, home included; empty where it does not say
  * @param links on which links it is heard, the one heard last first
  * @param texts what it has said last, oldest first
  * @param heardMs when it was heard last, on the base's clock
@@ -25,6 +27,9 @@ public record VehicleSnapshot(
         Optional<VehiclePosition> position,
         Optional<VehicleBattery> battery,
         Optional<GpsState> gps,
+        VehicleHealth health,
+        Optional<Integer> currentItem,
+        Optional<Integer> itemsHeld,
         List<MavlinkAddress> links,
         List<StatusText> texts,
         long heardMs) {}

@@ -3,6 +3,7 @@ package org.sami.mavlink.vehicle;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavType;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -12,16 +13,24 @@ import org.sami.mavlink.address.MavlinkAddress;
 public final class VehicleTable {
     private final TreeMap<VehicleId, VehicleRecord> vehicles = new TreeMap<>();
 
-    /** A message came from a component of a system; one that is no autopilot (a ground station, a gimbal, a radio) makes no vehicle. */
-    public void heard(MavlinkAddress on, int system, int component, Object payload, long nowMs) {
+    /**
+     * A message came from a component of a system; one that is no autopilot (a ground station, a gimbal, a radio) makes no vehicle.
+     *
+     * @return what happened to the vehicle by it
+     */
+    public List<VehicleEvent> heard(MavlinkAddress on, int system, int component, Object payload, long nowMs) {
         VehicleId id = new VehicleId(system, component);
-        if (payload instanceof Heartbeat beat && isVehicle(beat)) {
-            vehicles.computeIfAbsent(id, VehicleRecord::new);
-        }
+        List<VehicleEvent> events = new ArrayList<>();
         VehicleRecord known = vehicles.get(id);
-        if (known != null) {
-            known.heard(on, payload, nowMs);
+        if (known == null && payload instanceof Heartbeat beat && isVehicle(beat)) {
+            known = new VehicleRecord(id);
+            vehicles.put(id, known);
+            events.add(new VehicleEvent.Appeared(id));
         }
+        if (known != null) {
+            events.addAll(known.heard(on, payload, nowMs));
+        }
+        return events;
     }
 
     private static boolean isVehicle(Heartbeat beat) {
@@ -32,6 +41,16 @@ public final class VehicleTable {
     /** All vehicles, by their ids. */
     public List<VehicleSnapshot> vehicles() {
         return vehicles.values().stream().map(VehicleRecord::snapshot).toList();
+    }
+
+    /** What is known of one vehicle; empty where it was not heard. */
+    public Optional<VehicleSnapshot> vehicle(VehicleId id) {
+        return Optional.ofNullable(vehicles.get(id)).map(VehicleRecord::snapshot);
+    }
+
+    /** The number of a mode of a vehicle by its name; empty where it was not heard, or has none of this name. */
+    public Optional<Long> modeNumber(VehicleId id, String mode) {
+        return Optional.ofNullable(vehicles.get(id)).flatMap(known -> known.modeNumber(mode));
     }
 
     /** Whether a vehicle of this id has been heard. */

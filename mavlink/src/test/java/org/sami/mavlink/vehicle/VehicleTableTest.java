@@ -4,15 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.MavSysStatusSensor;
+import io.dronefleet.mavlink.common.MissionCurrent;
+import io.dronefleet.mavlink.common.MissionItemReached;
+import io.dronefleet.mavlink.common.NamedValueFloat;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -33,6 +40,7 @@ class VehicleTableTest {
                 .autopilot(autopilot)
                 .customMode(mode)
                 .baseMode(flags)
+                .systemStatus(MavState.MAV_STATE_ACTIVE)
                 .build();
     }
 
@@ -75,7 +83,12 @@ class VehicleTableTest {
     @Test
     void valuesThatTheAutopilotDoesNotKnowAreEmptyAndNotZero() {
         heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
-        heard(SysStatus.builder().voltageBattery(65_535).batteryRemaining(-1).build());
+        heard(SysStatus.builder()
+                .onboardControlSensorsEnabled(EnumValue.create(0))
+                .onboardControlSensorsHealth(EnumValue.create(0))
+                .voltageBattery(65_535)
+                .batteryRemaining(-1)
+                .build());
         heard(GlobalPositionInt.builder()
                 .lat(457_000_000)
                 .lon(-1_072_000_000)
@@ -146,5 +159,63 @@ class VehicleTableTest {
                 .chunkSeq(number)
                 .text(text)
                 .build();
+    }
+
+    @Test
+    void changesAreEventsOnceEach() {
+        List<VehicleEvent> events = new ArrayList<>();
+        for (Object message : List.of(
+                beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 4),
+                beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 4),
+                beat(
+                        MavType.MAV_TYPE_SURFACE_BOAT,
+                        MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA,
+                        10,
+                        MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED),
+                MissionCurrent.builder().seq(2).total(5).build(),
+                MissionCurrent.builder().seq(2).total(5).build(),
+                MissionItemReached.builder().seq(2).build(),
+                NamedValueFloat.builder().name("DO").value(8.5f).build(),
+                NamedValueFloat.builder().name("DO").value(Float.NaN).build(),
+                GlobalPositionInt.builder().timeBootMs(90_000).build(),
+                GlobalPositionInt.builder().timeBootMs(89_900).build(),
+                GlobalPositionInt.builder().timeBootMs(2_000).build())) {
+            events.addAll(table.heard(CABLE, 1, 1, message, 1_000));
+        }
+
+        VehicleId one = new VehicleId(1, 1);
+        assertThat(events)
+                .containsExactly(
+                        new VehicleEvent.Appeared(one),
+                        new VehicleEvent.ModeChanged(one, "HOLD", "AUTO"),
+                        new VehicleEvent.ArmedChanged(one, true),
+                        new VehicleEvent.ItemCurrent(one, 2),
+                        new VehicleEvent.ItemReached(one, 2),
+                        new VehicleEvent.Measured(one, new VehicleReading("DO", 8.5, "")),
+                        new VehicleEvent.Restarted(one));
+        assertThat(only().currentItem()).contains(2);
+        assertThat(only().itemsHeld()).contains(5);
+        assertThat(table.modeNumber(one, "guided")).contains(15L);
+        assertThat(table.modeNumber(one, "FLY")).isEmpty();
+    }
+
+    @Test
+    void whatIsWrongWithItIsNamed() {
+        heard(Heartbeat.builder()
+                .type(MavType.MAV_TYPE_SURFACE_BOAT)
+                .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+                .baseMode(EnumValue.create(0))
+                .systemStatus(MavState.MAV_STATE_CRITICAL)
+                .build());
+        heard(SysStatus.builder()
+                .onboardControlSensorsEnabled(
+                        MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS, MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY)
+                .onboardControlSensorsHealth(
+                        MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY,
+                        MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK)
+                .build());
+        heard(FenceStatus.builder().breachStatus(1).build());
+
+        assertThat(only().health()).isEqualTo(new VehicleHealth(true, true, true, List.of("gps")));
     }
 }

@@ -1,0 +1,32 @@
+package org.sami.mavlink.command;
+
+import java.util.List;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/**
+ * What became of a command.
+ *
+ * @param said what the autopilot said meanwhile, in its words and order; mostly why it refused
+ */
+public record CommandOutcome(VehicleId vehicle, VehicleCommand command, CommandVerdict verdict, List<String> said) {
+    /** An outcome. */
+    public CommandOutcome {
+        said = List.copyOf(said);
+    }
+
+    /** Whether the vehicle carries it out. */
+    public boolean isAccepted() {
+        return verdict == CommandVerdict.ACCEPTED;
+    }
+
+    /** A line for people, such as {@code vehicle 3 refuses to arm: PreArm: GPS 1: Bad fix}. */
+    public String inWords() {
+        String joint = switch (verdict) {
+            case UNANSWERED -> " when it is asked to ";
+            case REPLACED, CANCELLED -> " before it could ";
+            default -> " to ";
+        };
+        String line = "vehicle " + vehicle + " " + verdict.words() + joint + command.does();
+        return said.isEmpty() ? line : line + ": " + String.join("; ", said);
+    }
+}

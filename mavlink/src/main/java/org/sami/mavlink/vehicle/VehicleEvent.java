@@ -1,0 +1,31 @@
+package org.sami.mavlink.vehicle;
+
+/** Something that happened to a vehicle, as against a state of it, which a {@link VehicleSnapshot} has. */
+public sealed interface VehicleEvent {
+    /** Which vehicle. */
+    VehicleId vehicle();
+
+    /** It was heard for the first time. */
+    record Appeared(VehicleId vehicle) implements VehicleEvent {}
+
+    /** Its mode is another. */
+    record ModeChanged(VehicleId vehicle, String before, String mode) implements VehicleEvent {}
+
+    /** Its motors may turn now, or may not any more. */
+    record ArmedChanged(VehicleId vehicle, boolean armed) implements VehicleEvent {}
+
+    /** Its autopilot said something. */
+    record Said(VehicleId vehicle, StatusText text) implements VehicleEvent {}
+
+    /** The item of its mission that is carried out, or would be in mode AUTO, is another. */
+    record ItemCurrent(VehicleId vehicle, int item) implements VehicleEvent {}
+
+    /** It says that an item of its mission has been reached; it may say so more than once. */
+    record ItemReached(VehicleId vehicle, int item) implements VehicleEvent {}
+
+    /** A sensor has a value. */
+    record Measured(VehicleId vehicle, VehicleReading reading) implements VehicleEvent {}
+
+    /** Its autopilot has started again: what is known of its lists and parameters may not hold any more. */
+    record Restarted(VehicleId vehicle) implements VehicleEvent {}
+}
