@@ -5,8 +5,6 @@ import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -36,7 +34,7 @@ import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.mission.HeldKind;
-import org.sami.mavlink.mission.ListDownload;
+import org.sami.mavlink.mission.HeldLists;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -49,7 +47,7 @@ import org.sami.mavlink.vehicle.VehicleTable;
  */
 public final class MavlinkBase implements AutoCloseable {
     private static final long HEARTBEAT_MS = 1_000;
-    private static final long TICK_MS = 100;
+    private static final long TICK_MS = 20; // what an autopilot needs for an item of a list
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
     private static final double REPORTS_EVERY_S = 0.5;
 
@@ -63,12 +61,9 @@ public final class MavlinkBase implements AutoCloseable {
     private final Semaphore room = new Semaphore(UNHANDLED);
     private final VehicleTable table = new VehicleTable();
     private final Set<VehicleId> asked = new HashSet<>();
-    private final Map<VehicleId, Deque<Transfer>> transfers = new HashMap<>();
+    private final Map<VehicleId, HeldLists> lists = new HashMap<>();
     private final Map<VehicleId, PendingCommands> commands = new HashMap<>();
     private final List<Consumer<VehicleEvent>> listeners = new CopyOnWriteArrayList<>();
-
-    /** A transfer and who waits for it. */
-    private record Transfer(ListDownload download, CompletableFuture<List<MissionItem>> result) {}
 
     /**
      * Begins to open links; returns at once.
@@ -111,15 +106,26 @@ public final class MavlinkBase implements AutoCloseable {
      */
     public CompletableFuture<List<MissionItem>> held(VehicleId vehicle, HeldKind kind) {
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> {
-            ListDownload download = new ListDownload(vehicle, kind, message -> send(vehicle, message));
-            Deque<Transfer> waiting = transfers.computeIfAbsent(vehicle, id -> new ArrayDeque<>());
-            waiting.addLast(new Transfer(download, result));
-            if (waiting.size() == 1) {
-                download.begin(nowMs.getAsLong());
-            }
-        });
+        owner.execute(() -> listsOf(vehicle).read(kind, nowMs.getAsLong(), result));
         return result;
+    }
+
+    /**
+     * Replaces a list that a vehicle holds, after the transfers that were asked for before, and reads it back. Where only a part differs from what the vehicle
+     * is known to hold, that part is sent alone.
+     *
+     * @param items the new list in its order; an empty one empties it. Item 0 of a mission is the vehicle's home, which it keeps as it is
+     * @return what was read back, which is equal; fails with an {@link IllegalStateException} whose message says in words what went wrong
+     */
+    public CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<MissionItem> items) {
+        List<MissionItem> copy = List.copyOf(items);
+        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+        owner.execute(() -> listsOf(vehicle).replace(kind, copy, nowMs.getAsLong(), result));
+        return result;
+    }
+
+    private HeldLists listsOf(VehicleId vehicle) {
+        return lists.computeIfAbsent(vehicle, id -> new HeldLists(id, message -> send(id, message)));
     }
 
     /**
@@ -211,11 +217,12 @@ public final class MavlinkBase implements AutoCloseable {
             REPORTS.forEach(report -> pendingOf(id)
                     .give(VehicleCommand.sendEvery(report, REPORTS_EVERY_S), now, percent -> {}, outcome -> {}));
         }
-        Deque<Transfer> waiting = transfers.get(id);
-        if (waiting != null && !waiting.isEmpty()) {
-            waiting.getFirst().download().take(message.getPayload(), now);
-            goOn(waiting, now);
-        }
+        Optional.ofNullable(lists.get(id)).ifPresent(held -> {
+            if (events.stream().anyMatch(VehicleEvent.Restarted.class::isInstance)) {
+                held.forget();
+            }
+            held.take(message.getPayload(), now);
+        });
         events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
     }
 
@@ -232,27 +239,7 @@ public final class MavlinkBase implements AutoCloseable {
     private void tick() {
         long now = nowMs.getAsLong();
         commands.values().forEach(pending -> pending.tick(now));
-        transfers.values().forEach(waiting -> {
-            if (!waiting.isEmpty()) {
-                waiting.getFirst().download().tick(now);
-                goOn(waiting, now);
-            }
-        });
-    }
-
-    /** Tells of transfers that are over, and begins the next. */
-    private static void goOn(Deque<Transfer> waiting, long now) {
-        while (!waiting.isEmpty() && waiting.getFirst().download().isOver()) {
-            Transfer over = waiting.removeFirst();
-            over.download()
-                    .failure()
-                    .ifPresentOrElse(
-                            why -> over.result().completeExceptionally(new IllegalStateException(why)),
-                            () -> over.result().complete(over.download().items()));
-            if (!waiting.isEmpty()) {
-                waiting.getFirst().download().begin(now);
-            }
-        }
+        lists.values().forEach(held -> held.tick(now));
     }
 
     /** Sends on the link on which a vehicle was heard last. */
@@ -272,10 +259,7 @@ public final class MavlinkBase implements AutoCloseable {
         CompletableFuture.runAsync(
                         () -> {
                             commands.values().forEach(PendingCommands::close);
-                            transfers
-                                    .values()
-                                    .forEach(waiting -> waiting.forEach(each -> each.result()
-                                            .completeExceptionally(new IllegalStateException("the links are closed"))));
+                            lists.values().forEach(HeldLists::close);
                         },
                         owner)
                 .join();

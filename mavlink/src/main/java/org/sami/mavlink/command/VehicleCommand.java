@@ -73,7 +73,7 @@ public record VehicleCommand(
 
     /** Changes the mode to the number that the autopilot gives it; {@code name} is for people. */
     public static VehicleCommand setMode(long customMode, String name) {
-        return made(SET_MODE, "change to " + name, true, CUSTOM_MODE, customMode);
+        return made(SET_MODE, "change to " + name, true, CUSTOM_MODE, (double) customMode);
     }
 
     /** Makes an item of the mission the one that is carried out now, or next in mode AUTO. */

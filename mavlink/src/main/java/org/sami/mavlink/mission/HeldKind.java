@@ -1,6 +1,9 @@
 package org.sami.mavlink.mission;
 
 import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.util.Arrays;
+import java.util.Optional;
 
 /** The three lists that a vehicle holds. */
 public enum HeldKind {
@@ -22,7 +25,15 @@ public enum HeldKind {
         return words;
     }
 
-    MavMissionType type() {
+    /** The kind that messages mean; empty where they mean all kinds, or one that is not known. */
+    public static Optional<HeldKind> of(EnumValue<MavMissionType> type) {
+        return Arrays.stream(values())
+                .filter(kind -> kind.type() == type.entry())
+                .findFirst();
+    }
+
+    /** What the library calls it. */
+    public MavMissionType type() {
         return switch (this) {
             case MISSION -> MavMissionType.MAV_MISSION_TYPE_MISSION;
             case FENCE -> MavMissionType.MAV_MISSION_TYPE_FENCE;

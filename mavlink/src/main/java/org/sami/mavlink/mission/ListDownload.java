@@ -8,33 +8,41 @@ import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.common.MissionRequestInt;
 import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.util.EnumValue;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**
- * Reads one list that a vehicle holds, by the mission protocol: asks how many items there are, then for one after the other, and again for what does not come.
- * Only one transfer with a vehicle may run at a time, as the protocol has no other way to tell them apart. Used by one thread.
+ * Reads one list that a vehicle holds, by the mission protocol: asks how many items there are, then for a few at a time, and again for what does not come.
  *
- * <p>Source: the mission protocol of MAVLink's documentation (times and numbers of tries are its).
+ * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: several items are asked for ahead of their answers, as each answer names its item.
  */
-public final class ListDownload {
-    private static final long ANSWER_MS = 1_500;
-    private static final int TRIES = 5;
+public final class ListDownload implements ListTransfer {
+    private static final int TRIES = 8; // to ask how many there are
+    private static final long SILENCE_MS = 8_000;
+    private static final int AHEAD = 5;
     private static final int MOST_ITEMS = 10_000; // more fits into no autopilot
 
     private final VehicleId vehicle;
     private final HeldKind kind;
     private final Consumer<Object> send;
-    private final List<MissionItem> items = new ArrayList<>();
+    private final AnswerTime time = new AnswerTime();
+    private final TreeMap<Integer, MissionItem> items = new TreeMap<>();
+    private final TreeMap<Integer, Asked> open = new TreeMap<>();
     private Optional<Integer> count = Optional.empty();
     private Optional<String> failure = Optional.empty();
     private boolean done;
     private int tries;
-    private long againMs;
+    private int unasked; // the first item that was never asked for
+    private long askedMs;
+    private long progressMs;
+
+    /** An item that was asked for {@code tries} times, last at a time. */
+    private record Asked(int tries, long atMs) {}
 
     /**
      * A transfer that is not begun yet.
@@ -47,67 +55,94 @@ public final class ListDownload {
         this.send = Objects.requireNonNull(send, "send");
     }
 
-    /** Which vehicle is asked. */
-    public VehicleId vehicle() {
-        return vehicle;
-    }
-
-    /** Asks for the first time. */
+    @Override
     public void begin(long nowMs) {
-        ask(nowMs);
+        askHowMany(nowMs);
     }
 
-    /** Asks again where an answer is overdue. */
+    @Override
     public void tick(long nowMs) {
-        if (isOver() || nowMs < againMs) {
+        if (isOver()) {
             return;
         }
-        if (tries == TRIES) {
-            failure = Optional.of("vehicle " + vehicle + " does not answer when it is asked for its " + kind.words()
-                    + count.map(all -> ": it sent " + items.size() + " of " + all + " items")
-                            .orElse(""));
-            return;
+        if (count.isEmpty()) {
+            if (nowMs >= askedMs + time.waitMs(tries)) {
+                if (tries == TRIES) {
+                    silent();
+                } else {
+                    askHowMany(nowMs);
+                }
+            }
+        } else if (nowMs - progressMs > SILENCE_MS) {
+            silent();
+        } else {
+            for (Map.Entry<Integer, Asked> each : List.copyOf(open.entrySet())) {
+                Asked asked = each.getValue();
+                if (nowMs >= asked.atMs() + time.waitMs(asked.tries() - 1)) {
+                    ask(each.getKey(), asked.tries() + 1, nowMs);
+                }
+            }
         }
-        ask(nowMs);
     }
 
-    private void ask(long nowMs) {
+    private void silent() {
+        failure = Optional.of("vehicle " + vehicle + " does not answer when it is asked for its " + kind.words()
+                + count.map(all -> ": it sent " + items.size() + " of " + all + " items")
+                        .orElse(""));
+    }
+
+    private void askHowMany(long nowMs) {
         tries++;
-        againMs = nowMs + ANSWER_MS;
-        send.accept(
-                count.isEmpty()
-                        ? MissionRequestList.builder()
-                                .targetSystem(vehicle.system())
-                                .targetComponent(vehicle.component())
-                                .missionType(kind.type())
-                                .build()
-                        : MissionRequestInt.builder()
-                                .targetSystem(vehicle.system())
-                                .targetComponent(vehicle.component())
-                                .seq(items.size())
-                                .missionType(kind.type())
-                                .build());
+        askedMs = nowMs;
+        send.accept(MissionRequestList.builder()
+                .targetSystem(vehicle.system())
+                .targetComponent(vehicle.component())
+                .missionType(kind.type())
+                .build());
     }
 
-    /** Takes what the vehicle sent; anything that is no part of this transfer changes nothing. */
+    private void ask(int item, int again, long nowMs) {
+        open.put(item, new Asked(again, nowMs));
+        send.accept(MissionRequestInt.builder()
+                .targetSystem(vehicle.system())
+                .targetComponent(vehicle.component())
+                .seq(item)
+                .missionType(kind.type())
+                .build());
+    }
+
+    @Override
     public void take(Object message, long nowMs) {
         if (isOver()) {
             return;
         }
         if (message instanceof MissionCount all && count.isEmpty() && isOurs(all.missionType())) {
             counted(all.count(), nowMs);
-        } else if (message instanceof MissionItemInt item
-                && count.isPresent()
-                && isOurs(item.missionType())
-                && item.seq() == items.size()) {
-            items.add(MissionItem.of(item));
-            next(nowMs);
+        } else if (message instanceof MissionItemInt item && isOurs(item.missionType())) {
+            Asked asked = open.remove(item.seq());
+            if (asked != null) {
+                if (asked.tries() == 1) {
+                    time.answered(nowMs - asked.atMs());
+                }
+                came(item, nowMs);
+            }
         } else if (message instanceof MissionAck ack
                 && isOurs(ack.missionType())
-                && ack.type().entry() != MavMissionResult.MAV_MISSION_ACCEPTED) {
-            MavMissionResult why = ack.type().entry();
-            failure = Optional.of("vehicle " + vehicle + " refuses to send its " + kind.words() + ": "
-                    + (why == null ? "result " + ack.type().value() : why.name()));
+                && ack.type().entry() != MavMissionResult.MAV_MISSION_ACCEPTED
+                && ack.type().entry() != MavMissionResult.MAV_MISSION_INVALID_SEQUENCE // these two may be late answers
+                && ack.type().entry() != MavMissionResult.MAV_MISSION_ERROR) { // to an upload before
+            failure = Optional.of(
+                    "vehicle " + vehicle + " refuses to send its " + kind.words() + ": " + MissionWords.of(ack.type()));
+        }
+    }
+
+    private void came(MissionItemInt item, long nowMs) {
+        try {
+            items.put(item.seq(), MissionItem.of(item));
+            next(nowMs);
+        } catch (IllegalArgumentException e) {
+            failure = Optional.of(
+                    "vehicle " + vehicle + " sends a " + kind.words() + " that cannot be: " + e.getMessage());
         }
     }
 
@@ -121,15 +156,17 @@ public final class ListDownload {
                     + " items; at most " + MOST_ITEMS + " are read");
             return;
         }
+        if (tries == 1) {
+            time.answered(nowMs - askedMs);
+        }
         count = Optional.of(all);
         next(nowMs);
     }
 
     private void next(long nowMs) {
-        if (count.filter(all -> items.size() < all).isPresent()) {
-            tries = 0;
-            ask(nowMs);
-        } else {
+        progressMs = nowMs;
+        int all = count.orElse(0);
+        if (items.size() == all) {
             done = true;
             send.accept(MissionAck.builder()
                     .targetSystem(vehicle.system())
@@ -137,21 +174,26 @@ public final class ListDownload {
                     .type(MavMissionResult.MAV_MISSION_ACCEPTED)
                     .missionType(kind.type())
                     .build());
+            return;
+        }
+        while (unasked < all && open.size() < AHEAD) {
+            ask(unasked, 1, nowMs);
+            unasked++;
         }
     }
 
-    /** Whether it has ended, well or not. */
+    @Override
     public boolean isOver() {
         return done || failure.isPresent();
     }
 
-    /** Why it failed, in words for people; empty where it did not. */
+    @Override
     public Optional<String> failure() {
         return failure;
     }
 
     /** What the vehicle holds, in its order; so far, until the transfer is over. */
     public List<MissionItem> items() {
-        return List.copyOf(items);
+        return List.copyOf(items.values());
     }
 }

@@ -1,7 +1,7 @@
 /**
- * What vehicles hold of missions, fences and rally points, and the protocol that moves them.
+ * The lists that vehicles hold (missions, fences, rally points), and how they are read, replaced and read back.
  *
- * <p>The transfers have no thread and no clock: messages and moments go in, messages come out.
+ * <p>Not here: what lists are good for, which plans know, and the vehicle's end of these transfers, which {@code mavlink.onboard} has.
  */
 @NullMarked
 package org.sami.mavlink.mission;

@@ -104,13 +104,13 @@ class ListDownloadTest {
     }
 
     @Test
-    void vehicleThatDoesNotAnswerIsAskedFiveTimesAndThenNamed() {
+    void vehicleThatDoesNotAnswerIsAskedEightTimesAndThenNamed() {
         download.begin(0);
         for (int ms = 0; ms < 20_000; ms += 100) {
             download.tick(ms);
         }
 
-        assertThat(sent).hasSize(5);
+        assertThat(sent).hasSize(8);
         assertThat(download.failure()).contains("vehicle 3 does not answer when it is asked for its mission");
     }
 
@@ -124,7 +124,10 @@ class ListDownloadTest {
                         .build(),
                 10);
 
-        assertThat(download.failure()).contains("vehicle 3 refuses to send its mission: MAV_MISSION_DENIED");
+        assertThat(download.failure())
+                .hasValueSatisfying(why -> assertThat(why)
+                        .startsWith("vehicle 3 refuses to send its mission: ")
+                        .endsWith("(MAV_MISSION_DENIED)"));
     }
 
     @Test

@@ -1,0 +1,77 @@
+package org.sami.mavlink.mission;
+
+import io.dronefleet.mavlink.common.MavMissionResult;
+import io.dronefleet.mavlink.common.MissionAck;
+import io.dronefleet.mavlink.common.MissionClearAll;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/** Empties a list that a vehicle holds. */
+final class ListClearing implements ListTransfer {
+    private static final long ANSWER_MS = 1_500;
+    private static final int TRIES = 8;
+
+    private final VehicleId vehicle;
+    private final HeldKind kind;
+    private final Consumer<Object> send;
+    private Optional<String> failure = Optional.empty();
+    private boolean done;
+    private int tries;
+    private long sentMs;
+
+    ListClearing(VehicleId vehicle, HeldKind kind, Consumer<Object> send) {
+        this.vehicle = vehicle;
+        this.kind = kind;
+        this.send = send;
+    }
+
+    @Override
+    public void begin(long nowMs) {
+        tries++;
+        sentMs = nowMs;
+        send.accept(MissionClearAll.builder()
+                .targetSystem(vehicle.system())
+                .targetComponent(vehicle.component())
+                .missionType(kind.type())
+                .build());
+    }
+
+    @Override
+    public void tick(long nowMs) {
+        if (isOver() || nowMs < sentMs + ANSWER_MS) {
+            return;
+        }
+        if (tries == TRIES) {
+            failure = Optional.of(
+                    "vehicle " + vehicle + " does not answer when its " + kind.words() + " is to be emptied");
+        } else {
+            begin(nowMs);
+        }
+    }
+
+    @Override
+    public void take(Object message, long nowMs) {
+        if (isOver()
+                || !(message instanceof MissionAck ack)
+                || ack.missionType().entry() != kind.type()) {
+            return;
+        }
+        if (ack.type().entry() == MavMissionResult.MAV_MISSION_ACCEPTED) {
+            done = true;
+        } else {
+            failure = Optional.of(
+                    "vehicle " + vehicle + " does not empty its " + kind.words() + ": " + MissionWords.of(ack.type()));
+        }
+    }
+
+    @Override
+    public boolean isOver() {
+        return done || failure.isPresent();
+    }
+
+    @Override
+    public Optional<String> failure() {
+        return failure;
+    }
+}

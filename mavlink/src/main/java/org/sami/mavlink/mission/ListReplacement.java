@@ -1,0 +1,150 @@
+package org.sami.mavlink.mission;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/**
+ * Replaces a list that a vehicle holds, and reads it back: only a list that came back equal counts. Where it is known what the vehicle holds and only a part of
+ * it differs, that part is sent alone. A list that comes back different is sent again, whole.
+ */
+public final class ListReplacement implements ListTransfer {
+    private static final int ROUNDS = 3;
+
+    private final VehicleId vehicle;
+    private final HeldKind kind;
+    private final List<MissionItem> items;
+    private final Consumer<Object> send;
+    private Optional<String> failure = Optional.empty();
+    private List<MissionItem> readBack = List.of();
+    private boolean done;
+    private int rounds = 1;
+    private ListTransfer step;
+
+    /**
+     * A transfer that is not begun yet.
+     *
+     * @param items the new list, numbered from 0 in its order. Item 0 of a mission is the vehicle's home, which it keeps as it is
+     * @param known what the vehicle held when it was read last; empty where it was not
+     */
+    public ListReplacement(
+            VehicleId vehicle,
+            HeldKind kind,
+            List<MissionItem> items,
+            Optional<List<MissionItem>> known,
+            Consumer<Object> send) {
+        this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
+        this.kind = Objects.requireNonNull(kind, "kind");
+        this.items = IntStream.range(0, items.size())
+                .mapToObj(i -> items.get(i).at(i))
+                .toList();
+        this.send = Objects.requireNonNull(send, "send");
+        step = known.flatMap(this::part).orElseGet(this::whole);
+    }
+
+    private ListTransfer whole() {
+        return items.isEmpty()
+                ? new ListClearing(vehicle, kind, send)
+                : new ListUpload(vehicle, kind, items, 0, items.size(), send);
+    }
+
+    /** Sends the part that differs; empty where the whole list must be sent. */
+    private Optional<ListTransfer> part(List<MissionItem> known) {
+        int[] differ = IntStream.range(firstCompared(), items.size())
+                .filter(i -> i >= known.size() || !items.get(i).isSameAs(known.get(i)))
+                .toArray();
+        if (known.size() != items.size() || items.isEmpty()) {
+            return Optional.empty();
+        }
+        if (differ.length == 0) {
+            return Optional.of(new ListDownload(vehicle, kind, send));
+        }
+        int from = differ[0];
+        int to = differ[differ.length - 1] + 1;
+        return kind == HeldKind.MISSION && 2 * (to - from) <= items.size()
+                ? Optional.of(new ListUpload(vehicle, kind, items, from, to, send))
+                : Optional.empty();
+    }
+
+    private int firstCompared() {
+        return kind == HeldKind.MISSION ? 1 : 0;
+    }
+
+    @Override
+    public void begin(long nowMs) {
+        step.begin(nowMs);
+    }
+
+    @Override
+    public void tick(long nowMs) {
+        step.tick(nowMs);
+        goOn(nowMs);
+    }
+
+    @Override
+    public void take(Object message, long nowMs) {
+        step.take(message, nowMs);
+        goOn(nowMs);
+    }
+
+    private void goOn(long nowMs) {
+        if (isOver() || !step.isOver()) {
+            return;
+        }
+        if (step.failure().isPresent()) {
+            boolean wasPart = step instanceof ListUpload && rounds == 1;
+            again(step.failure().get(), wasPart, nowMs);
+        } else if (step instanceof ListDownload download) {
+            readBack = download.items();
+            difference().ifPresentOrElse(why -> again(why, true, nowMs), () -> done = true);
+        } else {
+            next(new ListDownload(vehicle, kind, send), nowMs);
+        }
+    }
+
+    private void again(String why, boolean worthIt, long nowMs) {
+        if (worthIt && rounds < ROUNDS) {
+            rounds++;
+            next(whole(), nowMs);
+        } else {
+            failure = Optional.of(why);
+        }
+    }
+
+    private void next(ListTransfer transfer, long nowMs) {
+        step = transfer;
+        step.begin(nowMs);
+    }
+
+    private Optional<String> difference() {
+        String head = "vehicle " + vehicle + " holds another " + kind.words() + " than it was sent: ";
+        // an empty mission comes back as home alone, or as nothing
+        boolean sameLength = readBack.size() == items.size()
+                || (kind == HeldKind.MISSION && items.isEmpty() && readBack.size() == 1);
+        if (!sameLength) {
+            return Optional.of(head + readBack.size() + " items and not " + items.size());
+        }
+        return IntStream.range(firstCompared(), items.size())
+                .filter(i -> !items.get(i).isSameAs(readBack.get(i)))
+                .mapToObj(i -> head + "item " + i + " is " + readBack.get(i) + " and not " + items.get(i))
+                .findFirst();
+    }
+
+    @Override
+    public boolean isOver() {
+        return done || failure.isPresent();
+    }
+
+    @Override
+    public Optional<String> failure() {
+        return failure;
+    }
+
+    /** What the vehicle holds, as it was read back; empty until the transfer has ended well. */
+    public List<MissionItem> readBack() {
+        return done ? readBack : List.of();
+    }
+}

@@ -1,0 +1,244 @@
+package org.sami.mavlink.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.dronefleet.mavlink.common.MissionItemInt;
+import io.dronefleet.mavlink.common.MissionWritePartialList;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.mavlink.onboard.ListKeeper;
+import org.sami.mavlink.onboard.OnboardLists;
+import org.sami.mavlink.testing.BadRadio;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/** Lists that are sent and read back over radios that lose, double and reorder, on a clock of the test's own; the vehicle asks for 50 items a second. */
+class ListReplacementTest {
+    private static final VehicleId VEHICLE = new VehicleId(3, 1);
+    private static final VehicleId STATION = new VehicleId(255, 190);
+    private static final int PACE_MS = 20;
+    private static final long TICK_MS = 20;
+
+    private final List<Object> sent = new ArrayList<>();
+    private final List<HeldKind> changed = new ArrayList<>();
+    private BadRadio<Object> up = new BadRadio<>(1, 0, 0, 1, 0);
+    private BadRadio<Object> down = new BadRadio<>(2, 0, 0, 1, 0);
+    private long nowMs;
+    private Optional<ListKeeper.Refusal> refusal = Optional.empty();
+
+    private final HeldLists lists = new HeldLists(VEHICLE, message -> {
+        sent.add(message);
+        up.send(message, nowMs);
+    });
+    private OnboardLists vehicle = vehicle(650);
+
+    private OnboardLists vehicle(int capacity) {
+        ListKeeper keeper = new ListKeeper() {
+            @Override
+            public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
+                return refusal;
+            }
+
+            @Override
+            public void changed(HeldKind kind, List<MissionItem> items) {
+                changed.add(kind);
+            }
+        };
+        return new OnboardLists(capacity, PACE_MS, keeper, message -> down.send(message, nowMs));
+    }
+
+    private static List<MissionItem> mission(int items) {
+        return IntStream.range(0, items)
+                .mapToObj(i -> MissionItem.waypoint(i, 45.7 + i * 1e-5, 10.72, 0, i % 7))
+                .toList();
+    }
+
+    private CompletableFuture<List<MissionItem>> replace(HeldKind kind, List<MissionItem> items) {
+        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+        lists.replace(kind, items, nowMs, result);
+        return result;
+    }
+
+    /** How long it took. */
+    private long passUntilDone(CompletableFuture<?> result) {
+        long began = nowMs;
+        while (!result.isDone() && nowMs < began + 300_000) {
+            nowMs++;
+            up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
+            vehicle.tick(nowMs);
+            down.arrived(nowMs).forEach(message -> lists.take(message, nowMs));
+            if (nowMs % TICK_MS == 0) {
+                lists.tick(nowMs);
+            }
+        }
+        return nowMs - began;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1.2", "0.05, 2", "0.2, 4"})
+    void missionOf400ItemsIsReadBackEqualInTime(double loss, double times) {
+        long ownMs = 400 * (PACE_MS + 2);
+        for (int seed = 0; seed < 20; seed++) {
+            up = new BadRadio<>(seed, loss, loss, 1, loss == 0 ? 0 : 8);
+            down = new BadRadio<>(1_000 + seed, loss, loss, 1, loss == 0 ? 0 : 8);
+            vehicle = vehicle(650);
+            lists.forget();
+            var result = replace(HeldKind.MISSION, mission(400));
+            long took = passUntilDone(result);
+
+            assertThat(result).isCompletedWithValueMatching(items -> items.size() == 400);
+            assertThat(vehicle.held(HeldKind.MISSION)).isEqualTo(mission(400));
+            assertThat(took).as("seed %d", seed).isLessThanOrEqualTo(Math.round(ownMs * times));
+        }
+    }
+
+    @Test
+    void radioOfASecondEachWayIsEnough() {
+        up = new BadRadio<>(5, 0.1, 0.1, 400, 300);
+        down = new BadRadio<>(6, 0.1, 0.1, 400, 300);
+        var result = replace(HeldKind.MISSION, mission(20));
+        passUntilDone(result);
+
+        assertThat(result).isCompletedWithValue(mission(20));
+    }
+
+    @Test
+    void onlyThePartThatDiffersIsSentAgain() {
+        passUntilDone(replace(HeldKind.MISSION, mission(100)));
+        sent.clear();
+        List<MissionItem> other = new ArrayList<>(mission(100));
+        other.set(40, MissionItem.waypoint(40, 45.8, 10.8, 0, 0));
+        other.set(42, MissionItem.waypoint(42, 45.8, 10.9, 0, 0));
+        var result = replace(HeldKind.MISSION, other);
+        passUntilDone(result);
+
+        assertThat(result).isCompletedWithValue(other);
+        assertThat(sent).filteredOn(MissionWritePartialList.class::isInstance).hasSize(1);
+        assertThat(sent)
+                .filteredOn(MissionItemInt.class::isInstance)
+                .extracting(item -> ((MissionItemInt) item).seq())
+                .containsExactly(40, 41, 42);
+    }
+
+    @Test
+    void missionThatIsThereAlreadyIsOnlyReadBack() {
+        passUntilDone(replace(HeldKind.MISSION, mission(30)));
+        sent.clear();
+        var result = replace(HeldKind.MISSION, mission(30));
+        passUntilDone(result);
+
+        assertThat(result).isCompletedWithValue(mission(30));
+        assertThat(sent).noneMatch(MissionItemInt.class::isInstance);
+    }
+
+    @Test
+    void partIsSentWholeWhereTheVehicleHoldsAnotherLengthThanItDid() {
+        passUntilDone(replace(HeldKind.MISSION, mission(100)));
+        vehicle.put(HeldKind.MISSION, mission(20)); // by another ground station
+        List<MissionItem> other = new ArrayList<>(mission(100));
+        other.set(90, MissionItem.waypoint(90, 45.8, 10.8, 0, 0));
+        var result = replace(HeldKind.MISSION, other);
+        passUntilDone(result);
+
+        assertThat(result).isCompletedWithValue(other);
+    }
+
+    @Test
+    void fenceAndRallyPointsGoUpAndComeBackAndAreEmptied() {
+        List<MissionItem> fence = IntStream.range(0, 4)
+                .mapToObj(
+                        i -> new MissionItem(i, 5001, 0, 45.7 + (i & 1) * 0.01, 10.7 + (i >> 1) * 0.01, 0, 4, 0, 0, 0))
+                .toList();
+        List<MissionItem> rally = List.of(new MissionItem(0, 5100, 3, 45.7, 10.72, 0, 0, 0, 0, 0));
+        var first = replace(HeldKind.FENCE, fence);
+        var second = replace(HeldKind.RALLY, rally);
+        passUntilDone(second);
+
+        assertThat(first).isCompletedWithValue(fence);
+        assertThat(second).isCompletedWithValue(rally);
+        var emptied = replace(HeldKind.FENCE, List.of());
+        passUntilDone(emptied);
+        assertThat(emptied).isCompletedWithValue(List.of());
+        assertThat(vehicle.held(HeldKind.FENCE)).isEmpty();
+        assertThat(vehicle.held(HeldKind.RALLY)).isEqualTo(rally);
+    }
+
+    @Test
+    void tooLongAMissionIsRefusedInWordsAndTheOldOneStays() {
+        passUntilDone(replace(HeldKind.MISSION, mission(10)));
+        var result = replace(HeldKind.MISSION, mission(701));
+        passUntilDone(result);
+
+        assertThat(result)
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("vehicle 3 refuses the mission of 701 items: it holds no more items");
+        assertThat(vehicle.held(HeldKind.MISSION)).isEqualTo(mission(10));
+    }
+
+    @Test
+    void itemThatTheVehicleCannotCarryOutLeavesTheOldMission() {
+        passUntilDone(replace(HeldKind.MISSION, mission(10)));
+        refusal = Optional.of(ListKeeper.Refusal.UNSUPPORTED);
+        changed.clear();
+        var result = replace(HeldKind.MISSION, mission(12));
+        passUntilDone(result);
+
+        assertThat(result)
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("cannot carry out one of the items");
+        assertThat(vehicle.held(HeldKind.MISSION)).isEqualTo(mission(10));
+        assertThat(changed).isEmpty();
+    }
+
+    @Test
+    void vehicleThatKeepsSomethingElseIsNotTrusted() {
+        lists.replace(HeldKind.MISSION, mission(3), nowMs, new CompletableFuture<>());
+        lists.close();
+        BadRadio<Object> honest = up;
+        HeldLists other = new HeldLists(
+                VEHICLE,
+                message -> honest.send(
+                        message instanceof MissionItemInt item && item.seq() == 2
+                                ? MissionItem.waypoint(2, 45, 10, 0, 0).message(VEHICLE, HeldKind.MISSION)
+                                : message,
+                        nowMs));
+        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+        other.replace(HeldKind.MISSION, mission(5), nowMs, result);
+        while (!result.isDone() && nowMs < 60_000) {
+            nowMs++;
+            up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
+            vehicle.tick(nowMs);
+            down.arrived(nowMs).forEach(message -> other.take(message, nowMs));
+            other.tick(nowMs);
+        }
+
+        assertThat(result)
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("holds another mission than it was sent: item 2");
+    }
+
+    @Test
+    void vehicleThatFallsSilentIsNamedWithHowFarItCame() {
+        var result = replace(HeldKind.MISSION, mission(100));
+        while (sent.size() < 30) {
+            nowMs++;
+            up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
+            vehicle.tick(nowMs);
+            down.arrived(nowMs).forEach(message -> lists.take(message, nowMs));
+        }
+        up = new BadRadio<>(1, 1, 0, 1, 0);
+        passUntilDone(result);
+
+        assertThat(result).failsWithin(Duration.ZERO).withThrowableThat().withMessageContaining("vehicle 3");
+        assertThat(vehicle.held(HeldKind.MISSION)).isEmpty();
+    }
+}
