@@ -17,12 +17,8 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JLabel;
-import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -41,16 +37,13 @@ import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
-import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.sheet.WindowSheet;
-import picocli.CommandLine;
 
 /** A boat with keys is paired in the window that was started with --keys, by keys of the keyboard alone, and commanded then; a withdrawn key is carried to it. */
 @Tag("window")
@@ -62,14 +55,13 @@ class PairWindowTest {
     @TempDir
     private Path folder;
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
-    private final CompletableFuture<OperatorWindow> opened = new CompletableFuture<>();
     private final SteadyClock clock = new SteadyClock(ProcessClock::ms);
     private final List<String> codes = new CopyOnWriteArrayList<>();
     private final KeyRing boatKeys = KeyRing.inMemory();
     private final PairingResponder responder = new PairingResponder(boatKeys, (base, code) -> codes.add(code));
     private BoatOnTcp boat;
     private WindowRobot robot;
+    private KeyedWindow laptop;
     private OperatorWindow window;
 
     @BeforeEach
@@ -83,30 +75,15 @@ class PairWindowTest {
                 TcpServerListener.NONE,
                 plain -> plain.withKeys(boatKeys, responder));
         robot = new WindowRobot();
-        String[] args = {
-            "--keys",
-            folder.resolve("keys").toString(),
-            "--data",
-            folder.resolve("data").toString(),
-            "--no-resume"
-        };
-        int code = new CommandLine(new OperatorCommand(
-                        (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
-                .execute(args);
-        assertThat(code).isZero();
-        window = opened.get(60, TimeUnit.SECONDS);
+        laptop = new KeyedWindow(folder);
+        window = laptop.window;
         robot.untilSaid("boats-count", "5 of 5"); // the window's own simulated boats stay plain
     }
 
     @AfterEach
     void close() throws Exception {
-        new BaseProtection(Optional.empty(), false).use();
-        if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(60, TimeUnit.SECONDS);
+        if (laptop != null) {
+            laptop.close();
         }
         if (boat != null) {
             boat.close();
@@ -114,19 +91,11 @@ class PairWindowTest {
     }
 
     private Fingerprint ownKey() throws IOException {
-        return new KeyStoreFolder(folder.resolve("keys")).open().identity().fingerprint();
+        return new KeyStoreFolder(KeyedWindow.keys(folder)).open().identity().fingerprint();
     }
 
     private void type(String field, String text) {
-        robot.until(
-                field + " can be typed into",
-                () -> robot.find(JTextField.class, field).isEnabled());
-        WindowRobot.ask(() -> {
-            robot.find(JTextField.class, field).setText("");
-            return robot.find(JTextField.class, field).requestFocusInWindow();
-        });
-        robot.untilFocused(field);
-        robot.type(text);
+        KeyedWindow.type(robot, field, text);
     }
 
     @Test

@@ -7,18 +7,27 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.file.Path;
+import java.security.KeyStore;
+import java.security.PrivateKey;
+import java.security.cert.CertificateException;
+import java.security.cert.X509Certificate;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Both sides of a protected link know the key of the other, over the newest version that both speak. */
 @Timeout(300)
 class TlsLinksTest {
+    private static final String PASSWORD = "of a test";
+
     private final Identity boat = Identity.generate();
     private final Identity base = Identity.generate();
 
@@ -69,5 +78,37 @@ class TlsLinksTest {
 
         assertThatThrownBy(() -> link(new TlsLinks(other, key -> true), new TlsLinks(base, boat.fingerprint()::equals)))
                 .hasMessageContaining("its key " + other.fingerprint().shortText() + " is not paired with this base");
+    }
+
+    /** A phone whose clock stands in 1970 makes a certificate of that time, as does a key store of its own. Only its key is looked at. */
+    @ParameterizedTest
+    @CsvSource({"-20y, long ago", "+20y, not yet"})
+    void certificateThatIsOutOfDateIsAsGoodAsItsKey(String from, String what, @TempDir Path folder) throws Exception {
+        Identity outOfDate = identityOf(folder, from);
+        assertThatThrownBy(() -> outOfDate.certificate().checkValidity())
+                .as(what)
+                .isInstanceOf(CertificateException.class);
+
+        List<SecureLink> ofBoat =
+                link(new TlsLinks(outOfDate, key -> true), new TlsLinks(base, outOfDate.fingerprint()::equals));
+        List<SecureLink> ofBase =
+                link(new TlsLinks(boat, key -> true), new TlsLinks(outOfDate, boat.fingerprint()::equals));
+
+        assertThat(ofBoat.get(1).peer()).contains(outOfDate.fingerprint());
+        assertThat(ofBase.get(0).peer()).contains(outOfDate.fingerprint());
+    }
+
+    /** A key with a certificate that is valid for one day, some years from now; made by the JDK's own tool. */
+    private static Identity identityOf(Path folder, String from) throws Exception {
+        Path store = folder.resolve("keys.p12");
+        String tool = Path.of(System.getProperty("java.home"), "bin", "keytool").toString();
+        List<String> command = new ArrayList<>(List.of(tool, "-genkeypair", "-alias", "key", "-keyalg", "EC"));
+        command.addAll(List.of("-groupname", "secp256r1", "-dname", "CN=any", "-startdate", from, "-validity", "1"));
+        command.addAll(List.of("-storetype", "PKCS12", "-storepass", PASSWORD, "-keystore", store.toString()));
+        Process made = new ProcessBuilder(command).inheritIO().start();
+        assertThat(made.waitFor()).isZero();
+        KeyStore keys = KeyStore.getInstance(store.toFile(), PASSWORD.toCharArray());
+        PrivateKey key = (PrivateKey) keys.getKey("key", PASSWORD.toCharArray());
+        return new Identity(key, (X509Certificate) keys.getCertificate("key"));
     }
 }

@@ -143,6 +143,32 @@ class KeysCommandTest {
         assertThat(thief.out()).contains("withdrawn from anna");
     }
 
+    @Test
+    void missionRunsOnABoatWithKeysAsOnAnyOther() {
+        pair("mine", responder.open(Role.COMMANDER, clock.getAsLong()));
+
+        CommandResult ran = CommandResult.crw(with(
+                "mine",
+                "run",
+                "clv",
+                "--connect",
+                address(),
+                "--area",
+                "20",
+                "--locations",
+                "2",
+                "--answer-after",
+                "0.2",
+                "--for",
+                "120",
+                "--json"));
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out())
+                .containsPattern("\"outcome\" ?: ?\"ended\"")
+                .containsPattern("\"locationsVisited\" ?: ?2");
+    }
+
     private String code(KeyRing of, WordSecret words) {
         return new PairingCode(address(), "anna", of.identity().fingerprint(), words).toString();
     }

@@ -19,9 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.SteadyClock;
-import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.OpenLinks;
-import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.proxy.file.BoatFileFetch;
 import org.sami.crw.proxy.file.FileFetchException;
@@ -57,10 +55,6 @@ class BoatFileFetchTest {
         return Files.write(pictures().resolve(name), content);
     }
 
-    private static LinkSecurity security(TestLinks links) {
-        return links instanceof TestLinks.Keys keys ? TlsLinks.of(keys.base) : new OpenLinks();
-    }
-
     static Stream<TestLinks> links() {
         return Stream.of(TestLinks.plain(), TestLinks.withKeys());
     }
@@ -73,7 +67,7 @@ class BoatFileFetchTest {
         try (BoatOnTcp boat = boat(links);
                 CuttingRelay relay = new CuttingRelay(
                         boat.address(), number -> number < 12 ? 30_000 + random.nextInt(20_000) : Integer.MAX_VALUE)) {
-            BoatFileFetch fetch = new BoatFileFetch(relay.address(), security(links), FileNews.NONE);
+            BoatFileFetch fetch = new BoatFileFetch(relay.address(), links.ofBaseItself(), FileNews.NONE);
             Path got = fetch.fetch("anna", KeptFile.PICTURE, "a.jpg", folder.resolve("base"));
 
             assertThat(got).hasSameBinaryContentAs(picture);

@@ -37,6 +37,11 @@ class CutLinkTest {
     @TempDir
     private Path logs;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     static Stream<Arguments> cuts() {
         List<Class<? extends LinkMessage>> messages = List.of(
                 Hello.class,
@@ -55,7 +60,7 @@ class CutLinkTest {
     @MethodSource("cuts")
     void boatHoldsTheWholeOldOrTheWholeNewListAndTheBaseSaysWhich(Class<? extends LinkMessage> message, Where where)
             throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, links())) {
             BoatOnTcp boat = fleet.boat("anna");
             TestRelay relay = fleet.relay(boat);
             Base base = fleet.base("base");

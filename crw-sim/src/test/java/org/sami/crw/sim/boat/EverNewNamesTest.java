@@ -22,11 +22,18 @@ class EverNewNamesTest {
     @TempDir
     private Path folder;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     @Test
     void oneAddressBringsSoManyNewBoatsAndTheRestIsCountedAndAlarmed() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(folder);
-                MalformedPeer peer = new MalformedPeer((connection, to) -> to.write(
-                        LinkCodec.STANDARD.encode(0, new Welcome("name" + connection, "boot", Role.OBSERVER, ""))))) {
+        try (TcpTestFleet fleet = new TcpTestFleet(folder, links());
+                MalformedPeer peer = new MalformedPeer(
+                        fleet.kindOfLinks().ofPeer("name"),
+                        (connection, to) -> to.write(LinkCodec.STANDARD.encode(
+                                0, new Welcome("name" + connection, "boot", Role.OBSERVER, ""))))) {
             TcpTestFleet.Base base = fleet.base("base");
             base.tcp.connect(peer.address());
 

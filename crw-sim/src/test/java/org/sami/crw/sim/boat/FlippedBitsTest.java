@@ -25,9 +25,14 @@ class FlippedBitsTest {
     @TempDir
     private Path logs;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     @Test
     void noBentFrameMakesTheBoatDoAnythingElseThanItWasSent() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, links())) {
             BoatOnTcp boat = fleet.boat("anna");
             TestRelay relay = fleet.relay(boat);
             Base base = fleet.impatientBase("base", 50);

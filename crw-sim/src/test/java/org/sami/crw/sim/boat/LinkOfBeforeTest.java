@@ -2,6 +2,7 @@ package org.sami.crw.sim.boat;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.file.Path;
@@ -26,6 +27,7 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.link.LinkAlarm;
@@ -38,11 +40,16 @@ class LinkOfBeforeTest {
     @TempDir
     private Path logs;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     private TcpTestFleet fleet;
 
     @BeforeEach
     void open() {
-        fleet = new TcpTestFleet(logs);
+        fleet = new TcpTestFleet(logs, links());
     }
 
     @AfterEach
@@ -54,7 +61,7 @@ class LinkOfBeforeTest {
     void boatOfBeforeIsLinkedAndAlarmedOnceHoweverOftenItIsConnected() throws Exception {
         LinkCodec codec = new LinkCodec();
         Base base = fleet.base("base");
-        try (MalformedPeer before = new MalformedPeer((connection, to) -> {
+        try (MalformedPeer before = new MalformedPeer(fleet.kindOfLinks().ofPeer("anna"), (connection, to) -> {
             to.write(codec.encode(0, new Welcome("anna", "boot", Role.OBSERVER, "")));
             to.write(codec.encode(1, new Welcome("anna", "boot", Role.COMMANDER, "boot.1")));
         })) {
@@ -83,25 +90,26 @@ class LinkOfBeforeTest {
         try (Socket socket =
                 new Socket(boat.address().getAddress(), boat.address().getPort())) {
             socket.setSoTimeout(60_000);
-            FrameReader frames = new FrameReader(socket.getInputStream(), new LinkCodec());
-            say(socket, 0, new Hello("anna", "yesterday", Role.COMMANDER, 1, ""));
+            SecureLink link = fleet.kindOfLinks().ofBaseItself().connect(socket);
+            FrameReader frames = new FrameReader(new BufferedInputStream(link.in()), new LinkCodec());
+            say(link, 0, new Hello("anna", "yesterday", Role.COMMANDER, 1, ""));
             assertThat(welcome(frames).role()).isEqualTo(Role.OBSERVER);
             today.close();
 
-            assertThat(answerOnceTheCommanderIsGone(socket, frames))
+            assertThat(answerOnceTheCommanderIsGone(link, frames))
                     .isEqualTo("this base speaks the link of before, without numbers of take-overs: today has the"
                             + " command, number 1; take the command, or bring the base to the boat's version");
         }
     }
 
     /** As long as the commander is linked the request is passed on to it; then the boat decides. */
-    private static String answerOnceTheCommanderIsGone(Socket socket, FrameReader frames) {
+    private static String answerOnceTheCommanderIsGone(SecureLink link, FrameReader frames) {
         AtomicLong sequence = new AtomicLong();
         AtomicReference<String> detail = new AtomicReference<>("");
         Await.until("the boat refuses", () -> {
             try {
                 String id = "ask" + sequence.incrementAndGet();
-                say(socket, sequence.get(), new AskForCommand(id));
+                say(link, sequence.get(), new AskForCommand(id));
                 LinkMessage answer = answer(frames, id);
                 if (answer instanceof Nack nack && nack.reason() == NackReason.NOT_COMMANDER) {
                     detail.set(nack.detail());
@@ -114,8 +122,8 @@ class LinkOfBeforeTest {
         return detail.get();
     }
 
-    private static void say(Socket socket, long sequence, LinkMessage message) throws IOException {
-        socket.getOutputStream().write(new LinkCodec().encode(new Frame(sequence, "", message)));
+    private static void say(SecureLink link, long sequence, LinkMessage message) throws IOException {
+        link.out().write(new LinkCodec().encode(new Frame(sequence, "", message)));
     }
 
     private static Welcome welcome(FrameReader frames) throws IOException, LinkException {

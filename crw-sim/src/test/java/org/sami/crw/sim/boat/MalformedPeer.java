@@ -7,6 +7,9 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
+import org.sami.boat.link.security.SecureLink;
 
 /** What answers at an address and is no boat, or one that has lost its mind: to each that connects it says what it is given. */
 final class MalformedPeer implements AutoCloseable {
@@ -18,9 +21,16 @@ final class MalformedPeer implements AutoCloseable {
 
     private final ServerSocket socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     private final AtomicInteger spoken = new AtomicInteger();
+    private final LinkSecurity security;
     private final Speech speech;
 
     MalformedPeer(Speech speech) throws IOException {
+        this(new OpenLinks(), speech);
+    }
+
+    /** One that speaks over links of some kind. */
+    MalformedPeer(LinkSecurity security, Speech speech) throws IOException {
+        this.security = security;
         this.speech = speech;
         Thread thread = new Thread(this::accept, "raving-boat");
         thread.setDaemon(true);
@@ -40,9 +50,10 @@ final class MalformedPeer implements AutoCloseable {
         while (!socket.isClosed()) {
             try (Socket base = socket.accept()) {
                 base.setSoTimeout(2000);
-                speech.speak(spoken.get(), base.getOutputStream());
+                SecureLink link = security.accept(base);
+                speech.speak(spoken.get(), link.out());
                 base.shutdownOutput();
-                while (base.getInputStream().read() >= 0) {
+                while (link.in().read() >= 0) {
                     // the base closes when it has read to the end
                 }
             } catch (IOException e) {

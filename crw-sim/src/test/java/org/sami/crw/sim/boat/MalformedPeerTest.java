@@ -52,13 +52,18 @@ class MalformedPeerTest {
     @TempDir
     private Path logs;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     private final LinkCodec codec = new LinkCodec();
     private TcpTestFleet fleet;
     private Base base;
 
     @BeforeEach
     void sendAGoodBoatOnItsWay() throws IOException {
-        fleet = new TcpTestFleet(logs);
+        fleet = new TcpTestFleet(logs, links());
         base = fleet.base("base");
         base.connect(fleet.boat("anna").address(), "anna");
         base.submit("anna", TcpTestFleet.path("p", 1));
@@ -105,7 +110,7 @@ class MalformedPeerTest {
     }
 
     private void hear(int connections, MalformedPeer.Speech speech) throws Exception {
-        try (MalformedPeer raving = new MalformedPeer(speech)) {
+        try (MalformedPeer raving = new MalformedPeer(fleet.kindOfLinks().ofPeer("berta"), speech)) {
             base.tcp.connect(raving.address());
             Await.until("it has been heard", () -> raving.spoken() >= connections);
             assertTheBaseIsWell(raving);
@@ -164,7 +169,7 @@ class MalformedPeerTest {
 
     @Test
     void boatOfAnEarlierVersionIsAlarmedOnceAndNamedAsSuch() throws Exception {
-        try (MalformedPeer yesterday = new MalformedPeer((connection, to) -> {
+        try (MalformedPeer yesterday = new MalformedPeer(fleet.kindOfLinks().ofPeer("berta"), (connection, to) -> {
             byte[] refusal = LinkCodec.body(
                     new Nack("", NackReason.MALFORMED, "VERSION at the frame: version 2 is not read here"));
             to.write(ByteBuffer.allocate(5 + refusal.length)

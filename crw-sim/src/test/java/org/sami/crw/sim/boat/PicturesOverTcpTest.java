@@ -13,7 +13,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.KeptFile;
-import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.proxy.file.BoatFileFetch;
@@ -28,17 +27,23 @@ class PicturesOverTcpTest {
     @TempDir
     private Path folder;
 
+    /** How boat and base are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     @Test
     void picturesOfAPanoramaAreOnBoardWhenItIsCompletedAndCanBeFetched() throws Exception {
         Path onBoard = folder.resolve("boats");
-        try (TcpTestFleet fleet = new TcpTestFleet(onBoard)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(onBoard, links())) {
             BoatOnTcp boat = fleet.boat("anna");
             Base base = fleet.base("base");
             base.connect(boat.address(), "anna");
             base.submit("anna", new Panorama("p1", 1, 1, 8, Priority.MEDIUM));
             Await.until("the panorama is completed", () -> base.count("anna completed p1") == 1);
 
-            BoatFileFetch fetch = new BoatFileFetch(boat.address(), new OpenLinks(), FileNews.NONE);
+            BoatFileFetch fetch =
+                    new BoatFileFetch(boat.address(), fleet.kindOfLinks().ofBaseItself(), FileNews.NONE);
             BoatFileFetch.Result result = fetch.fetchAll(KeptFile.PICTURE, folder.resolve("base"));
 
             List<String> names = result.files().stream()

@@ -12,11 +12,16 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.Welcome;
 import org.sami.boat.link.security.Fingerprint;
+import org.sami.boat.link.security.Identity;
 import org.sami.boat.link.security.Peer;
+import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
+import org.sami.boat.server.testing.TappedWire;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
@@ -103,6 +108,66 @@ class RefusedLinkTest {
             assertTold(base, "no protected link");
             assertThat(plain.executedIds("berta")).isEmpty();
         }
+    }
+
+    /** What a certificate says anybody can repeat; that its key is there the handshake proves. */
+    @Test
+    void boatThatShowsAPairedCertificateWithoutItsKeyIsRefused() throws Exception {
+        Identity pretended = new Identity(
+                Identity.generate().key(), keys.boat("anna").identity().certificate());
+        try (MalformedPeer thief = new MalformedPeer(
+                new TlsLinks(pretended, key -> true),
+                (connection, to) ->
+                        to.write(LinkCodec.STANDARD.encode(0, new Welcome("anna", "boot", Role.COMMANDER, ""))))) {
+            Base base = fleet.base("base");
+            base.tcp.connect(thief.address());
+
+            assertTold(base, "no protected link");
+        }
+    }
+
+    /** The base's own clock says how old the recording is. */
+    @ParameterizedTest
+    @ValueSource(longs = {0, 61_000, DAY_MS})
+    void whatABoatHasSaidBeforeIsRefusedWhenSomebodyPlaysItAgain(long ageMs) throws Exception {
+        byte[] recorded;
+        try (TappedWire wire = new TappedWire(boat.address(), TappedWire.UNCHANGED)) {
+            Base watcher = fleet.base("watcher");
+            watcher.tcp.connect(wire.address());
+            watcher.linked("anna");
+            recorded = wire.answered();
+            watcher.close();
+        }
+        try (MalformedPeer player = new MalformedPeer((connection, to) -> to.write(recorded))) {
+            Base base = fleet.base("base", () -> ProcessClock.ms() + ageMs);
+            base.tcp.connect(player.address());
+
+            assertTold(base, "no protected link");
+        }
+    }
+
+    @Test
+    void linkThatSomebodyBringsToAnOlderVersionIsNamedAndCountedAtBothEnds() throws Exception {
+        try (TappedWire wire = new TappedWire(boat.address(), TappedWire.WITHOUT_VERSIONS)) {
+            Base base = fleet.base("base");
+            base.tcp.connect(wire.address());
+
+            assertTold(base, "downgrade");
+            Await.until("the boat counts it", () -> boat.refusedConnections() >= 2);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {-DAY_MS, DAY_MS})
+    void clockOfTheBoatMayBeADayOff(long offMs) throws Exception {
+        BoatOnTcp early = fleet.boat("berta", () -> ProcessClock.ms() + 2 * DAY_MS + offMs);
+        Base base = fleet.base("base");
+
+        base.connect(early.address(), "berta");
+        base.submit("berta", TcpTestFleet.path("m1", 1, 4));
+
+        Await.until("it is done", () -> base.count("berta completed m1") == 1);
+        assertThat(early.refusedConnections()).isZero();
     }
 
     @ParameterizedTest

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -44,6 +45,7 @@ final class TcpTestFleet implements AutoCloseable {
     private final Path logs;
     private final LongSupplier clockMs;
     private final TestLinks links;
+    private final Map<InetSocketAddress, String> names = new ConcurrentHashMap<>();
     private final List<AutoCloseable> opened = new ArrayList<>();
 
     TcpTestFleet(Path logs) {
@@ -80,14 +82,29 @@ final class TcpTestFleet implements AutoCloseable {
     }
 
     BoatOnTcp boat(String name, int port, Path logFolder) throws IOException {
-        BoatSettings settings = BoatSettings.of(name, port(port), PIER, 1).loggingTo(logFolder);
-        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE, links.ofBoat(name)));
+        return boat(name, port, logFolder, clockMs);
+    }
+
+    /** A boat on a clock of its own. */
+    BoatOnTcp boat(String name, LongSupplier ownClockMs) throws IOException {
+        return boat(name, 0, logs, ownClockMs);
+    }
+
+    private BoatOnTcp boat(String name, int port, Path logFolder, LongSupplier ownClockMs) throws IOException {
+        return launch(BoatSettings.of(name, port(port), PIER, 1).loggingTo(logFolder), ownClockMs);
+    }
+
+    private BoatOnTcp launch(BoatSettings settings, LongSupplier ownClockMs) throws IOException {
+        String name = settings.name();
+        BoatOnTcp boat =
+                keep(new BoatOnTcp(settings, new SteadyClock(ownClockMs), TcpServerListener.NONE, links.ofBoat(name)));
+        names.put(boat.address(), name);
+        return boat;
     }
 
     /** A boat that lies somewhere else. */
     BoatOnTcp boat(String name, GeoPoint at) throws IOException {
-        BoatSettings settings = BoatSettings.of(name, port(0), at, 1).loggingTo(logs);
-        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE, links.ofBoat(name)));
+        return launch(BoatSettings.of(name, port(0), at, 1).loggingTo(logs), clockMs);
     }
 
     DelayingRelay lateRelay(BoatOnTcp boat) throws IOException {
@@ -95,7 +112,8 @@ final class TcpTestFleet implements AutoCloseable {
     }
 
     TestRelay relay(BoatOnTcp boat) throws IOException {
-        return keep(new TestRelay(boat.address()));
+        String name = Objects.requireNonNull(names.get(boat.address()), "not of this fleet");
+        return keep(new TestRelay(boat.address(), links.ofPeer(name), links.ofBaseItself()));
     }
 
     RoughNetwork roughNetwork(BoatOnTcp boat) throws IOException {

@@ -40,6 +40,11 @@ class TestLinks {
         return new OpenLinks();
     }
 
+    /** The base's part in a link, for who connects to a boat in its place. */
+    LinkSecurity ofBaseItself() {
+        return new OpenLinks();
+    }
+
     /** Links over TLS. All bases have one key, each boat has its own, also after a restart. */
     static final class Keys extends TestLinks {
         final KeyRing base = KeyRing.inMemory();
@@ -74,6 +79,11 @@ class TestLinks {
         @Override
         LinkSecurity ofPeer(String name) {
             return TlsLinks.of(boat(name));
+        }
+
+        @Override
+        LinkSecurity ofBaseItself() {
+            return TlsLinks.of(base);
         }
     }
 }

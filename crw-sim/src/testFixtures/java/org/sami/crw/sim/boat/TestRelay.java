@@ -3,7 +3,6 @@ package org.sami.crw.sim.boat;
 import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -24,8 +23,14 @@ import org.sami.boat.link.FrameReader;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
+import org.sami.boat.link.security.SecureLink;
 
-/** A router between base and boat: carries frames, and cuts, swallows or holds back as a test says. */
+/**
+ * A router between base and boat: carries frames, and cuts, swallows or bends them as a test says. On protected links it has the keys of both sides, so that
+ * it sees frames there as well: each of its two links is a whole one.
+ */
 public final class TestRelay implements Closeable {
 
     /** Where in a frame the link is cut. */
@@ -38,9 +43,9 @@ public final class TestRelay implements Closeable {
     /** Cuts the link, once, at the next message of a kind that comes through, in either direction. */
     public record Cut(Class<? extends LinkMessage> at, Where where) {}
 
-    private static final int TLS_HANDSHAKE = 0x16;
-
     private final InetSocketAddress boat;
+    private final LinkSecurity toBase;
+    private final LinkSecurity toBoat;
     private final ServerSocket socket;
     private final LinkCodec codec = new LinkCodec();
     private final Set<Socket> open = ConcurrentHashMap.newKeySet();
@@ -52,8 +57,16 @@ public final class TestRelay implements Closeable {
     private volatile double bentProbability;
     private volatile boolean swallows;
 
+    /** A router in front of a boat with plain links. */
     public TestRelay(InetSocketAddress boat) throws IOException {
+        this(boat, new OpenLinks(), new OpenLinks());
+    }
+
+    /** A router that is the boat to a base, and the base to a boat. */
+    TestRelay(InetSocketAddress boat, LinkSecurity toBase, LinkSecurity toBoat) throws IOException {
         this.boat = boat;
+        this.toBase = toBase;
+        this.toBoat = toBoat;
         socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
         start("accepts", this::accept);
     }
@@ -142,11 +155,25 @@ public final class TestRelay implements Closeable {
                 Socket there = new Socket();
                 open.add(there);
                 there.connect(boat);
-                start("to-boat", () -> pump(base, there));
-                start("to-base", () -> pump(there, base));
+                start("to-boat", () -> link(base, there));
             } catch (IOException e) {
                 cut(); // the boat is not there
             }
+        }
+    }
+
+    private void link(Socket base, Socket there) {
+        try {
+            SecureLink ofBase = toBase.accept(base);
+            SecureLink ofBoat = toBoat.connect(there);
+            start("to-base", () -> pump(ofBoat, ofBase, there, base));
+            pump(ofBase, ofBoat, base, there);
+        } catch (IOException e) {
+            closeQuietly(base);
+            closeQuietly(there);
+        } finally {
+            open.remove(base);
+            open.remove(there);
         }
     }
 
@@ -156,44 +183,18 @@ public final class TestRelay implements Closeable {
         thread.start();
     }
 
-    private void pump(Socket from, Socket to) {
-        try (from;
-                to) {
-            BufferedInputStream in = new BufferedInputStream(from.getInputStream());
-            OutputStream out = to.getOutputStream();
-            if (isProtected(in)) {
-                pass(in, out);
-                return;
-            }
-            FrameReader frames = new FrameReader(in, codec);
+    private void pump(SecureLink from, SecureLink to, Socket source, Socket sink) {
+        try (source;
+                sink) {
+            FrameReader frames = new FrameReader(new BufferedInputStream(from.in()), codec);
             for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
                 keep(next.get());
-                if (!swallows && !loses() && !carry(bend(next.get()), out)) {
+                if (!swallows && !loses() && !carry(bend(next.get()), to.out())) {
                     return;
                 }
             }
         } catch (IOException | LinkException e) {
             // one end has gone: so does the other
-        } finally {
-            open.remove(from);
-            open.remove(to);
-        }
-    }
-
-    /** Whether what comes is TLS, in which a router sees no frames. */
-    private static boolean isProtected(BufferedInputStream in) throws IOException {
-        in.mark(1);
-        int first = in.read();
-        in.reset();
-        return first == TLS_HANDSHAKE;
-    }
-
-    private void pass(InputStream in, OutputStream out) throws IOException {
-        byte[] bytes = new byte[8192];
-        for (int read = in.read(bytes); read > 0; read = in.read(bytes)) {
-            if (!swallows) {
-                out.write(bytes, 0, read);
-            }
         }
     }
 

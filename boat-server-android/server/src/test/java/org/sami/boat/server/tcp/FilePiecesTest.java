@@ -2,6 +2,7 @@ package org.sami.boat.server.tcp;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,6 +29,7 @@ import org.sami.boat.link.ListFiles;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Role;
+import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.tcp.TcpBench.Client;
 
@@ -37,10 +39,15 @@ class FilePiecesTest {
     @TempDir
     private Path folder;
 
+    /** A boat with links of the kind that is tested. */
+    TcpBench bench(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp) throws IOException {
+        return new TcpBench(boat, tcp);
+    }
+
     private TcpBench bench() throws Exception {
         Files.createDirectories(folder.resolve("kept"));
         Files.writeString(folder.resolve("secret"), "secret");
-        return new TcpBench(
+        return bench(
                 UnaryOperator.identity(),
                 tcp -> tcp.withFiles(BoatFiles.none().with(KeptFile.PICTURE, folder.resolve("kept"))));
     }
@@ -157,7 +164,7 @@ class FilePiecesTest {
 
     @Test
     void boatWithoutFilesListsNone() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench(UnaryOperator.identity(), UnaryOperator.identity())) {
             Client client = bench.greet("observer", Role.OBSERVER, 1);
             client.say(new ListFiles("r", "", ""));
 

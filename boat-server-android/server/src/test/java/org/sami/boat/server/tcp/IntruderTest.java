@@ -33,6 +33,7 @@ import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.TappedWire;
 
 /** Whoever gets between a base and its boat, or pretends to be the base: refused, told in words on the boat's console, counted, and nobody else notices. */
 @Timeout(300)

@@ -1,5 +1,6 @@
 package org.sami.boat.server.tcp;
 
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.net.InetSocketAddress;
@@ -19,6 +20,13 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.LinkSecurity;
+import org.sami.boat.link.security.OpenLinks;
+import org.sami.boat.link.security.PairingResponder;
+import org.sami.boat.link.security.Peer;
+import org.sami.boat.link.security.SecureLink;
+import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -41,6 +49,7 @@ final class TcpBench implements AutoCloseable {
     final ConcurrentLinkedQueue<String> goodbyes = new ConcurrentLinkedQueue<>();
     final TcpBoatServer server;
     volatile Runnable duringTick = () -> {};
+    private final LinkSecurity ofClients;
     private final AtomicLong timeMs = new AtomicLong();
     private final List<Client> clients = new ArrayList<>();
     private volatile boolean ticksCount = true;
@@ -55,7 +64,17 @@ final class TcpBench implements AutoCloseable {
 
     TcpBench(String name, UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp)
             throws IOException {
+        this(name, boat, tcp, new OpenLinks());
+    }
+
+    private TcpBench(
+            String name,
+            UnaryOperator<ServerConfig.Builder> boat,
+            UnaryOperator<TcpServerConfig> tcp,
+            LinkSecurity ofClients)
+            throws IOException {
         this.name = name;
+        this.ofClients = ofClients;
         BoatServer boatServer = new BoatServer(
                 boat.apply(ServerConfig.of("boat1", "boot1")).build(),
                 new Moored(),
@@ -86,6 +105,19 @@ final class TcpBench implements AutoCloseable {
         server.start();
     }
 
+    /** The same over protected links: the boat obeys the one key that all clients have. */
+    static TcpBench overTls(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp)
+            throws IOException {
+        KeyRing ofBoat = KeyRing.inMemory();
+        KeyRing ofClients = KeyRing.inMemory();
+        ofBoat.add(new Peer(ofClients.identity().fingerprint(), "clients", Role.COMMANDER));
+        return new TcpBench(
+                "bench%04d".formatted(NAMES.incrementAndGet()),
+                boat,
+                plain -> tcp.apply(plain.withKeys(ofBoat, new PairingResponder(ofBoat))),
+                TlsLinks.toPair(ofClients.identity()));
+    }
+
     /** From now on the boat's time passes only by {@link #passMs}. */
     TcpBench stopTime() {
         ticksCount = false;
@@ -109,7 +141,7 @@ final class TcpBench implements AutoCloseable {
     }
 
     Client connect() throws IOException {
-        Client client = new Client(server.address());
+        Client client = new Client(server.address(), ofClients);
         clients.add(client);
         return client;
     }
@@ -154,16 +186,18 @@ final class TcpBench implements AutoCloseable {
         private static final int PATIENCE_MS = 60_000;
         final Socket socket = new Socket();
         private final LinkCodec codec = new LinkCodec();
+        private final SecureLink link;
         private final FrameReader frames;
         private long sequence;
         private String term = "";
 
-        Client(InetSocketAddress address) throws IOException {
+        Client(InetSocketAddress address, LinkSecurity security) throws IOException {
             socket.setReceiveBufferSize(16 << 10);
             socket.setTcpNoDelay(true);
             socket.setSoTimeout(PATIENCE_MS);
             socket.connect(address, PATIENCE_MS);
-            frames = new FrameReader(socket.getInputStream(), codec);
+            link = security.connect(socket);
+            frames = new FrameReader(new BufferedInputStream(link.in()), codec);
         }
 
         void say(LinkMessage message) throws IOException {
@@ -176,7 +210,7 @@ final class TcpBench implements AutoCloseable {
         }
 
         void send(byte[] bytes) throws IOException {
-            socket.getOutputStream().write(bytes);
+            link.out().write(bytes);
         }
 
         /** The next frame, whatever is in it. */

@@ -50,9 +50,18 @@ class TcpBoatServerTest {
     private static final UnaryOperator<TcpServerConfig> AS_IT_IS = UnaryOperator.identity();
     private static final UnaryOperator<ServerConfig.Builder> AS_IS = UnaryOperator.identity();
 
+    /** A boat with links of the kind that is tested. */
+    TcpBench bench(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp) throws IOException {
+        return new TcpBench(boat, tcp);
+    }
+
+    private TcpBench bench() throws IOException {
+        return bench(UnaryOperator.identity(), UnaryOperator.identity());
+    }
+
     @Test
     void carriesCommandsAnswersAndTelemetry() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             Client client = bench.greet("base", Role.COMMANDER, 10);
             client.say(new UploadWaypoints("u", "l1", PATH));
             assertThat(client.await(Ack.class).commandId()).isEqualTo("u");
@@ -68,14 +77,14 @@ class TcpBoatServerTest {
 
     @Test
     void listensOnLoopbackUnlessToldOtherwise() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             assertThat(bench.server.address().getAddress().isLoopbackAddress()).isTrue();
         }
     }
 
     @Test
     void observersAreRefusedUntilTheCommandIsHandedOver() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             Client commander = bench.greet("a", Role.COMMANDER, 1);
             Client observer = bench.greet("b", Role.COMMANDER, 1);
             observer.say(new StopMotors("s1"));
@@ -93,7 +102,7 @@ class TcpBoatServerTest {
 
     @Test
     void clientThatDoesNotReadIsDroppedAndKeepsNobodyWaiting() throws Exception {
-        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withQueue(16, 1 << 20))) {
+        try (TcpBench bench = bench(UnaryOperator.identity(), tcp -> tcp.withQueue(16, 1 << 20))) {
             Client other = bench.greet("other", Role.OBSERVER, 50);
             Client slow = bench.greet("slow", Role.COMMANDER, 50);
             slow.say(new UploadWaypoints("u", "l", Collections.nCopies(5000, PATH.get(0))));
@@ -161,7 +170,7 @@ class TcpBoatServerTest {
     @ParameterizedTest
     @EnumSource(Stranger.class)
     void whateverOthersSayDoesNotMaskALostCommander(Stranger stranger) throws Exception {
-        try (TcpBench bench = new TcpBench(boat -> boat.lostLinkAfterMs(700), AS_IT_IS).stopTime()) {
+        try (TcpBench bench = bench(boat -> boat.lostLinkAfterMs(700), AS_IT_IS).stopTime()) {
             Client watching = bench.greet("watching", Role.OBSERVER, 20);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
             Client other = arrive(bench, stranger);
@@ -190,7 +199,7 @@ class TcpBoatServerTest {
 
     @Test
     void silentCommanderIsLostAfterThreeAndAHalfSecondsAndThatIsSeenHalfASecondLaterAtMost() throws Exception {
-        try (TcpBench bench = new TcpBench().stopTime()) {
+        try (TcpBench bench = bench().stopTime()) {
             Client watching = bench.greet("watching", Role.OBSERVER, 20);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
             startPath(commander);
@@ -207,7 +216,7 @@ class TcpBoatServerTest {
 
     @Test
     void authIsReservedItIsReadAndNotLookedAt() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             Client client = bench.connect();
             client.say(new Hello("boat1", "base", Role.COMMANDER, 1, "anything"));
             Welcome welcome = client.await(Welcome.class);
@@ -226,7 +235,7 @@ class TcpBoatServerTest {
 
     @Test
     void closedSocketOfTheCommanderIsALostLinkAtOnce() throws Exception {
-        try (TcpBench bench = new TcpBench().stopTime()) {
+        try (TcpBench bench = bench().stopTime()) {
             Client observer = bench.greet("observer", Role.OBSERVER, 50);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
             startPath(commander);
@@ -247,7 +256,7 @@ class TcpBoatServerTest {
 
     @Test
     void clockSetBackAnHourFiresNothingEarlyOrLate() throws Exception {
-        try (TcpBench bench = new TcpBench(boat -> boat.deadmanMs(1000), AS_IT_IS)) {
+        try (TcpBench bench = bench(boat -> boat.deadmanMs(1000), AS_IT_IS)) {
             Client client = bench.greet("base", Role.COMMANDER, 50);
             client.say(new Teleoperate(0.5, 0));
             Telemetry last = client.await(Telemetry.class);
@@ -267,7 +276,7 @@ class TcpBoatServerTest {
 
     @Test
     void hundredClientsComeAndGoAndLeaveNoThread() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             Client watching = bench.greet("watching", Role.OBSERVER, 10);
             long before = Await.threads(bench.name);
             for (int i = 0; i < 100; i++) {
@@ -284,7 +293,7 @@ class TcpBoatServerTest {
 
     @Test
     void stoppingEndsAllThreadsAndFreesThePort() throws Exception {
-        TcpBench bench = new TcpBench();
+        TcpBench bench = bench();
         Client client = bench.greet("base", Role.COMMANDER, 50);
         int port = bench.server.address().getPort();
         bench.server.close();
@@ -300,7 +309,7 @@ class TcpBoatServerTest {
 
     @Test
     void portThatIsTakenIsSaidAndLeavesNoThread() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             int taken = bench.server.address().getPort();
 
             assertThatThrownBy(() ->
@@ -312,7 +321,7 @@ class TcpBoatServerTest {
 
     @Test
     void clientThatDoesNotSayWhoItIsIsDropped() throws Exception {
-        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withPatience(200, 600_000))) {
+        try (TcpBench bench = bench(UnaryOperator.identity(), tcp -> tcp.withPatience(200, 600_000))) {
             Client silent = bench.connect();
 
             assertThat(silent.isClosedByTheBoat()).isTrue();
@@ -323,7 +332,7 @@ class TcpBoatServerTest {
     @Test
     void clientOfWhichNothingMoreComesIsDropped() throws Exception {
         CountDownLatch goOn = new CountDownLatch(1);
-        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(600_000, 1000))) {
+        try (TcpBench bench = bench(AS_IS, tcp -> tcp.withPatience(600_000, 1000))) {
             Client halfOpen = bench.greet("base", Role.OBSERVER, 10);
             bench.duringTick = () -> Await.latch(goOn); // or the boat may say first that it reads nothing
 
@@ -335,7 +344,7 @@ class TcpBoatServerTest {
 
     @Test
     void clientWhoseFrameNeverEndsIsDropped() throws Exception {
-        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(600_000, 3000))) {
+        try (TcpBench bench = bench(AS_IS, tcp -> tcp.withPatience(600_000, 3000))) {
             do {
                 bench.goodbyes.clear();
                 mumble(bench);
@@ -361,7 +370,7 @@ class TcpBoatServerTest {
 
     @Test
     void oneObserverTooManyIsToldSoAndTurnedAway() throws Exception {
-        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(2))) {
+        try (TcpBench bench = bench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(2))) {
             Client first = bench.greet("a", Role.COMMANDER, 10);
             bench.greet("b", Role.OBSERVER, 10);
 
@@ -377,7 +386,7 @@ class TcpBoatServerTest {
 
     @Test
     void commanderFindsAPlaceBesideSixteenObserversThatAllSpeak() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             List<Client> observers = new ArrayList<>();
             for (int i = 0; i < 16; i++) {
                 observers.add(bench.greet("observer" + i, Role.OBSERVER, 1));
@@ -407,7 +416,7 @@ class TcpBoatServerTest {
 
     @Test
     void baseThatComesBackOverAndOverWithoutClosingItsSocketsIsAlwaysLetIn() throws Exception {
-        try (TcpBench bench = new TcpBench().stopTime()) {
+        try (TcpBench bench = bench().stopTime()) {
             Client observer = bench.greet("observer", Role.OBSERVER, 10);
             Client last = observer;
             for (int i = 0; i < 40; i++) {
@@ -434,7 +443,7 @@ class TcpBoatServerTest {
 
     @Test
     void silentSocketMakesRoomBeforeAClientThatSpeaks() throws Exception {
-        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withMaxClients(3)).stopTime()) {
+        try (TcpBench bench = bench(AS_IS, tcp -> tcp.withMaxClients(3)).stopTime()) {
             Client commander = bench.greet("base", Role.COMMANDER, 10);
             Client silent = bench.greet("half-open", Role.OBSERVER, 1);
             Client speaks = bench.greet("speaks", Role.OBSERVER, 10);
@@ -455,7 +464,7 @@ class TcpBoatServerTest {
 
     @Test
     void baseOfAnEarlierVersionIsToldWhichVersionsMeet() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = bench()) {
             Client yesterday = bench.connect();
             byte[] hello = LinkCodec.body(new Hello("boat1", "base", Role.COMMANDER, 1, ""));
             yesterday.send(ByteBuffer.allocate(5 + hello.length)
@@ -479,7 +488,7 @@ class TcpBoatServerTest {
 
     @Test
     void strangersWhoSayNothingKeepNobodyOut() throws Exception {
-        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(4))) {
+        try (TcpBench bench = bench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(4))) {
             Client commander = bench.greet("base", Role.COMMANDER, 10);
             List<Client> scan = new ArrayList<>();
             for (int i = 0; i < 20; i++) {
