@@ -1,6 +1,7 @@
 package org.sami.crw.fleet;
 
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -118,8 +119,35 @@ public sealed interface FleetEvent {
     /** A path came further on its way to the boat, or failed to. */
     record UploadAdvanced(String boat, Upload upload) implements FleetEvent {}
 
-    /** The boat took the pictures of a panorama, and keeps them on board. */
-    record PanoramaTaken(String boat, BoatCommand command, int pictures, GeoPoint from) implements FleetEvent {}
+    /**
+     * The boat took the pictures of a panorama, and keeps them on board.
+     *
+     * @param files their names on board, in the order in which they were taken; empty if the boat names none
+     */
+    record PanoramaTaken(String boat, BoatCommand command, int pictures, GeoPoint from, List<String> files)
+            implements FleetEvent {
+        public PanoramaTaken {
+            files = List.copyOf(files);
+        }
+    }
+
+    /**
+     * A picture has come whole from the boat.
+     *
+     * @param panorama id of the command that took it
+     * @param name of the file on board
+     * @param file where it is on this machine
+     */
+    record PictureFetched(String boat, String panorama, String name, Path file) implements FleetEvent {}
+
+    /**
+     * A picture will not come from the boat.
+     *
+     * @param panorama id of the command that took it
+     * @param name of the file on board
+     * @param reason in words, with the boat and the picture
+     */
+    record PictureMissed(String boat, String panorama, String name, String reason) implements FleetEvent {}
 
     /** The operator was warned: on its present way the boat may come into an area to avoid, by at most this many metres. */
     record DepthAnnounced(String boat, double insideM) implements FleetEvent {}

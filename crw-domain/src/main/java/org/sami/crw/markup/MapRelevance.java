@@ -64,10 +64,17 @@ public record MapRelevance(Optional<Boats> boats, Optional<Area> area, Optional<
      * @param showPath whether with past and planned paths
      * @param showDiagnostic whether with battery, speed and link
      * @param showData whether with their readings
+     * @param showPictures whether with the pictures that they took last
      */
-    public record Boats(List<String> boats, boolean showPath, boolean showDiagnostic, boolean showData) {
+    public record Boats(
+            List<String> boats, boolean showPath, boolean showDiagnostic, boolean showData, boolean showPictures) {
         public Boats {
             boats = List.copyOf(boats);
+        }
+
+        /** Boats without pictures. */
+        public Boats(List<String> boats, boolean showPath, boolean showDiagnostic, boolean showData) {
+            this(boats, showPath, showDiagnostic, showData, false);
         }
     }
 
@@ -113,6 +120,12 @@ public record MapRelevance(Optional<Boats> boats, Optional<Area> area, Optional<
         Objects.requireNonNull(information, "information");
     }
 
+    /** Boats, with the pictures that they took last. */
+    public static MapRelevance ofPictures(List<String> boats) {
+        Boats shown = new Boats(boats, false, false, false, true);
+        return new MapRelevance(Optional.of(shown), Optional.empty(), Optional.empty());
+    }
+
     /**
      * What the markups of an interaction say.
      *
@@ -125,7 +138,8 @@ public record MapRelevance(Optional<Boats> boats, Optional<Area> area, Optional<
                         set == ProxySet.ALL_PROXIES ? all : relevant,
                         markups.flag(PROXY, "showPath"),
                         markups.flag(PROXY, "showDiagnostic"),
-                        markups.flag(PROXY, "showData")));
+                        markups.flag(PROXY, "showData"),
+                        markups.flag(PROXY, "showPictures")));
         Optional<Area> area = markups.constant(AREA, SOURCE, AreaSource.class)
                 .map(source -> new Area(
                         source,

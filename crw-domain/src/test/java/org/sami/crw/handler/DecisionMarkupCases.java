@@ -38,6 +38,27 @@ final class DecisionMarkupCases {
         filter(catalogue);
         sort(catalogue);
         layout(catalogue);
+        pictures(catalogue);
+    }
+
+    private static void pictures(MarkupCatalogue catalogue) {
+        catalogue.shows("RelevantProxy.showPictures", "the question is shown with the pictures of its boats", () -> {
+            PlanSketch plan = approval();
+            plan.marked("RelevantProxy", "proxy", "ALL_PROXIES", "showPictures", new BooleanValue(true));
+            PlanScene scene = new PlanScene(plan, 1);
+
+            assertThat(scene.world
+                            .operator
+                            .decisions()
+                            .pending()
+                            .get(0)
+                            .presentation()
+                            .map()
+                            .boats())
+                    .hasValueSatisfying(
+                            boats -> assertThat(boats.showPictures()).isTrue())
+                    .hasValueSatisfying(boats -> assertThat(boats.boats()).hasSize(1));
+        });
     }
 
     private static void priority(MarkupCatalogue catalogue) {

@@ -37,6 +37,10 @@ final class FleetFeed {
             if (event instanceof FleetEvent.Measured measured) {
                 models.map().measured(measured);
             }
+            if (PictureModel.concerns(event)) {
+                long at = nowMillis.getAsLong();
+                inbox.post(() -> models.pictures().apply(event, at));
+            }
             if (CommandModel.concerns(event)
                     || event instanceof FleetEvent.LinkAlarmed
                     || event instanceof FleetEvent.TooMuchSent

@@ -48,6 +48,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final AlarmModel alarms;
     private final HealthModel health;
     private final CommunicationModel communication = new CommunicationModel();
+    private final PictureModel pictures;
     private final AllocationModel allocation = new AllocationModel();
     private final ClickModel clicks = new ClickModel();
     private final Queue<CompletableFuture<Void>> awaitShown = new ArrayDeque<>(); // for the owner's thread
@@ -85,6 +86,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         alarms = new AlarmModel(inbox::post, commands, log, missions::title);
         health = new HealthModel(inbox::post, nowMillis);
         unreached = new UnreachedModel(inbox::post);
+        pictures = new PictureModel(inbox::post);
         fleetStop = new FleetStopModel(inbox::post, nowMillis);
         unreached.addListener(fleetStop::unreached);
         fleetStop.addListener(state -> FleetStopModel.report(state, health));
@@ -135,6 +137,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                         interrupts,
                         alarms,
                         health, // after the alarms, which it takes up
+                        pictures,
                         allocation,
                         clicks,
                         communication,
@@ -201,6 +204,11 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** Every fault that lasts. */
     public HealthModel health() {
         return health;
+    }
+
+    /** The pictures that boats have taken. */
+    public PictureModel pictures() {
+        return pictures;
     }
 
     /** Who has which tasks. */
@@ -304,6 +312,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             interrupts.show(List.of());
             alarms.clear();
             health.clear();
+            pictures.clear();
             allocation.clear();
             clicks.clear();
             map.clear();

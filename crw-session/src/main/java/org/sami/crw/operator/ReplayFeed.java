@@ -63,6 +63,8 @@ public final class ReplayFeed {
     public void happened(FleetEvent event, long atMillis) {
         if (event instanceof FleetEvent.Measured measured) {
             models.map().measured(measured);
+        } else if (PictureModel.concerns(event)) {
+            models.post(() -> models.pictures().apply(event, atMillis));
         } else if (CommandModel.concerns(event)) {
             models.post(() -> {
                 models.commands().apply(event, atMillis);

@@ -33,8 +33,10 @@ import org.sami.crw.session.BoatStart;
 import org.sami.crw.session.archive.CommandJson;
 import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.session.archive.OperatorLogRows;
+import org.sami.crw.session.archive.PictureRows;
 import org.sami.crw.session.archive.SensorValue;
 import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 
@@ -42,6 +44,7 @@ import org.sami.spn.value.GeoPoint;
 final class RecordedBoats implements SessionTelemetry.Reader {
     private final ReplayFeed feed;
     private final MessageSink messages;
+    private final PictureRows pictures;
     private final Map<String, Recorded> boats = new LinkedHashMap<>();
     private final Map<String, BoatCommand> commands = new HashMap<>();
     private long nowMillis;
@@ -67,8 +70,10 @@ final class RecordedBoats implements SessionTelemetry.Reader {
      * Knows no boat.
      *
      * @param messages takes the messages to the operator
+     * @param pictures where those of the session are kept
      */
-    RecordedBoats(ReplayFeed feed, MessageSink messages) {
+    RecordedBoats(ReplayFeed feed, MessageSink messages, SessionPictures pictures) {
+        this.pictures = new PictureRows(pictures);
         this.feed = feed;
         this.messages = messages;
     }
@@ -203,6 +208,8 @@ final class RecordedBoats implements SessionTelemetry.Reader {
             case "concluded" -> concluded(id, json);
             case "state" -> state(id, json);
             case "removed" -> gone(id);
+            case PictureRows.TAKEN, PictureRows.PICTURE ->
+                pictures.event(row, json).ifPresent(event -> feed.happened(event, nowMillis));
             case OperatorLogRows.KIND -> feed.logged(OperatorLogRows.read(List.of(row)));
             default -> {
                 // whoever wrote it did so for itself

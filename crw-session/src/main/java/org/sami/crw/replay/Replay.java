@@ -8,6 +8,7 @@ import java.util.function.Function;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.ReplayFeed;
 import org.sami.crw.session.BoatStart;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
@@ -56,7 +57,7 @@ public final class Replay {
         engine = journal.engine();
         models = new OperatorModels(owner, () -> shownMillis, computing);
         feed = models.replayFeed();
-        boats = new RecordedBoats(feed, models);
+        boats = new RecordedBoats(feed, models, SessionPictures.besides(journal.file()));
         begin();
         goTo(0);
     }

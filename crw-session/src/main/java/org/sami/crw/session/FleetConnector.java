@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import org.sami.crw.proxy.BoatConnector;
@@ -8,6 +9,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.session.picture.PictureSource;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -48,6 +50,11 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
     /** How the links stand; empty where boats are reached without any. For the fleet's thread. */
     default List<LinkReport> linkReports() {
         return List.of();
+    }
+
+    /** The way to the pictures that a boat keeps; empty while it is not reached, or where it keeps none. */
+    default Optional<PictureSource> pictures(String boat) {
+        return Optional.empty();
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -372,6 +373,11 @@ public final class Session implements AutoCloseable {
      */
     public CompletionStage<Void> halt() {
         return parts.threads.halt();
+    }
+
+    /** Completes when every picture that could come from boats has come. From any thread; the stage completes on the fleet's. */
+    public CompletionStage<Void> picturesFetched() {
+        return parts.fleet.pictures().map(FleetPictures::done).orElseGet(() -> CompletableFuture.completedFuture(null));
     }
 
     /** Leaves the boats stopped ({@link #leave(BoatsAtEnd)}). */

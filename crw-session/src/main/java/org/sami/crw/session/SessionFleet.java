@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.io.Closeable;
+import java.io.IOException;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -26,6 +27,7 @@ final class SessionFleet implements Closeable {
     private final FleetEvents events;
     private final FleetListener listener;
     private final BoatWatches watches;
+    private final Optional<FleetPictures> pictures;
 
     /** Opens the connector: boats can be connected from now on. */
     SessionFleet(
@@ -47,6 +49,8 @@ final class SessionFleet implements Closeable {
         settings = new SettingReplies(engine.replies());
         events.subscribe(settings::happened);
         connector.open(listener);
+        pictures = FleetPictures.folder(setup)
+                .map(folder -> new FleetPictures(folder, threads, connector, events, telemetry, messages));
     }
 
     private FleetConnector connector(SessionRuntime runtime) {
@@ -88,6 +92,17 @@ final class SessionFleet implements Closeable {
         return watches;
     }
 
+    /** The pictures of the boats; empty where none are kept. */
+    Optional<FleetPictures> pictures() {
+        return pictures;
+    }
+
+    /** Looks at boats and pictures; once a second on the fleet's thread. */
+    void look() {
+        watches.look();
+        pictures.ifPresent(FleetPictures::look);
+    }
+
     /** Asks the proxies and waits; not for the fleet's thread. */
     <T> T onFleet(Function<ProxyRegistry, T> question) {
         return CompletableFuture.supplyAsync(() -> question.apply(connector.boats()), connector.executor())
@@ -109,12 +124,16 @@ final class SessionFleet implements Closeable {
     void listenNoLonger() {
         listener.close();
         watches.close();
+        connector.executor().execute(() -> pictures.ifPresent(FleetPictures::listenNoLonger));
     }
 
     @Override
-    public void close() {
+    public void close() throws IOException {
         onFleet(ProxyRegistry::boatIds); // what the operator did last has been written down
         connector.close();
         telemetry.flush();
+        if (pictures.isPresent()) {
+            pictures.get().close();
+        }
     }
 }

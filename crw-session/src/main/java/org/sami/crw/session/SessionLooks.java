@@ -67,7 +67,7 @@ final class SessionLooks {
 
     private void keepLookingAfterBoats() {
         try {
-            fleet.connector().executor().execute(fleet.watches()::look);
+            fleet.connector().executor().execute(fleet::look);
             monitor.ifPresent(one -> one.look(threads.nowMs()));
         } finally {
             threads.scheduler().after(LOOK_MS, this::keepLookingAfterBoats);

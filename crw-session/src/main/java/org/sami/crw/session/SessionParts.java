@@ -84,6 +84,7 @@ final class SessionParts {
         List<TelemetryRow> earlier = journal.earlier();
         models.log().restore(OperatorLogRows.read(earlier));
         MapHistory.restore(earlier, models.map());
+        fleet.pictures().ifPresent(kept -> kept.restore(earlier, models.pictures(), fleet.connector()));
         models.log()
                 .keepWith(entry -> fleet.connector()
                         .executor()

@@ -2,10 +2,12 @@ package org.sami.crw.session;
 
 import java.io.IOException;
 import java.util.Objects;
+import java.util.Optional;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.FaultPolicy;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.VocabularyFiles;
@@ -20,6 +22,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * @param journal belongs to the session, which closes it
  * @param services allocation, paths and coverage
  * @param onFault the reaction to a failure of the engine or its journal, in sessions in real time
+ * @param pictures where pictures of boats are kept; empty = next to the journal's file, and without one only while somebody attends the session in real time
  */
 public record SessionSetup(
         Vocabulary vocabulary,
@@ -27,7 +30,8 @@ public record SessionSetup(
         SessionJournal journal,
         CrwServices services,
         SessionRuntime runtime,
-        FaultPolicy onFault) {
+        FaultPolicy onFault,
+        Optional<SessionPictures> pictures) {
     public SessionSetup {
         Objects.requireNonNull(vocabulary, "vocabulary");
         Objects.requireNonNull(project, "project");
@@ -35,6 +39,18 @@ public record SessionSetup(
         Objects.requireNonNull(services, "services");
         Objects.requireNonNull(runtime, "runtime");
         Objects.requireNonNull(onFault, "onFault");
+        Objects.requireNonNull(pictures, "pictures");
+    }
+
+    /** With pictures where they are usually kept. */
+    public SessionSetup(
+            Vocabulary vocabulary,
+            Project project,
+            SessionJournal journal,
+            CrwServices services,
+            SessionRuntime runtime,
+            FaultPolicy onFault) {
+        this(vocabulary, project, journal, services, runtime, onFault, Optional.empty());
     }
 
     /** With somebody who looks after it ({@link FaultPolicy#ATTENDED}). */
@@ -76,21 +92,26 @@ public record SessionSetup(
 
     /** The same with another journal. */
     public SessionSetup with(SessionJournal other) {
-        return new SessionSetup(vocabulary, project, other, services, runtime, onFault);
+        return new SessionSetup(vocabulary, project, other, services, runtime, onFault, pictures);
     }
 
     /** The same on another runtime. */
     public SessionSetup with(SessionRuntime other) {
-        return new SessionSetup(vocabulary, project, journal, services, other, onFault);
+        return new SessionSetup(vocabulary, project, journal, services, other, onFault, pictures);
     }
 
     /** The same with other services. */
     public SessionSetup with(CrwServices others) {
-        return new SessionSetup(vocabulary, project, journal, others, runtime, onFault);
+        return new SessionSetup(vocabulary, project, journal, others, runtime, onFault, pictures);
     }
 
     /** The same with something else that is to happen when the engine or its journal fails. */
     public SessionSetup with(FaultPolicy other) {
-        return new SessionSetup(vocabulary, project, journal, services, runtime, other);
+        return new SessionSetup(vocabulary, project, journal, services, runtime, other, pictures);
+    }
+
+    /** The same with pictures kept there. */
+    public SessionSetup with(SessionPictures folder) {
+        return new SessionSetup(vocabulary, project, journal, services, runtime, onFault, Optional.of(folder));
     }
 }

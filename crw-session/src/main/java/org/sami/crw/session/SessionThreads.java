@@ -9,6 +9,9 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.fault.ThreadGuard;
 
@@ -22,6 +25,11 @@ final class SessionThreads implements Closeable {
     /** In simulated time ten looks a second would take longer than all else, and nobody watches that closely. */
     private static final long ONE_THREAD_SHOW_MS = 10_000;
 
+    /** So many boats' pictures come at once. */
+    private static final int MOST_FETCHING = 4;
+
+    private static final int IDLE_S = 10;
+
     private final ThreadGuard guard;
     private final Optional<RealTimeLoop> loop;
     private final Scheduler scheduler;
@@ -29,6 +37,7 @@ final class SessionThreads implements Closeable {
     private final Executor front;
     private final Executor files;
     private final Executor drawing;
+    private final Executor fetching;
     private final List<ExecutorService> own = new ArrayList<>();
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private volatile boolean halted;
@@ -48,6 +57,7 @@ final class SessionThreads implements Closeable {
             front = real.front().orElseGet(() -> newThread("session", guard));
             files = newThread("files", this::lost);
             drawing = newThread("map", this::lost);
+            fetching = newPool("pictures", MOST_FETCHING);
         } else {
             SessionRuntime.OneThread one = (SessionRuntime.OneThread) runtime;
             loop = Optional.empty();
@@ -56,6 +66,7 @@ final class SessionThreads implements Closeable {
             front = one.executor();
             files = one.executor();
             drawing = Runnable::run;
+            fetching = Runnable::run;
         }
     }
 
@@ -70,6 +81,20 @@ final class SessionThreads implements Closeable {
             thread.setUncaughtExceptionHandler(handler);
             return thread;
         });
+        own.add(made);
+        return made;
+    }
+
+    /** Threads that end while there is nothing to do. */
+    private ExecutorService newPool(String name, int most) {
+        ThreadPoolExecutor made =
+                new ThreadPoolExecutor(most, most, IDLE_S, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
+                    Thread thread = new Thread(work, name);
+                    thread.setDaemon(true);
+                    thread.setUncaughtExceptionHandler(this::lost);
+                    return thread;
+                });
+        made.allowCoreThreadTimeOut(true);
         own.add(made);
         return made;
     }
@@ -105,6 +130,11 @@ final class SessionThreads implements Closeable {
     /** Computes what is only to be drawn or judged. */
     Executor drawing() {
         return drawing;
+    }
+
+    /** Waits for boats' files. */
+    Executor fetching() {
+        return fetching;
     }
 
     /** How long a listener may hold up the engine or the fleet, in milliseconds, before that is logged. */

@@ -2,6 +2,7 @@ package org.sami.crw.session;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -10,16 +11,20 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.SteadyClock;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.file.BoatFileFetch;
+import org.sami.crw.proxy.file.FileNews;
 import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.session.picture.PictureSource;
 import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP. Knows which address leads to which boat, and who waits for an address to lead to one. */
@@ -121,6 +126,27 @@ final class TcpFleet implements FleetConnector {
     @Override
     public List<LinkReport> linkReports() {
         return base.linkReports();
+    }
+
+    @Override
+    public Optional<PictureSource> pictures(String boat) {
+        return boatAt.entrySet().stream()
+                .filter(one -> one.getValue().equals(boat))
+                .findFirst()
+                .map(one -> new Pictures(boat, new BoatFileFetch(one.getKey(), config.security(), FileNews.NONE)));
+    }
+
+    /** A boat's pictures, over a link of their own. */
+    private record Pictures(String boat, BoatFileFetch link) implements PictureSource {
+        @Override
+        public void fetch(List<String> names, Path folder, BoatFileFetch.NamedFiles result) throws IOException {
+            link.fetch(boat, KeptFile.PICTURE, names, folder, result);
+        }
+
+        @Override
+        public void cancel() {
+            link.cancel();
+        }
     }
 
     @Override

@@ -356,7 +356,7 @@ public final class CommandDriver {
         if (run.isPresent() && run.get() instanceof PanoramaRun panorama && panorama.isAbout(report)) {
             BoatCommand command = panorama.queued().command();
             GeoPoint from = GeoPoint.of(report.latDeg(), report.lonDeg());
-            announcements.add(new FleetEvent.PanoramaTaken(boatId, command, report.pictures(), from));
+            announcements.add(new FleetEvent.PanoramaTaken(boatId, command, report.pictures(), from, report.files()));
             conclude(Verdict.COMPLETED);
         }
     }

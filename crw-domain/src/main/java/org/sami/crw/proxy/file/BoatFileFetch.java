@@ -5,9 +5,13 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
@@ -94,18 +98,71 @@ public final class BoatFileFetch {
      */
     public Path fetch(String boatId, String kind, String name, Path folder) throws IOException {
         Result result = retrying(link -> {
-            if (!link.boatId().equals(boatId)) {
-                throw new FileFetchException("at " + address.getHostString() + ":" + address.getPort() + " answers "
-                        + link.boatId() + ", not " + boatId);
-            }
+            checkBoat(link, boatId);
             for (KeptFile file : link.list(kind)) {
                 if (file.name().equals(name)) {
                     return result(link, List.of(fetch(link, file, folder)), List.of());
                 }
             }
-            throw new FileFetchException(boatId + " keeps no " + kind + " " + name + ", or does so no longer");
+            throw keepsNone(boatId, kind, name);
         });
         return result.files().get(0);
+    }
+
+    /** What becomes of files that are asked for by name; called on the fetching thread, does not wait. */
+    public interface NamedFiles {
+        /** Why a file that the boat keeps is not to be fetched, in words; empty if it is. */
+        Optional<String> whyNot(KeptFile file);
+
+        /** A file is whole here. */
+        void come(KeptFile file, Path at);
+
+        /** A file will not come, for a reason in words that names the boat. */
+        void missed(String name, String reason);
+    }
+
+    /**
+     * Fetches some files into a folder, for instance those that an event named; each of them comes or is missed. A file that the boat does not give stops no other.
+     *
+     * @throws FileFetchException if the boat at that address is another one, or gives no files
+     * @throws IOException with the reason, if the boat is not reached five times in a row, or this was cancelled; what became of some files has been reported by then
+     */
+    public void fetch(String boatId, String kind, List<String> names, Path folder, NamedFiles result)
+            throws IOException {
+        Set<String> open = new LinkedHashSet<>(names);
+        retrying(link -> {
+            checkBoat(link, boatId);
+            Map<String, KeptFile> kept = new HashMap<>();
+            link.list(kind).forEach(file -> kept.put(file.name(), file));
+            for (String name : List.copyOf(open)) {
+                try {
+                    KeptFile file =
+                            Optional.ofNullable(kept.get(name)).orElseThrow(() -> keepsNone(boatId, kind, name));
+                    Optional<String> whyNot = result.whyNot(file);
+                    if (whyNot.isPresent()) {
+                        throw new FileFetchException(whyNot.get());
+                    }
+                    Path here = fetch(link, file, folder);
+                    open.remove(name);
+                    result.come(file, here);
+                } catch (FileFetchException e) {
+                    open.remove(name);
+                    result.missed(name, String.valueOf(e.getMessage()));
+                }
+            }
+            return result(link, List.of(), List.of());
+        });
+    }
+
+    private void checkBoat(BoatFileLink link, String boatId) throws FileFetchException {
+        if (!link.boatId().equals(boatId)) {
+            throw new FileFetchException("at " + address.getHostString() + ":" + address.getPort() + " answers "
+                    + link.boatId() + ", not " + boatId);
+        }
+    }
+
+    private static FileFetchException keepsNone(String boatId, String kind, String name) {
+        return new FileFetchException(boatId + " keeps no " + kind + " " + name + ", or does so no longer");
     }
 
     /** Bytes that came over the link so far; for the fetching thread. */

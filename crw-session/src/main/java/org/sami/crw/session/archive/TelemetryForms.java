@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.Objects;
+import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -101,14 +102,15 @@ final class TelemetryForms {
             OperatorMessage.Source source,
             Priority priority,
             String keyword,
-            List<String> boats) {
+            List<String> boats,
+            Boolean pictures) {
         Message {
             kind = Objects.requireNonNullElse(kind, "");
             text = Objects.requireNonNullElse(text, "");
         }
 
         static Message of(SessionNote note) {
-            return new Message(note.kind(), note.mission(), note.text(), null, null, null, null);
+            return new Message(note.kind(), note.mission(), note.text(), null, null, null, null, null);
         }
 
         static Message of(OperatorMessage message) {
@@ -120,7 +122,13 @@ final class TelemetryForms {
                     message.source(),
                     message.priority(),
                     message.keyword(),
-                    message.boats());
+                    message.boats(),
+                    message.map()
+                                    .boats()
+                                    .filter(MapRelevance.Boats::showPictures)
+                                    .isPresent()
+                            ? true
+                            : null);
         }
 
         SessionNote note(long atMillis) {
@@ -135,7 +143,10 @@ final class TelemetryForms {
                     Objects.requireNonNullElse(priority, Priority.MEDIUM),
                     text,
                     Objects.requireNonNullElse(boats, List.of()),
-                    Objects.requireNonNullElse(keyword, ""));
+                    Objects.requireNonNullElse(keyword, ""),
+                    Boolean.TRUE.equals(pictures) && boats != null
+                            ? MapRelevance.ofPictures(boats)
+                            : MapRelevance.NONE);
         }
     }
 

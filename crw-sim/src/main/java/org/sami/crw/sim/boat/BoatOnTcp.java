@@ -6,7 +6,6 @@ import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
@@ -33,6 +32,7 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
+import org.sami.crw.sim.picture.BoatsInSight;
 import org.sami.crw.sim.picture.DrawingCamera;
 import org.sami.crw.sim.picture.Scene;
 import org.sami.spn.value.GeoPoint;
@@ -55,6 +55,8 @@ public final class BoatOnTcp implements Closeable {
     private final String bootId = UUID.randomUUID().toString();
     private final Optional<CommandLogFile> log;
     private final Optional<DrawingCamera> camera;
+    private final String name;
+    private final BoatsInSight water;
     private int restored; // not written any more once the boat is launched
     private final TcpBoatServer server;
     private long lastMs;
@@ -77,6 +79,23 @@ public final class BoatOnTcp implements Closeable {
     public BoatOnTcp(
             BoatSettings settings, SteadyClock clock, TcpServerListener listener, UnaryOperator<TcpServerConfig> links)
             throws IOException {
+        this(settings, clock, listener, links, new BoatsInSight());
+    }
+
+    /**
+     * Launches the boat on the water of other boats, which its camera sees.
+     *
+     * @throws IOException if its port or its log cannot be had
+     */
+    public BoatOnTcp(
+            BoatSettings settings,
+            SteadyClock clock,
+            TcpServerListener listener,
+            UnaryOperator<TcpServerConfig> links,
+            BoatsInSight water)
+            throws IOException {
+        name = settings.name();
+        this.water = water;
         LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
         hull = new SimulatedHull(settings.hull(), settings.conditions(), frame, 0, 0, settings.seed());
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
@@ -137,7 +156,7 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
-    /** A boat that keeps a log keeps its pictures too. */
+    /** The camera of a boat that keeps pictures. */
     private Optional<DrawingCamera> openCamera(BoatSettings settings, TcpServerListener listener) throws IOException {
         if (settings.pictureFolder().isEmpty()) {
             return Optional.empty();
@@ -150,7 +169,7 @@ public final class BoatOnTcp implements Closeable {
                 Instant.now(),
                 settings.fieldSeed(),
                 settings.at(),
-                List.of());
+                water.others(settings.name()));
         return Optional.of(new DrawingCamera(settings.name(), folder, ahead, listener::failed));
     }
 
@@ -212,6 +231,7 @@ public final class BoatOnTcp implements Closeable {
             hull.step(seconds);
             instruments.step(seconds);
             batteryPercent = hull.batteryPercent();
+            water.seen(new Scene.SeenBoat(name, GeoPoint.of(hull.latDeg(), hull.lonDeg()), hull.headingRad()));
         }
     }
 
@@ -222,6 +242,7 @@ public final class BoatOnTcp implements Closeable {
             server.close();
         } finally {
             camera.ifPresent(DrawingCamera::close);
+            water.gone(name);
             closeLog();
         }
     }

@@ -22,6 +22,7 @@ import org.sami.spn.value.GeoPoint;
  * @param fieldSeed of what there is to be measured; equal for all boats of one water
  * @param lostLink what it does when its link is lost, until a command sets something else
  * @param logFolder where its log is kept, and taken up again after a restart; none if empty
+ * @param pictureFolder where its pictures are kept; none if empty
  */
 public record BoatSettings(
         String name,
@@ -33,7 +34,34 @@ public record BoatSettings(
         Conditions conditions,
         long fieldSeed,
         LostLinkAction lostLink,
-        Optional<Path> logFolder) {
+        Optional<Path> logFolder,
+        Optional<Path> pictureFolder) {
+
+    /** A boat that keeps its pictures beside its log, if it keeps one. */
+    public BoatSettings(
+            String name,
+            InetSocketAddress address,
+            GeoPoint at,
+            long seed,
+            double batteryPercent,
+            HullConfig hull,
+            Conditions conditions,
+            long fieldSeed,
+            LostLinkAction lostLink,
+            Optional<Path> logFolder) {
+        this(
+                name,
+                address,
+                at,
+                seed,
+                batteryPercent,
+                hull,
+                conditions,
+                fieldSeed,
+                lostLink,
+                logFolder,
+                logFolder.map(folder -> folder.resolve(name + "-pictures")));
+    }
 
     /** Refuses a name that cannot name a file, and a charge that is none. */
     public BoatSettings {
@@ -44,6 +72,7 @@ public record BoatSettings(
         Objects.requireNonNull(conditions, "conditions");
         Objects.requireNonNull(lostLink, "lostLink");
         Objects.requireNonNull(logFolder, "logFolder");
+        Objects.requireNonNull(pictureFolder, "pictureFolder");
         if (!(batteryPercent >= 0 && batteryPercent <= 100)) {
             throw new IllegalArgumentException("a charge of " + batteryPercent + " %");
         }
@@ -78,24 +107,37 @@ public record BoatSettings(
                 name, address, at, seed, batteryPercent, hull, conditions, fieldSeed, lostLink, Optional.of(folder));
     }
 
+    /** The same with pictures kept in a folder. */
+    public BoatSettings withPicturesIn(Path folder) {
+        return new BoatSettings(
+                name,
+                address,
+                at,
+                seed,
+                batteryPercent,
+                hull,
+                conditions,
+                fieldSeed,
+                lostLink,
+                logFolder,
+                Optional.of(folder));
+    }
+
     /** The same with another charge at the start. */
     public BoatSettings withBatteryPercent(double percent) {
-        return new BoatSettings(name, address, at, seed, percent, hull, conditions, fieldSeed, lostLink, logFolder);
+        return new BoatSettings(
+                name, address, at, seed, percent, hull, conditions, fieldSeed, lostLink, logFolder, pictureFolder);
     }
 
     /** The same on other water. */
     public BoatSettings on(Conditions water) {
-        return new BoatSettings(name, address, at, seed, batteryPercent, hull, water, fieldSeed, lostLink, logFolder);
+        return new BoatSettings(
+                name, address, at, seed, batteryPercent, hull, water, fieldSeed, lostLink, logFolder, pictureFolder);
     }
 
     /** The file of the boat's log. */
     public Optional<Path> logFile() {
         return logFolder.map(folder -> folder.resolve(name + ".log"));
-    }
-
-    /** The folder of the boat's pictures, beside its log; none where it keeps no log. */
-    public Optional<Path> pictureFolder() {
-        return logFolder.map(folder -> folder.resolve(name + "-pictures"));
     }
 
     /** The configuration of the boat's server for one start of it. */

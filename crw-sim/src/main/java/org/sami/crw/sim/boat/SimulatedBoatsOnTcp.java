@@ -3,14 +3,20 @@ package org.sami.crw.sim.boat;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.picture.BoatsInSight;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -22,6 +28,8 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     private final Conditions conditions;
     private final SteadyClock clock = SteadyClock.ofThisMachine();
     private final List<BoatOnTcp> boats = new ArrayList<>();
+    private final BoatsInSight water = new BoatsInSight();
+    private Optional<Path> pictures = Optional.empty();
     private boolean closed;
 
     /** Nobody is launched yet, on still water. */
@@ -46,14 +54,23 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
             throw new IOException("no boats are launched any more");
         }
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        BoatSettings settings =
-                BoatSettings.of(boat, anyPort, at, seed + boats.size()).on(conditions);
-        BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE);
+        BoatSettings settings = BoatSettings.of(boat, anyPort, at, seed + boats.size())
+                .on(conditions)
+                .withPicturesIn(pictures().resolve(boat));
+        BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water);
         boats.add(launched);
         BaseProtection.ofThisProcess().linkPlainly(launched.address(), true);
         return new BoatAddress(
                 launched.address().getAddress().getHostAddress(),
                 launched.address().getPort());
+    }
+
+    /** The boats keep their pictures there as long as they are launched. */
+    private Path pictures() throws IOException {
+        if (pictures.isEmpty()) {
+            pictures = Optional.of(Files.createTempDirectory("sami-boats-"));
+        }
+        return pictures.get();
     }
 
     @Override
@@ -68,5 +85,12 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
             }
         }
         boats.clear();
+        try {
+            if (pictures.isPresent()) {
+                SessionPictures.delete(pictures.get());
+            }
+        } catch (IOException stays) {
+            // it lies among the system's temporary files
+        }
     }
 }

@@ -1,9 +1,11 @@
 package org.sami.crw.sim.fleet;
 
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
@@ -17,6 +19,8 @@ import org.sami.crw.sim.clock.VirtualScheduler;
 import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.crw.sim.link.InMemoryPipe;
+import org.sami.crw.sim.picture.RecordingCamera;
+import org.sami.crw.sim.picture.Scene;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -30,6 +34,9 @@ public final class SimulatedBoat {
     /** So much of its past a boat remembers. */
     public static final int NEWEST = 4096;
 
+    /** Pictures of simulated time are of this day. */
+    private static final Instant DAY = Instant.parse("2026-06-01T10:00:00Z");
+
     private final String id;
     private final Runnable awaitTick;
     private final SimulatedHull hull;
@@ -39,6 +46,8 @@ public final class SimulatedBoat {
     private final InMemoryPipe toBoat;
     private final InMemoryPipe toBase;
     private final LinkEnd linkEnd;
+    private final RecordingCamera camera;
+    private long nowMs; // when the tick on board began
     private final long trackEveryMs;
     private final Deque<TruePosition> track = new ArrayDeque<>();
     private final Deque<ExecutedCommand> executed = new ArrayDeque<>();
@@ -59,6 +68,9 @@ public final class SimulatedBoat {
         trackEveryMs = config.trackEveryMs();
         hull = new SimulatedHull(config.hull(), config.conditions(), frame, eastM, northM, seeds.hull());
         instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
+        GeoPoint home = GeoPoint.of(hull.latDeg(), hull.lonDeg());
+        camera = new RecordingCamera(id, () -> ahead(fieldSeed, home));
+        hull.setCamera(camera);
         ServerConfig.Builder defaults =
                 config.conditions().describeTo(config.hull().describeTo(ServerConfig.of(id, id + "-boot1")));
         server = new BoatServer(config.server().apply(defaults).build(), instruments, this::answered);
@@ -69,6 +81,17 @@ public final class SimulatedBoat {
         linkEnd.connect(server.connect(linkEnd));
         toBoat.connect((message, nowMs) -> linkEnd.receive(message));
         toBase.connect(proxy::receive);
+    }
+
+    private Scene ahead(long fieldSeed, GeoPoint home) {
+        return new Scene(
+                id,
+                GeoPoint.of(hull.latDeg(), hull.lonDeg()),
+                hull.headingRad(),
+                DAY.plusMillis(nowMs),
+                fieldSeed,
+                home,
+                List.of());
     }
 
     private void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
@@ -98,6 +121,12 @@ public final class SimulatedBoat {
     /** The base's side. */
     public BoatProxy proxy() {
         return proxy;
+    }
+
+    /** The camera on the boat, with what was before it when it took its pictures. */
+    public RecordingCamera camera() {
+        awaitTick.run();
+        return camera;
     }
 
     /** The pipe from base to boat, for cutting it. */
@@ -169,6 +198,7 @@ public final class SimulatedBoat {
         if (nowMs % trackEveryMs == 0) {
             keep(track, new TruePosition(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
         }
+        this.nowMs = nowMs;
         linkEnd.takeIn(nowMs);
         double seconds = tickMs / 1000.0;
         hull.step(seconds);
@@ -177,8 +207,13 @@ public final class SimulatedBoat {
         hull.setUnderWay(server.mode().isUnderWay());
     }
 
-    /** The tick is over: the boat's messages leave, on the clock's thread, boat by boat in order. */
-    void endTick() {
+    /**
+     * The tick is over: the boat's messages leave, on the clock's thread, boat by boat in order.
+     *
+     * @param others says where the other boats are now, for a camera that has taken a picture
+     */
+    void endTick(Function<String, List<Scene.SeenBoat>> others) {
+        camera.finish(others);
         linkEnd.endTick();
     }
 }

@@ -14,6 +14,7 @@ import org.sami.crw.proxy.TrafficRelay;
 import org.sami.crw.sim.clock.VirtualScheduler;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
+import org.sami.crw.sim.picture.Scene.SeenBoat;
 
 /**
  * Boats {@code boat1} to {@code boatN} on one virtual clock: each with a hull, the boat server, two pipes and the base's
@@ -195,13 +196,20 @@ public final class SimulatedFleet {
         }
         long nowMs = clock.nowMs();
         awaitTick();
-        ticked.forEach(SimulatedBoat::endTick);
+        ticked.forEach(boat -> boat.endTick(this::others));
         beginTick(nowMs);
         for (SimulatedBoat boat : ticked) {
             boat.proxy().tick(nowMs);
         }
         traffic.tick(proxies.all(), nowMs);
         clock.after(TICK_MS, () -> tick(started));
+    }
+
+    private List<SeenBoat> others(String boat) {
+        return boats.stream()
+                .filter(one -> !one.id().equals(boat))
+                .map(one -> new SeenBoat(one.id(), one.position(), one.hull().headingRad()))
+                .toList();
     }
 
     /** Boats take part in a tick from its beginning: those that join meanwhile do so in the next one. */

@@ -42,4 +42,9 @@ public record Scene(
         Objects.requireNonNull(home, "home");
         others = List.copyOf(others);
     }
+
+    /** The same with these other boats. */
+    public Scene with(List<SeenBoat> boats) {
+        return new Scene(boat, at, headingRad, time, seed, home, boats);
+    }
 }
