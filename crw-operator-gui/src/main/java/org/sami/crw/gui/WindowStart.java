@@ -13,6 +13,7 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.operator.health.HealthKind;
+import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
 import org.sami.palette.IdentityMarks;
@@ -61,7 +62,7 @@ final class WindowStart {
             return null;
         });
         EventThread.later(WindowStart::loadViews);
-        SessionOpener opener = new SessionOpener(data, options.boats(), options.project(), options.conditions());
+        SessionOpener opener = new SessionOpener(data, options);
         Optional<Path> unfinished = data.unfinished();
         data.trouble().ifPresent(trouble -> System.err.println("crw-operator: " + trouble));
         Optional<Boolean> goesOn = unfinished.isEmpty()
@@ -77,11 +78,15 @@ final class WindowStart {
         OperatorWindow window = EventThread.get(() -> {
             OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
             opener.named().ifPresent(made::showConditions);
+            made.lookForBoats(() -> BoatFinder.on(options.near().network()));
             made.open();
             return made;
         });
         data.trouble().ifPresent(trouble -> session.models().health().report(damagedFile(trouble, goesOn.get())));
         session.begin();
+        if (options.near().first()) {
+            EventThread.later(window.commands().get("boats-near")::run);
+        }
         return Optional.of(window);
     }
 

@@ -127,7 +127,8 @@ final class FleetSampler {
                 why,
                 boat.drift(),
                 stop(boat),
-                boat.wayHome());
+                boat.wayHome(),
+                boat.settings().inForce());
     }
 
     /** A stop that is on its way to the boat is none yet. */

@@ -25,6 +25,7 @@ public final class FileSheet {
     private Optional<Path> offered = Optional.empty();
     private boolean saves;
     private boolean folders;
+    private Runnable closed = () -> {};
 
     /**
      * One that has a file opened.
@@ -55,6 +56,12 @@ public final class FileSheet {
         return this;
     }
 
+    /** Sets what is run when it was closed for any reason, before a chosen file is handed over. */
+    public FileSheet whenClosed(Runnable told) {
+        closed = told;
+        return this;
+    }
+
     /**
      * Opens it.
      *
@@ -80,7 +87,7 @@ public final class FileSheet {
                 chosen.accept(chooser.getSelectedFile().toPath());
             }
         });
-        sheet.open(new Sheet(name, title, chooser));
+        sheet.open(new Sheet(name, title, chooser).whenClosed(closed));
         find(chooser).ifPresent(Component::requestFocusInWindow);
     }
 

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.proxy.near.FoundBoats;
 import org.sami.crw.proxy.near.NearBoat;

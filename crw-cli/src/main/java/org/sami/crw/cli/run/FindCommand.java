@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.boat.link.BoatAnnouncement;
 import org.sami.crw.cli.option.LinkOptions;
+import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.proxy.near.FoundBoats;

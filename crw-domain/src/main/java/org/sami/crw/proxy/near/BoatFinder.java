@@ -62,6 +62,11 @@ public final class BoatFinder implements Closeable {
         return new BoatFinder(() -> copy);
     }
 
+    /** Looks on the network of an address of this machine; without one on all. */
+    public static BoatFinder on(Optional<InetAddress> address) {
+        return address.map(one -> on(List.of(one))).orElseGet(BoatFinder::everywhere);
+    }
+
     /** Adds who is told after each change, on a thread of the finder's; it is to return at once. */
     public void addListener(Runnable changed) {
         listeners.add(changed);

@@ -13,7 +13,6 @@ import javax.swing.JTabbedPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
@@ -43,9 +42,6 @@ public final class BoatPanel extends FoldingPanel {
     private final SettingsForm settings;
     private final LaunchPanel launch;
     private final ByHandPanel byHand;
-    private Optional<BoatTuning> tuning = Optional.empty();
-    private Optional<String> tuned = Optional.empty();
-    private boolean asking;
     private final MigLayout headLayout = new MigLayout(HEAD, "[grow]", "[]4[]4[]");
     private final JPanel head = new JPanel(headLayout);
     private final MigLayout commandsLayout =
@@ -109,32 +105,14 @@ public final class BoatPanel extends FoldingPanel {
         return pane;
     }
 
-    /** Asks the fleet's thread what is in force on the boat; at most one question is under way. */
-    private void askSettings(Optional<String> boat) {
-        if (!boat.equals(tuned)) {
-            tuned = boat;
-            tuning = Optional.empty();
-        }
-        if (!asking && boat.isPresent() && context.whyNotAct().isEmpty()) {
-            asking = true;
-            context.session().fleet().settings(boat.get()).whenComplete((told, fault) -> {
-                asking = false;
-                if (fault == null && boat.equals(tuned)) {
-                    tuning = told;
-                }
-            });
-        }
-    }
-
     /** Shows how the boat is now; to be called a few times a second. */
     public void refresh() {
         Optional<BoatSnapshot> boat =
                 context.boats().first().flatMap(context.models().fleet()::boat);
         Optional<String> id = boat.map(BoatSnapshot::boat);
-        askSettings(id);
         queue.show(id);
-        settings.show(id, tuning);
-        launch.show(boat, tuning);
+        settings.show(id, boat.flatMap(BoatSnapshot::settings));
+        launch.show(boat);
         byHand.refresh();
         name.setFont(Fonts.heading());
         if (boat.isEmpty()) {

@@ -8,10 +8,8 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.LaunchCheck;
 import org.sami.crw.operator.alarm.LaunchCheck.Item;
-import org.sami.crw.operator.alarm.LaunchCheck.State;
 import org.sami.crw.operator.alarm.LaunchCheck.Subject;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
@@ -37,9 +35,9 @@ final class LaunchPanel extends JPanel {
                 "Select a boat: link, position, compass, motor, battery and what it does without a link are gone through here.",
                 Item::subject,
                 List.of(
-                        RowColumn.<Item>words("Check", 150, item -> mark(item.state()) + name(item.subject()))
-                                .colored(item -> color(item.state())),
-                        RowColumn.<Item>words("How it is", 0, Item::text).colored(item -> color(item.state()))));
+                        RowColumn.<Item>words("Check", 150, item -> LaunchWords.mark(item.state()) + name(item.subject()))
+                                .colored(item -> LaunchWords.color(item.state())),
+                        RowColumn.<Item>words("How it is", 0, Item::text).colored(item -> LaunchWords.color(item.state()))));
         summary.setName("boat-launch-summary");
         CommandRow head = new CommandRow();
         head.left(summary).right(new CommandButton(motor.command()));
@@ -49,10 +47,10 @@ final class LaunchPanel extends JPanel {
     }
 
     /** Shows how a boat stands now. */
-    void show(Optional<BoatSnapshot> boat, Optional<BoatTuning> settings) {
+    void show(Optional<BoatSnapshot> boat) {
         motor.command().refresh();
         Optional<LaunchCheck> check = boat.map(one -> LaunchCheck.of(
-                one, context.models().alarms().snapshot(), settings, motor.seenMps(one.boat()), context.nowMillis()));
+                one, context.models().alarms().snapshot(), motor.seenMps(one.boat()), context.nowMillis()));
         table.show(check.map(LaunchCheck::items).orElse(List.of()));
         summary.setFont(Fonts.strong());
         summary.setText(check.map(LaunchPanel::words).orElse("No boat is selected"));
@@ -76,23 +74,6 @@ final class LaunchPanel extends JPanel {
             case MOTOR -> "Motor";
             case BATTERY -> "Battery";
             case LOST_LINK -> "Without a link";
-        };
-    }
-
-    private static String mark(State state) {
-        return switch (state) {
-            case GOOD -> "✓ ";
-            case DOUBTFUL -> "△ ";
-            case BAD -> "▲ ";
-            case UNKNOWN -> "? ";
-        };
-    }
-
-    private static SemanticColor color(State state) {
-        return switch (state) {
-            case GOOD -> SemanticColor.TEXT;
-            case DOUBTFUL, UNKNOWN -> SemanticColor.WARNING;
-            case BAD -> SemanticColor.CRITICAL;
         };
     }
 }

@@ -5,12 +5,16 @@ import java.util.Optional;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.ui.EventThread;
 import org.sami.ui.sheet.FileSheet;
 import org.sami.ui.sheet.Sheet;
 import org.sami.ui.sheet.WindowSheet;
 
 /** The sheet with which a boat is paired, for every place of the window that offers it. On the event thread. */
 public final class PairSheet {
+    private static final String PAIRING = "pair-sheet";
+    private static final String PICTURE = "pair-picture-file";
+
     private final OperatorContext context;
     private final Component inside;
 
@@ -22,7 +26,7 @@ public final class PairSheet {
 
     /** Opens it for whichever boat. */
     public void open() {
-        open(Optional.empty(), "a boat");
+        open(Optional.empty(), "a boat", () -> {});
     }
 
     /**
@@ -31,21 +35,45 @@ public final class PairSheet {
      * @param name of the boat, for people
      */
     public void open(BoatAddress address, String name) {
-        open(Optional.of(address), name);
+        open(address, name, () -> {});
     }
 
-    private void open(Optional<BoatAddress> address, String name) {
+    /**
+     * The same.
+     *
+     * @param then is run once the pairing is left, when the window's next sheet, if any, is open
+     */
+    public void open(BoatAddress address, String name, Runnable then) {
+        open(Optional.of(address), name, then);
+    }
+
+    private void open(Optional<BoatAddress> address, String name, Runnable then) {
         PairForm form = new PairForm(context, BaseProtection.ofThisProcess());
-        show(form, name);
+        show(form, name, then);
         form.begin(address);
     }
 
-    private void show(PairForm form, String name) {
-        form.choosePicture(() -> new FileSheet("pair-picture-file", "Choose a picture of the QR code")
+    private void show(PairForm form, String name, Runnable then) {
+        form.choosePicture(() -> new FileSheet(PICTURE, "Choose a picture of the QR code")
+                .whenClosed(() -> left(then))
                 .open(inside, file -> {
-                    show(form, name);
+                    show(form, name, then);
                     form.read(file);
                 }));
-        WindowSheet.in(inside).open(new Sheet("pair-sheet", "Pair " + name, form).whenClosed(form::cancel));
+        WindowSheet.in(inside)
+                .open(new Sheet(PAIRING, "Pair " + name, form).whenClosed(() -> {
+                    form.cancel();
+                    left(then);
+                }));
+    }
+
+    /** The two sheets of a pairing follow each other; which one is open is known once the first is gone. */
+    private void left(Runnable then) {
+        EventThread.later(() -> {
+            String open = WindowSheet.in(inside).name();
+            if (!open.equals(PAIRING) && !open.equals(PICTURE)) {
+                then.run();
+            }
+        });
     }
 }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.LinkOptions;
+import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
@@ -35,6 +36,7 @@ import picocli.CommandLine.Spec;
             "  crw-operator",
             "  crw-operator --connect 10.0.0.11:11411,10.0.0.12:11411 --project my-beach.json",
             "  crw-operator --keys ~/fleet-keys --connect 10.0.0.11:11411   to boats that are paired (Boats > Pair a boat)",
+            "  crw-operator --near          boats on the local network are listed, and connected with one press",
             "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun",
             "  crw-operator --replay today.journal --at 90"
         })
@@ -52,6 +54,15 @@ public final class OperatorCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "The same from a file: HOST:PORT on each line, # begins a remark.")
     private Path boatsFile;
+
+    @Option(
+            names = "--near",
+            description =
+                    "Begin without simulated boats, with the list of boats that announce themselves on the local network open.")
+    private boolean near;
+
+    @Mixin
+    private NetworkOption network;
 
     @Option(names = "--project", paramLabel = "FILE", description = "A project's file or folder; else Katara Beach.")
     private Path project;
@@ -148,7 +159,8 @@ public final class OperatorCommand implements Callable<Integer> {
                 Optional.ofNullable(resume),
                 Optional.ofNullable(replay),
                 Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)),
-                Optional.ofNullable(conditions));
+                Optional.ofNullable(conditions),
+                new StartOptions.Near(near, network.address()));
     }
 
     private static List<BoatAddress> addressesIn(Path file) throws IOException {

@@ -41,11 +41,17 @@ public final class SessionOpener {
     private final List<BoatAddress> boats;
     private final Optional<Path> projectFile;
     private final Optional<NamedConditions> conditions;
+    private final boolean beginsBuiltIn;
     private Optional<NamedConditions> named = Optional.empty();
 
     /** An opener that states nothing about boats. */
     public SessionOpener(DataDirectory data, List<BoatAddress> boats, Optional<Path> projectFile) {
         this(data, boats, projectFile, Optional.empty());
+    }
+
+    /** An opener of what the window's options say. */
+    public SessionOpener(DataDirectory data, StartOptions options) {
+        this(data, options.boats(), options.project(), options.conditions(), options.hasBuiltInFleet());
     }
 
     /**
@@ -61,6 +67,16 @@ public final class SessionOpener {
             List<BoatAddress> boats,
             Optional<Path> projectFile,
             Optional<NamedConditions> conditions) {
+        this(data, boats, projectFile, conditions, boats.isEmpty());
+    }
+
+    private SessionOpener(
+            DataDirectory data,
+            List<BoatAddress> boats,
+            Optional<Path> projectFile,
+            Optional<NamedConditions> conditions,
+            boolean beginsBuiltIn) {
+        this.beginsBuiltIn = beginsBuiltIn;
         this.data = data;
         this.boats = List.copyOf(boats);
         this.projectFile = projectFile;
@@ -79,14 +95,14 @@ public final class SessionOpener {
         Map<String, String> settings = new HashMap<>(stated.settings());
         conditions.ifPresent(named -> settings.putAll(named.waterSettings()));
         settings.put("kind", "session");
-        settings.put(FLEET, boats.isEmpty() ? BUILT_IN : "real");
+        settings.put(FLEET, beginsBuiltIn ? BUILT_IN : "real");
         JournalHeader header = JournalHeader.of(
                 new ProjectWriter(library.vocabulary()).text(project),
                 library.files().texts(),
                 settings);
         SessionSetup setup =
                 SessionSetup.of(library.vocabulary(), project).with(SessionJournal.create(data.newJournal(), header));
-        return opened(setup.with(stated.services()), boats.isEmpty(), conditions);
+        return opened(setup.with(stated.services()), beginsBuiltIn, conditions);
     }
 
     private Project project(DomainLibrary library) throws IOException {

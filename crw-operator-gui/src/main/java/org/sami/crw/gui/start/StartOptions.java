@@ -1,5 +1,6 @@
 package org.sami.crw.gui.start;
 
+import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -10,7 +11,7 @@ import org.sami.palette.Theme;
 /**
  * How a window is to be opened.
  *
- * @param boats servers to connect to; none = the built-in fleet
+ * @param boats servers to connect to; none = the built-in fleet, unless boats near are to be found
  * @param project file of the plans; empty = Katara Beach
  * @param theme from now on; empty = as it was
  * @param scale in percent, from now on; empty = as it was
@@ -18,6 +19,7 @@ import org.sami.palette.Theme;
  * @param replay a journal that is to be shown, instead of a session
  * @param atMillis the moment of the replay at which it begins
  * @param conditions how simulated boats fare, and boats that do not say it; empty = calm and field, or as the session that is gone on with had it
+ * @param near how boats are found on the network
  */
 public record StartOptions(
         List<BoatAddress> boats,
@@ -27,7 +29,19 @@ public record StartOptions(
         Optional<Boolean> resume,
         Optional<Path> replay,
         Optional<Long> atMillis,
-        Optional<NamedConditions> conditions) {
+        Optional<NamedConditions> conditions,
+        Near near) {
+    /**
+     * How boats are found on the network.
+     *
+     * @param first whether the list of boats near is open at first, and a session that begins has no built-in fleet
+     * @param network an address of this machine on whose network boats are looked for; empty = on all
+     */
+    public record Near(boolean first, Optional<InetAddress> network) {
+        /** When somebody asks for them, on all networks. */
+        public static final Near WHEN_ASKED = new Near(false, Optional.empty());
+    }
+
     /** A session, without a replay. */
     public StartOptions(
             List<BoatAddress> boats,
@@ -35,7 +49,7 @@ public record StartOptions(
             Optional<Theme> theme,
             Optional<Integer> scale,
             Optional<Boolean> resume) {
-        this(boats, project, theme, scale, resume, Optional.empty(), Optional.empty(), Optional.empty());
+        this(boats, project, theme, scale, resume, Optional.empty(), Optional.empty());
     }
 
     /** A session or a replay, without a statement about boats. */
@@ -47,10 +61,15 @@ public record StartOptions(
             Optional<Boolean> resume,
             Optional<Path> replay,
             Optional<Long> atMillis) {
-        this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty());
+        this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty(), Near.WHEN_ASKED);
     }
 
     public StartOptions {
         boats = List.copyOf(boats);
+    }
+
+    /** Whether a session that begins brings simulated boats of its own. */
+    public boolean hasBuiltInFleet() {
+        return boats.isEmpty() && !near.first();
     }
 }

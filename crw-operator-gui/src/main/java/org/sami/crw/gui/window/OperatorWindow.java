@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
@@ -21,6 +22,7 @@ import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.operator.health.HealthKind;
+import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.hull.NamedConditions;
@@ -48,6 +50,7 @@ public final class OperatorWindow {
     private final JFrame frame = new JFrame(TITLE);
     private final DockArea dock;
     private final OperatorPanels panels;
+    private final WindowCommands commands;
     private final CommandKeys keys;
     private final AlarmSounds sounds;
     private final Timer refresh;
@@ -72,7 +75,7 @@ public final class OperatorWindow {
         panels = new OperatorPanels(context, settings, file);
         sounds = AlarmSounds.of(context, settings);
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
-        WindowCommands commands = new WindowCommands(context, frame, settings, loaded -> {
+        commands = new WindowCommands(context, frame, settings, loaded -> {
             file.set(loaded);
             panels.reloadPlans();
         });
@@ -134,6 +137,11 @@ public final class OperatorWindow {
         frame.setTitle(TITLE + " – conditions: " + named);
     }
 
+    /** Says where boats near are looked for; else on all networks of this machine. */
+    public void lookForBoats(Supplier<BoatFinder> where) {
+        commands.lookForBoats(where);
+    }
+
     /** The frame, for those who drive it. */
     public JFrame frame() {
         return frame;
@@ -187,6 +195,7 @@ public final class OperatorWindow {
         keys.close();
         sounds.close();
         dock.close();
+        commands.close();
         panels.close();
         frame.dispose();
         boolean failed = session.faults().failure().isPresent()

@@ -3,12 +3,15 @@ package org.sami.crw.gui.window;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JFrame;
 import org.sami.crw.gui.boat.ConnectForm;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.key.KeysForm;
 import org.sami.crw.gui.key.PairSheet;
+import org.sami.crw.gui.near.NearSheet;
 import org.sami.crw.gui.start.ReplayProcess;
+import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.dock.DockArea;
@@ -24,6 +27,8 @@ final class WindowCommands {
     private final JFrame frame;
     private final ViewCommands view;
     private final Consumer<Path> projectLoaded;
+    private final NearSheet near;
+    private Supplier<BoatFinder> finder = BoatFinder::everywhere;
 
     WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings, Consumer<Path> projectLoaded) {
         this.projectLoaded = projectLoaded;
@@ -32,6 +37,10 @@ final class WindowCommands {
         add(new Command("boat-connect", "Connect a boat…", this::connect)
                 .withKey("ctrl B")
                 .withIcon("connect"));
+        near = new NearSheet(context, frame.getRootPane(), () -> finder.get());
+        add(new Command("boats-near", "Boats near…", near::open)
+                .withKey("ctrl N")
+                .withIcon("search"));
         add(new Command("boat-pair", "Pair a boat…", () -> new PairSheet(context, frame.getRootPane()).open())
                 .withKey("alt shift P")
                 .withIcon("link"));
@@ -76,6 +85,16 @@ final class WindowCommands {
     /** The command that ends the program. */
     void addEnd(Runnable end) {
         add(new Command("end", "Close the window…", end).withKey("ctrl Q").withIcon("close"));
+    }
+
+    /** Says where the list of boats near looks for them; else on all networks. */
+    void lookForBoats(Supplier<BoatFinder> where) {
+        finder = where;
+    }
+
+    /** Ends what goes on beside the panels. */
+    void close() {
+        near.close();
     }
 
     private void connect() {

@@ -53,6 +53,7 @@ public final class WindowMenus {
         bar.add(menus.menu(
                 "Boats",
                 'B',
+                "boats-near",
                 "boat-connect",
                 "boat-pair",
                 "keys",

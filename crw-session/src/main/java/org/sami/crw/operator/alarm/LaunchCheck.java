@@ -55,6 +55,19 @@ public record LaunchCheck(List<Item> items) {
             Objects.requireNonNull(state, "state");
             Objects.requireNonNull(text, "text");
         }
+
+        /** With what it is about, such as {@code battery 3 %: put a full one in}. */
+        public String words() {
+            return switch (subject) {
+                case LINK -> "link: " + text;
+                case COMMANDER -> text;
+                case POSITION -> "position: " + text;
+                case COMPASS -> "compass: " + text;
+                case MOTOR -> "motor: " + text;
+                case BATTERY -> "battery " + text;
+                case LOST_LINK -> "without a link it " + text;
+            };
+        }
     }
 
     public LaunchCheck {
@@ -65,15 +78,9 @@ public record LaunchCheck(List<Item> items) {
      * Goes through a boat.
      *
      * @param alarms of the session
-     * @param settings what the boat said is in force on it
      * @param triedMps the greatest speed in m/s during a trial of its motor; empty where it was not tried
      */
-    public static LaunchCheck of(
-            BoatSnapshot boat,
-            List<Alarm> alarms,
-            Optional<BoatTuning> settings,
-            OptionalDouble triedMps,
-            long nowMillis) {
+    public static LaunchCheck of(BoatSnapshot boat, List<Alarm> alarms, OptionalDouble triedMps, long nowMillis) {
         List<Item> items = new ArrayList<>();
         items.add(link(boat, nowMillis));
         items.add(commander(boat));
@@ -81,13 +88,49 @@ public record LaunchCheck(List<Item> items) {
         items.add(compass(boat, alarms));
         items.add(motor(boat, triedMps));
         items.add(battery(boat));
-        items.add(lostLink(settings));
+        items.add(lostLink(boat.settings()));
         return new LaunchCheck(items);
     }
 
     /** Whether all is good, or at worst doubtful. */
     public boolean mayLaunch() {
         return items.stream().allMatch(item -> item.state() == State.GOOD || item.state() == State.DOUBTFUL);
+    }
+
+    /**
+     * Whether it can take part in a mission: as {@link #mayLaunch}, but for a motor that nobody has tried, which keeps a boat ashore and not one that
+     * is in the water.
+     */
+    public boolean isReady() {
+        return items.stream().allMatch(LaunchCheck::allows);
+    }
+
+    private static boolean allows(Item item) {
+        boolean untried = item.subject() == Subject.MOTOR && item.state() == State.UNKNOWN;
+        return untried || item.state() == State.GOOD || item.state() == State.DOUBTFUL;
+    }
+
+    /** All in one: good, doubtful where it is ready all the same, unknown where it has not said enough, else bad. */
+    public State overall() {
+        if (isReady()) {
+            return items.stream().anyMatch(item -> item.state() == State.DOUBTFUL) ? State.DOUBTFUL : State.GOOD;
+        }
+        return items.stream().anyMatch(item -> item.state() == State.BAD) ? State.BAD : State.UNKNOWN;
+    }
+
+    /**
+     * In one line: {@code ready}, {@code ready; battery 25 %, low: a short way only}, or {@code battery 3 %: put a full one in} with all else that it
+     * is not ready for.
+     */
+    public String words() {
+        boolean ready = isReady();
+        List<String> told = items.stream()
+                .filter(item -> ready ? item.state() == State.DOUBTFUL : !allows(item))
+                .map(Item::words)
+                .toList();
+        return ready
+                ? told.isEmpty() ? "ready" : "ready; " + String.join("; ", told)
+                : String.join("; ", told);
     }
 
     /** How many items are good. */
@@ -185,7 +228,7 @@ public record LaunchCheck(List<Item> items) {
                         case CRITICAL -> new Item(Subject.BATTERY, State.BAD, percent + ": put a full one in");
                     };
                 })
-                .orElseGet(() -> new Item(Subject.BATTERY, State.UNKNOWN, "it has said nothing of its battery"));
+                .orElseGet(() -> new Item(Subject.BATTERY, State.UNKNOWN, "not known yet"));
     }
 
     private static Item lostLink(Optional<BoatTuning> settings) {
@@ -194,7 +237,7 @@ public record LaunchCheck(List<Item> items) {
                         Subject.LOST_LINK,
                         action == LostLinkAction.DRIFT ? State.DOUBTFUL : State.GOOD,
                         LostLinkWords.of(action)))
-                .orElseGet(() -> new Item(Subject.LOST_LINK, State.UNKNOWN, "it has not said what it does then"));
+                .orElseGet(() -> new Item(Subject.LOST_LINK, State.UNKNOWN, "has not said what it does"));
     }
 
     private static Optional<String> alarm(BoatSnapshot boat, List<Alarm> alarms, Alarm.Kind kind) {

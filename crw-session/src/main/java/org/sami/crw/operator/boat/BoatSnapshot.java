@@ -11,6 +11,7 @@ import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
@@ -32,6 +33,7 @@ import org.sami.spn.value.GeoPoint;
  * @param drift its drift while it does not drive; empty for one that drives, or without reports
  * @param stop whether it is stopped until a release
  * @param wayHome its expected way home, from its last position with the turns between, while it returns by itself; otherwise empty
+ * @param settings the settings that it last reported to be in force; empty before the first report
  */
 public record BoatSnapshot(
         String boat,
@@ -48,7 +50,8 @@ public record BoatSnapshot(
         BoatExplanation why,
         Optional<Drift> drift,
         StopLatch stop,
-        List<GeoPoint> wayHome) {
+        List<GeoPoint> wayHome,
+        Optional<BoatTuning> settings) {
 
     /** Who commands a boat. */
     public enum Commander {
@@ -62,7 +65,7 @@ public record BoatSnapshot(
         UNKNOWN
     }
 
-    /** A boat that neither drifts nor is stopped. */
+    /** A boat that neither drifts nor is stopped, and has reported no settings. */
     public BoatSnapshot(
             String boat,
             LinkState link,
@@ -92,7 +95,8 @@ public record BoatSnapshot(
                 why,
                 Optional.empty(),
                 StopLatch.NONE,
-                wayHome);
+                wayHome,
+                Optional.empty());
     }
 
     /** A boat of which nothing has been heard. */
@@ -126,6 +130,7 @@ public record BoatSnapshot(
         Objects.requireNonNull(drift, "drift");
         Objects.requireNonNull(stop, "stop");
         wayHome = List.copyOf(wayHome);
+        Objects.requireNonNull(settings, "settings");
     }
 
     /** How old the pose is, in ms; empty where there is none. */

@@ -21,6 +21,7 @@ import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.spn.value.GeoPoint;
 
 class LaunchCheckTest {
@@ -29,8 +30,9 @@ class LaunchCheckTest {
 
     @Test
     void aBoatOfWhichAllIsKnownAndGoodMayBeLaunched() {
-        LaunchCheck check = check(boat(NOW, 80, BatteryLevel.NOMINAL), List.of(), LostLinkAction.HOLD, 0.5);
+        LaunchCheck check = check(NOW, 80, BatteryLevel.NOMINAL, List.of(), LostLinkAction.HOLD, 0.5);
 
+        assertThat(check.words()).isEqualTo("ready");
         assertThat(check.items()).extracting(LaunchCheck.Item::state).containsOnly(State.GOOD);
         assertThat(check.mayLaunch()).isTrue();
     }
@@ -38,24 +40,24 @@ class LaunchCheckTest {
     @Test
     void whatIsOldWrongOrEmptyIsBad() {
         assertThat(state(
-                        check(boat(NOW - 4000, 80, BatteryLevel.NOMINAL), List.of(), LostLinkAction.HOLD, 0.5),
+                        check(NOW - 4000, 80, BatteryLevel.NOMINAL, List.of(), LostLinkAction.HOLD, 0.5),
                         Subject.POSITION))
                 .isEqualTo(State.BAD);
         assertThat(state(
-                        check(boat(NOW, 3, BatteryLevel.CRITICAL), List.of(), LostLinkAction.HOLD, 0.5),
+                        check(NOW, 3, BatteryLevel.CRITICAL, List.of(), LostLinkAction.HOLD, 0.5),
                         Subject.BATTERY))
                 .isEqualTo(State.BAD);
         Alarm compass =
                 new Alarm(1, Alarm.Kind.COMPASS_DOUBTFUL, "anna", "", "it goes sideways", 0, true, false, false);
         assertThat(state(
-                        check(boat(NOW, 80, BatteryLevel.NOMINAL), List.of(compass), LostLinkAction.HOLD, 0.5),
+                        check(NOW, 80, BatteryLevel.NOMINAL, List.of(compass), LostLinkAction.HOLD, 0.5),
                         Subject.COMPASS))
                 .isEqualTo(State.BAD);
     }
 
     @Test
     void aBoatThatWouldDriftOrDidNotMoveIsDoubtfulAndMayBeLaunched() {
-        LaunchCheck check = check(boat(NOW, 25, BatteryLevel.LOW), List.of(), LostLinkAction.DRIFT, 0.0);
+        LaunchCheck check = check(NOW, 25, BatteryLevel.LOW, List.of(), LostLinkAction.DRIFT, 0.0);
 
         assertThat(state(check, Subject.LOST_LINK)).isEqualTo(State.DOUBTFUL);
         assertThat(state(check, Subject.MOTOR)).isEqualTo(State.DOUBTFUL);
@@ -66,11 +68,34 @@ class LaunchCheckTest {
     @Test
     void whatWasNeverHeardIsUnknownAndKeepsTheBoatAshore() {
         LaunchCheck check = LaunchCheck.of(
-                boat(NOW, 80, BatteryLevel.NOMINAL), List.of(), Optional.empty(), OptionalDouble.empty(), NOW);
+                boat(NOW, 80, BatteryLevel.NOMINAL, Optional.empty()), List.of(), OptionalDouble.empty(), NOW);
 
         assertThat(state(check, Subject.LOST_LINK)).isEqualTo(State.UNKNOWN);
         assertThat(state(check, Subject.MOTOR)).isEqualTo(State.UNKNOWN);
         assertThat(check.mayLaunch()).isFalse();
+        assertThat(check.isReady()).isFalse();
+        assertThat(check.words()).isEqualTo("without a link it has not said what it does");
+    }
+
+    @Test
+    void aMotorThatNobodyTriedKeepsABoatAshoreAndOutOfNoMission() {
+        LaunchCheck check = LaunchCheck.of(
+                boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD), List.of(), OptionalDouble.empty(), NOW);
+
+        assertThat(check.mayLaunch()).isFalse();
+        assertThat(check.isReady()).isTrue();
+        assertThat(check.words()).isEqualTo("ready");
+    }
+
+    @Test
+    void oneLineSaysAllThatKeepsABoatFromAMissionOrElseWhatIsDoubtful() {
+        assertThat(check(NOW - 4000, 3, BatteryLevel.CRITICAL, List.of(), LostLinkAction.DRIFT, 0.5)
+                        .words())
+                .isEqualTo("position: 45.000000, 10.000000 was 4 s ago: wait for its satellites; "
+                        + "battery 3 %: put a full one in");
+        assertThat(check(NOW, 25, BatteryLevel.LOW, List.of(), LostLinkAction.HOLD, 0.5)
+                        .words())
+                .isEqualTo("ready; battery 25 %, low: a short way only");
     }
 
     private static State state(LaunchCheck check, Subject subject) {
@@ -81,12 +106,22 @@ class LaunchCheckTest {
                 .state();
     }
 
-    private static LaunchCheck check(BoatSnapshot boat, List<Alarm> alarms, LostLinkAction action, double triedMps) {
-        return LaunchCheck.of(
-                boat, alarms, Optional.of(new BoatTuning(GAINS, GAINS, 1, action)), OptionalDouble.of(triedMps), NOW);
+    private static LaunchCheck check(
+            long poseAtMillis,
+            double percent,
+            BatteryLevel level,
+            List<Alarm> alarms,
+            LostLinkAction action,
+            double triedMps) {
+        return LaunchCheck.of(boat(poseAtMillis, percent, level, action), alarms, OptionalDouble.of(triedMps), NOW);
     }
 
-    private static BoatSnapshot boat(long poseAtMillis, double percent, BatteryLevel level) {
+    private static BoatSnapshot boat(long poseAtMillis, double percent, BatteryLevel level, LostLinkAction action) {
+        return boat(poseAtMillis, percent, level, Optional.of(new BoatTuning(GAINS, GAINS, 1, action)));
+    }
+
+    private static BoatSnapshot boat(
+            long poseAtMillis, double percent, BatteryLevel level, Optional<BoatTuning> settings) {
         return new BoatSnapshot(
                 "anna",
                 LinkState.LINKED,
@@ -100,6 +135,9 @@ class LaunchCheckTest {
                 0,
                 0,
                 new BoatExplanation(false, Cause.NO_COMMAND, "anna rests"),
-                List.of());
+                Optional.empty(),
+                StopLatch.NONE,
+                List.of(),
+                settings);
     }
 }

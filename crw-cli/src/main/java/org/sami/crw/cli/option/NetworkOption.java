@@ -1,12 +1,13 @@
-package org.sami.crw.cli.run;
+package org.sami.crw.cli.option;
 
 import java.net.InetAddress;
 import java.util.List;
+import java.util.Optional;
 import org.sami.crw.proxy.near.BoatFinder;
 import picocli.CommandLine.Option;
 
 /** Where boats that announce themselves are looked for. */
-final class NetworkOption {
+public final class NetworkOption {
     @Option(
             names = "--network",
             paramLabel = "ADDRESS",
@@ -14,8 +15,13 @@ final class NetworkOption {
                     "Look for boats only on the network of this address of this machine (default: on all networks).")
     private InetAddress network;
 
+    /** The address; empty for all networks. */
+    public Optional<InetAddress> address() {
+        return Optional.ofNullable(network);
+    }
+
     /** Begins to look. */
-    BoatFinder open() {
-        return network == null ? BoatFinder.everywhere() : BoatFinder.on(List.of(network));
+    public BoatFinder open() {
+        return BoatFinder.on(address());
     }
 }
