@@ -35,9 +35,11 @@ final class LaunchPanel extends JPanel {
                 "Select a boat: link, position, compass, motor, battery and what it does without a link are gone through here.",
                 Item::subject,
                 List.of(
-                        RowColumn.<Item>words("Check", 150, item -> LaunchWords.mark(item.state()) + name(item.subject()))
+                        RowColumn.<Item>words(
+                                        "Check", 150, item -> LaunchWords.mark(item.state()) + name(item.subject()))
                                 .colored(item -> LaunchWords.color(item.state())),
-                        RowColumn.<Item>words("How it is", 0, Item::text).colored(item -> LaunchWords.color(item.state()))));
+                        RowColumn.<Item>words("How it is", 0, Item::text)
+                                .colored(item -> LaunchWords.color(item.state()))));
         summary.setName("boat-launch-summary");
         CommandRow head = new CommandRow();
         head.left(summary).right(new CommandButton(motor.command()));

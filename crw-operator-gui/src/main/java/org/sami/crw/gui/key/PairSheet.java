@@ -60,8 +60,7 @@ public final class PairSheet {
                     show(form, name, then);
                     form.read(file);
                 }));
-        WindowSheet.in(inside)
-                .open(new Sheet(PAIRING, "Pair " + name, form).whenClosed(() -> {
+        WindowSheet.in(inside).open(new Sheet(PAIRING, "Pair " + name, form).whenClosed(() -> {
                     form.cancel();
                     left(then);
                 }));

@@ -29,11 +29,12 @@ record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchChe
             case FAILING -> 3;
             case CONNECTING -> 0;
             case NONE -> row.advice().isEmpty() ? 0 : 2;
-            case CONNECTED -> switch (check.map(LaunchCheck::overall).orElse(State.UNKNOWN)) {
-                case BAD -> 3;
-                case DOUBTFUL, UNKNOWN -> 1;
-                case GOOD -> 0;
-            };
+            case CONNECTED ->
+                switch (check.map(LaunchCheck::overall).orElse(State.UNKNOWN)) {
+                    case BAD -> 3;
+                    case DOUBTFUL, UNKNOWN -> 1;
+                    case GOOD -> 0;
+                };
         };
     }
 
@@ -42,8 +43,7 @@ record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchChe
         return new CheckedBoat(
                 row,
                 known,
-                known.map(boat ->
-                        LaunchCheck.of(boat, models.alarms().snapshot(), OptionalDouble.empty(), nowMillis)));
+                known.map(boat -> LaunchCheck.of(boat, models.alarms().snapshot(), OptionalDouble.empty(), nowMillis)));
     }
 
     String name() {
@@ -69,7 +69,8 @@ record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchChe
 
     SemanticColor checkColor() {
         return check.filter(one -> isConnected())
-                .map(one -> LaunchWords.color(one.overall())).orElse(SemanticColor.MUTED);
+                .map(one -> LaunchWords.color(one.overall()))
+                .orElse(SemanticColor.MUTED);
     }
 
     SemanticColor linkColor() {

@@ -32,8 +32,9 @@ import org.sami.ui.value.WrappedText;
  */
 final class NearForm extends JPanel {
     private static final String WIDE = "growx, wmin 60";
-    private static final String EMPTY = "No boat announces itself yet. Switch boats on, in the same network as this laptop: each appears here"
-            + " within seconds. Where the network passes no announcements, connect by address (Ctrl+B).";
+    private static final String EMPTY =
+            "No boat announces itself yet. Switch boats on, in the same network as this laptop: each appears here"
+                    + " within seconds. Where the network passes no announcements, connect by address (Ctrl+B).";
     private static final int REFRESH_MS = 500; // ages grow by themselves
 
     private static final int LEAST_PX = 120;
@@ -74,18 +75,23 @@ final class NearForm extends JPanel {
                 List.of(
                         BoatTables.names(context, CheckedBoat::name),
                         RowColumn.<CheckedBoat>words(
-                                        "Address", 150, one -> one.row().address().toString())
+                                        "Address",
+                                        150,
+                                        one -> one.row().address().toString())
                                 .keepingEnds()
                                 .asSpare(),
                         RowColumn.number("Battery", 68, CheckedBoat::battery),
-                        RowColumn.<CheckedBoat>words("Link", 150, one -> one.row().words())
+                        RowColumn.<CheckedBoat>words(
+                                        "Link", 150, one -> one.row().words())
                                 .colored(CheckedBoat::linkColor),
                         RowColumn.<CheckedBoat>words("Ready for a mission", 0, CheckedBoat::checkWords)
                                 .colored(CheckedBoat::checkColor)));
         table.showOneLine();
         Command all = new Command("near-connect-all", "Connect all", this::connectAll).withIcon("connect");
         connect = new Command("near-connect", "Connect", this::connectSelected).unless(this::whyNotConnect);
-        pair = new Command("near-pair", "Pair…", this::pairSelected).withIcon("link").unless(this::whyNotPair);
+        pair = new Command("near-pair", "Pair…", this::pairSelected)
+                .withIcon("link")
+                .unless(this::whyNotPair);
         count.setName("boats-near-count");
         said.setName("boats-near-said");
         problems.setName("boats-near-problems");
@@ -149,7 +155,8 @@ final class NearForm extends JPanel {
         }
         return one.filter(NearRow::needsPairing).isPresent()
                 ? Optional.empty()
-                : Optional.of(one.get().name() + " is not to be paired: " + one.get().words());
+                : Optional.of(
+                        one.get().name() + " is not to be paired: " + one.get().words());
     }
 
     private void connectAll() {

@@ -128,9 +128,7 @@ public record LaunchCheck(List<Item> items) {
                 .filter(item -> ready ? item.state() == State.DOUBTFUL : !allows(item))
                 .map(Item::words)
                 .toList();
-        return ready
-                ? told.isEmpty() ? "ready" : "ready; " + String.join("; ", told)
-                : String.join("; ", told);
+        return ready ? told.isEmpty() ? "ready" : "ready; " + String.join("; ", told) : String.join("; ", told);
     }
 
     /** How many items are good. */

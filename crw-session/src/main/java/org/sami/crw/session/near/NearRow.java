@@ -79,16 +79,15 @@ public record NearRow(
             case CONNECTED -> "connected";
             case CONNECTING -> "connecting";
             case FAILING -> failing(link.orElseThrow());
-            case NONE -> elsewhere
-                    .map(at -> "connected at " + at)
-                    .orElseGet(() -> found.map(NearBoat::stateWords).orElse(""));
+            case NONE ->
+                elsewhere
+                        .map(at -> "connected at " + at)
+                        .orElseGet(() -> found.map(NearBoat::stateWords).orElse(""));
         };
     }
 
     private static String failing(LinkReport tried) {
-        String what = tried.boatId().isPresent()
-                ? "link lost"
-                : tried.refused() ? "refused" : "does not answer";
+        String what = tried.boatId().isPresent() ? "link lost" : tried.refused() ? "refused" : "does not answer";
         String why = tried.lastEvent();
         return why.isEmpty() || why.startsWith(what) ? (why.isEmpty() ? what : why) : what + ": " + why;
     }

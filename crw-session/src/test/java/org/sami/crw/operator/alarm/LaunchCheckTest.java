@@ -43,9 +43,7 @@ class LaunchCheckTest {
                         check(NOW - 4000, 80, BatteryLevel.NOMINAL, List.of(), LostLinkAction.HOLD, 0.5),
                         Subject.POSITION))
                 .isEqualTo(State.BAD);
-        assertThat(state(
-                        check(NOW, 3, BatteryLevel.CRITICAL, List.of(), LostLinkAction.HOLD, 0.5),
-                        Subject.BATTERY))
+        assertThat(state(check(NOW, 3, BatteryLevel.CRITICAL, List.of(), LostLinkAction.HOLD, 0.5), Subject.BATTERY))
                 .isEqualTo(State.BAD);
         Alarm compass =
                 new Alarm(1, Alarm.Kind.COMPASS_DOUBTFUL, "anna", "", "it goes sideways", 0, true, false, false);
