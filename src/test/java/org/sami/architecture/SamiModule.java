@@ -127,6 +127,12 @@ enum SamiModule {
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
     MAVLINK("mavlink", 42, List.of("org.sami.mavlink.."), List.of()),
+    /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
+    CRW_MAVLINK(
+            "crw-mavlink",
+            20,
+            List.of("org.sami.crw.mavlink.."),
+            List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */
     CRW_CLI(
             "crw-cli",

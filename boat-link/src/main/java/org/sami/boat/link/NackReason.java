@@ -28,6 +28,8 @@ public enum NackReason {
     ID_TAKEN,
     /** The boat cannot keep on its disk what the command changes. */
     NOT_KEPT,
+    /** The boat cannot do it, or not now; the detail says why, in its own words. */
+    NOT_ABLE,
     /** The sender, or all clients together, ask too often; later it may be granted. */
     TOO_OFTEN
 }

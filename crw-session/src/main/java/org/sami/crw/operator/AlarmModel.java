@@ -197,7 +197,9 @@ public final class AlarmModel extends Model<List<Alarm>> {
 
     void apply(FleetEvent event, long atMillis) {
         if (event instanceof FleetEvent.LinkAlarmed e) {
-            set(Key.of(kindOf(e.alarm()), e.boat()), Optional.of(e.alarm().text()), atMillis);
+            kindOf(e.alarm())
+                    .ifPresent(kind ->
+                            set(Key.of(kind, e.boat()), Optional.of(e.alarm().text()), atMillis));
         } else if (event instanceof FleetEvent.TooMuchSent e) {
             tooMuchSent(e, atMillis);
         } else if (event instanceof FleetEvent.Moved) {
@@ -229,11 +231,13 @@ public final class AlarmModel extends Model<List<Alarm>> {
         }
     }
 
-    private static Kind kindOf(LinkAlarm alarm) {
+    /** Empty for what is only a message: nobody says when it is over. */
+    private static Optional<Kind> kindOf(LinkAlarm alarm) {
         return switch (alarm.kind()) {
-            case TWO_BOATS_WITH_ONE_ID, ONE_BOAT_AT_TWO_ADDRESSES -> Kind.DUPLICATE_ID;
-            case ANOTHER_BOAT, OTHER_VERSION, LINK_OF_BEFORE -> Kind.LINK_FAULT;
-            case EVER_NEW_BOATS -> Kind.LINK_FLOOD;
+            case TWO_BOATS_WITH_ONE_ID, ONE_BOAT_AT_TWO_ADDRESSES -> Optional.of(Kind.DUPLICATE_ID);
+            case ANOTHER_BOAT, OTHER_VERSION, LINK_OF_BEFORE -> Optional.of(Kind.LINK_FAULT);
+            case EVER_NEW_BOATS -> Optional.of(Kind.LINK_FLOOD);
+            case SAID_BY_BOAT -> Optional.empty();
         };
     }
 

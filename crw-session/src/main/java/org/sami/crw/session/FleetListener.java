@@ -88,7 +88,7 @@ final class FleetListener implements BaseListener {
 
     @Override
     public void onReached(String boatId, InetSocketAddress at) {
-        BoatAddress address = new BoatAddress(at.getHostString(), at.getPort());
+        BoatAddress address = BoatAddress.of(at);
         remembered.ifPresent(memory -> memory.reachedAt(boatId, address));
         if (history.isAt(boatId, address.toString())) {
             telemetry.address(boatId, address.toString());

@@ -178,9 +178,11 @@ final class TcpFleet implements FleetConnector {
             boatAt.values().remove(boatId);
             boatAt.put(at, boatId);
             listener.onReached(boatId, at);
-            List<Consumer<String>> waiting =
-                    Optional.ofNullable(awaited.remove(at)).orElse(List.of());
-            waiting.forEach(found -> found.accept(boatId));
+            BoatAddress reached = BoatAddress.of(at);
+            List<InetSocketAddress> meant = awaited.keySet().stream()
+                    .filter(each -> BoatAddress.of(each).leadsTo(reached))
+                    .toList();
+            meant.forEach(each -> awaited.remove(each).forEach(found -> found.accept(boatId)));
         }
 
         @Override

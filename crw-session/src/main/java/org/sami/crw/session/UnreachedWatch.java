@@ -64,7 +64,7 @@ final class UnreachedWatch {
     }
 
     private static String address(LinkReport link) {
-        return new BoatAddress(link.address().getHostString(), link.address().getPort()).toString();
+        return BoatAddress.of(link.address()).toString();
     }
 
     private String boatOf(String address) {

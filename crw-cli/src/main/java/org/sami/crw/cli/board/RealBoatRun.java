@@ -13,7 +13,6 @@ import org.sami.boat.hull.host.HullBoat;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
-import org.sami.boat.server.log.LogPlace;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
 
@@ -24,10 +23,8 @@ import org.sami.boat.server.tcp.TcpServerListener;
  * @param address where its server listens
  * @param lostLink what it does when the link is lost
  * @param logFolder where its log is
- * @param logBytes most bytes of its log
  */
-public record RealBoatRun(
-        String name, InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFolder, long logBytes) {
+public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFolder) {
 
     /** Waits until the run is to end. */
     public interface Waiter {
@@ -72,7 +69,7 @@ public record RealBoatRun(
             out.printf("%s waits for a position%n", name);
             out.flush();
             boat.awaitPosition();
-            Optional<LogPlace> log = logFolder.map(folder -> new LogPlace(folder.resolve(name + ".log"), logBytes));
+            Optional<Path> log = logFolder.map(folder -> folder.resolve(name + ".log"));
             boat.serve(address, lostLink, log, console, links.make());
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
             try (Closeable announcer =

@@ -6,6 +6,8 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -67,7 +69,6 @@ public final class BoatServerCommand implements Callable<Integer> {
             "--name",
             "--lost-link",
             "--log",
-            "--log-size",
             "--bind",
             "--while-input",
             "--announce",
@@ -145,8 +146,13 @@ public final class BoatServerCommand implements Callable<Integer> {
                     + "hold, return, continue, drift (default ${DEFAULT-VALUE}).")
     private LostLinkAction lostLink;
 
-    @Mixin
-    private BoatLogOptions log = new BoatLogOptions();
+    @Option(
+            names = "--log",
+            paramLabel = "DIR",
+            description =
+                    "A folder for its log, NAME.log. An existing log is continued: the boat knows the commands that "
+                            + "it has executed, and does not move before a new one.")
+    private Path log;
 
     @Option(
             names = "--bind",
@@ -210,7 +216,7 @@ public final class BoatServerCommand implements Callable<Integer> {
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             RealBoatRun run =
-                    new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, log.folder(), log.bytes());
+                    new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, Optional.ofNullable(log));
             Console console = new Console();
             run.run(
                     hullOptions,
@@ -283,8 +289,7 @@ public final class BoatServerCommand implements Callable<Integer> {
                     conditions.conditions(),
                     fieldSeed,
                     lostLink,
-                    log.folder(),
-                    log.bytes());
+                    Optional.ofNullable(log));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }
@@ -339,11 +344,6 @@ public final class BoatServerCommand implements Callable<Integer> {
         @Override
         public void failed(String what, Throwable cause) {
             say(what + ": " + cause);
-        }
-
-        @Override
-        public void recovered(String what) {
-            say(what);
         }
 
         @Override

@@ -96,6 +96,7 @@ public abstract class CommandRun {
             case NOT_GREETED, NOT_COMMANDER, FLEET_STOPPED -> because(Verdict.WAIT, nack.detail());
             case UNKNOWN_LIST, STALE, ID_TAKEN -> // another try has an id of its own
                 because(Verdict.RETRY, nack.detail());
+            case NOT_ABLE -> because(Verdict.FAILED, nack.detail());
             default -> because(Verdict.FAILED, "the boat refused it: " + nack.reason() + ", " + nack.detail());
         };
     }

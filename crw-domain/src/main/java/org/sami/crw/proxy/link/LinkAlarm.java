@@ -24,6 +24,8 @@ public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, Str
         /** The boat speaks the link of before, which is spoken for one release: it obeys bases that were replaced. */
         LINK_OF_BEFORE,
         /** Boats answer at one address under ever new names; further ones are not taken. */
-        EVER_NEW_BOATS
+        EVER_NEW_BOATS,
+        /** The boat itself says what is wrong. */
+        SAID_BY_BOAT
     }
 }

@@ -11,10 +11,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where a boat's server listens.
+ * Where a boat's server listens; or a MAVLink link with the number of a vehicle on it.
  *
- * @param host a name, an IPv4 address, or an IPv6 address without brackets; in small letters
- * @param port 1 to 65535
+ * @param host a name, an IPv4 address, or an IPv6 address without brackets, in small letters; of a vehicle the link, which begins with {@code mavlink:}
+ * @param port 1 to 65535; of a vehicle its system id, or 256 for all that are heard on the link
  */
 public record BoatAddress(String host, int port) {
     private static final int MAX_PORT = 65_535;
@@ -23,7 +23,8 @@ public record BoatAddress(String host, int port) {
                     + ":(?<port>[0-9]{1,5})");
 
     public BoatAddress {
-        host = Objects.requireNonNull(host, "host").toLowerCase(Locale.ROOT);
+        Objects.requireNonNull(host, "host");
+        host = VehicleAddress.isOne(host) ? host : host.toLowerCase(Locale.ROOT); // devices have capitals
         if (host.isEmpty() || port < 1 || port > MAX_PORT) {
             throw new IllegalArgumentException("no address of a boat: '" + host + "', port " + port);
         }
@@ -35,6 +36,13 @@ public record BoatAddress(String host, int port) {
      * @throws IllegalArgumentException saying what is allowed
      */
     public static BoatAddress parse(String text) {
+        if (VehicleAddress.isOne(text.strip())) {
+            List<BoatAddress> all = VehicleAddress.parseAll(text);
+            if (all.size() > 1) {
+                throw new IllegalArgumentException("'" + text + "' are several vehicles, not one");
+            }
+            return all.get(0);
+        }
         Matcher form = FORM.matcher(text.strip());
         if (form.matches()) {
             int port = Integer.parseInt(form.group("port"));
@@ -55,13 +63,31 @@ public record BoatAddress(String host, int port) {
         List<BoatAddress> all = new ArrayList<>();
         Set<BoatAddress> known = new HashSet<>();
         for (String part : text.split(",", -1)) {
-            BoatAddress next = parse(part);
-            if (!known.add(next)) {
-                throw new IllegalArgumentException(next + " stands there twice");
+            List<BoatAddress> meant =
+                    VehicleAddress.isOne(part.strip()) ? VehicleAddress.parseAll(part) : List.of(parse(part));
+            for (BoatAddress next : meant) {
+                if (!known.add(next)) {
+                    throw new IllegalArgumentException(next + " stands there twice");
+                }
+                all.add(next);
             }
-            all.add(next);
         }
         return all;
+    }
+
+    /** The address that a socket's is written as. */
+    public static BoatAddress of(InetSocketAddress address) {
+        return new BoatAddress(address.getHostString(), address.getPort());
+    }
+
+    /** Whether it stands for all vehicles that are heard on its link. */
+    public boolean isOfEveryVehicle() {
+        return VehicleAddress.isOne(host) && port == VehicleAddress.EVERY_VEHICLE;
+    }
+
+    /** Whether a boat that is reached at another address is one of those at this. */
+    public boolean leadsTo(BoatAddress other) {
+        return equals(other) || (isOfEveryVehicle() && host.equals(other.host));
     }
 
     /** For a socket; a name is looked up when it is connected. */
@@ -71,6 +97,9 @@ public record BoatAddress(String host, int port) {
 
     @Override
     public String toString() {
+        if (VehicleAddress.isOne(host)) {
+            return VehicleAddress.text(host, port);
+        }
         return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
     }
 }

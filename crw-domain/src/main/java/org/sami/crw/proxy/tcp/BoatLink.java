@@ -27,8 +27,8 @@ final class BoatLink implements FrameSink {
 
     /** What a link needs of its base. */
     interface Base {
-        /** Where a connection of this link tells what happens; brings it to the base's thread, and back to this link. */
-        BoatConnection.Owner owner(BoatLink link);
+        /** A connection of this link that is not begun yet; it tells what happens on the base's thread. */
+        BoatConnection connection(BoatLink link);
 
         /** A boat has given its name: whether this link carries it. Asked again while the answer is to wait. */
         Claim claimed(BoatLink link, Found found);
@@ -168,7 +168,7 @@ final class BoatLink implements FrameSink {
         if (proxy.isPresent() && proxy.get().isDisconnected()) {
             connection.ifPresent(standing -> standing.close("the link is cut on purpose"));
         } else if (connection.isEmpty() && nowMs >= nextTryMs) {
-            BoatConnection next = new BoatConnection(address, config, base.owner(this));
+            BoatConnection next = base.connection(this);
             connection = Optional.of(next);
             triedAtMs = nowMs;
             next.start();

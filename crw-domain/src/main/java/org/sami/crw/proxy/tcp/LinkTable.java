@@ -29,7 +29,7 @@ final class LinkTable {
 
     private final TcpBaseConfig config;
     private final BaseListener listener;
-    private final Function<BoatLink, BoatConnection.Owner> owners;
+    private final Function<BoatLink, BoatConnection> connections;
     private final BiConsumer<String, Runnable> guarded;
     private final List<BoatLink> links = new ArrayList<>();
     private final List<Leaving> leaving = new ArrayList<>();
@@ -46,18 +46,18 @@ final class LinkTable {
     /**
      * A table without links.
      *
-     * @param owners returns the owner of a link's connections
+     * @param connections makes a connection of a link
      * @param guarded runs work that is named in words, and reports what it throws
      */
     LinkTable(
             TcpBaseConfig config,
             BaseListener listener,
-            Function<BoatLink, BoatConnection.Owner> owners,
+            Function<BoatLink, BoatConnection> connections,
             BiConsumer<String, Runnable> guarded) {
         this.guarded = guarded;
         this.config = config;
         this.listener = listener;
-        this.owners = owners;
+        this.connections = connections;
     }
 
     ProxyRegistry proxies() {
@@ -84,6 +84,22 @@ final class LinkTable {
             links.add(link);
             link.tick(nowMs);
         }
+    }
+
+    /** An address of several boats has led to one of them; it is not looked at any longer itself. */
+    void found(InetSocketAddress several, InetSocketAddress boat, long atMs) {
+        add(boat, atMs);
+        links.stream()
+                .filter(link -> link.address().equals(several))
+                .findFirst()
+                .ifPresent(this::drop);
+    }
+
+    /** The boat behind a link says something that an operator must know. */
+    void alarm(BoatLink link, String text) {
+        LinkAlarm alarm =
+                new LinkAlarm(LinkAlarm.Kind.SAID_BY_BOAT, link.boatId().orElse(""), link.address(), text);
+        tell("an alarm", () -> listener.onAlarm(alarm));
     }
 
     /** A boat of that name is known to be somewhere: its proxy takes commands, which wait until an address leads to the boat. */
@@ -174,8 +190,8 @@ final class LinkTable {
     /** Decides which link carries a boat. */
     private final class Hand implements BoatLink.Base {
         @Override
-        public BoatConnection.Owner owner(BoatLink link) {
-            return owners.apply(link);
+        public BoatConnection connection(BoatLink link) {
+            return connections.apply(link);
         }
 
         @Override
@@ -305,7 +321,7 @@ final class LinkTable {
         }
 
         private static String words(BoatLink link) {
-            return link.address().getHostString() + ":" + link.address().getPort();
+            return BoatAddress.of(link.address()).toString();
         }
     }
 

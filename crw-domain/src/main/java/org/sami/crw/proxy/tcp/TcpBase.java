@@ -34,14 +34,17 @@ public final class TcpBase implements AutoCloseable {
     private final BaseListener listener;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
-    private final LinkTable links; // for the base's thread
+    private final TcpBaseConfig config;
+    private final Gateways gateways = new Gateways(); // this and the next: for the base's thread
+    private final LinkTable links;
     private boolean stopped; // as well
 
     /** A base without boats, whose thread runs already. */
     public TcpBase(TcpBaseConfig config, SteadyClock clock, BaseListener listener) {
         this.clock = Objects.requireNonNull(clock, "clock");
         this.listener = Objects.requireNonNull(listener, "listener");
-        links = new LinkTable(Objects.requireNonNull(config, "config"), listener, this::earsOf, this::guarded);
+        this.config = Objects.requireNonNull(config, "config");
+        links = new LinkTable(config, listener, this::connection, this::guarded);
         thread = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread made = new Thread(work, config.proxy().clientId() + "-links");
             made.setDaemon(true);
@@ -118,6 +121,7 @@ public final class TcpBase implements AutoCloseable {
             stopped = true;
             closing.addAll(links.connections());
             closing.forEach(connection -> connection.close("the base stops"));
+            gateways.close();
         });
         thread.shutdown(); // what was said before still comes to the proxies
         try {
@@ -168,6 +172,13 @@ public final class TcpBase implements AutoCloseable {
         }
     }
 
+    private BoatConnection connection(BoatLink link) {
+        BoatConnection.Owner ears = earsOf(link);
+        return gateways.to(link.address())
+                .<BoatConnection>map(gateway -> new GatewayConnection(gateway, link.address(), ears))
+                .orElseGet(() -> new TcpConnection(link.address(), config, ears));
+    }
+
     /** Brings what connections tell to the base's thread. */
     private BoatConnection.Owner earsOf(BoatLink link) {
         return new BoatConnection.Owner() {
@@ -187,6 +198,20 @@ public final class TcpBase implements AutoCloseable {
             @Override
             public void closed(BoatConnection connection, String why) {
                 run("a closed link", () -> link.closed(connection, why, now()));
+            }
+
+            @Override
+            public void found(InetSocketAddress boat) {
+                run("a boat that was found", () -> {
+                    if (!stopped) {
+                        links.found(link.address(), boat, now());
+                    }
+                });
+            }
+
+            @Override
+            public void alarm(String text) {
+                run("an alarm of a boat", () -> links.alarm(link, text));
             }
         };
     }

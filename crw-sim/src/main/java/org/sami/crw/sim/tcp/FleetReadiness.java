@@ -73,7 +73,7 @@ final class FleetReadiness {
     }
 
     private static boolean isAt(InetSocketAddress known, BoatAddress address) {
-        return known.getHostString().equals(address.host()) && known.getPort() == address.port();
+        return address.leadsTo(BoatAddress.of(known));
     }
 
     private static String lastEvent(LinkReport link) {

@@ -37,8 +37,6 @@ import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
-import org.sami.boat.server.log.LogEntries;
-import org.sami.boat.server.log.LogPlace;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -311,10 +309,10 @@ public final class BoatOnPhone implements Closeable {
             boat = new BoatServer(config, vehicle, this);
             mode = boat.mode();
             log = CommandLogFile.open(
-                    new LogPlace(files.commandLog(), settings.logBytes()),
+                    files.commandLog(),
                     bootId,
-                    LogEntries.restoring(boat),
-                    health.logFaults());
+                    entry -> boat.restore(entry.clientId(), entry.command(), entry.answer()),
+                    broken -> health.setLogBroken());
             boat.restore(log.epoch());
             try {
                 tcp = new TcpBoatServer(settings.name(), boat, links(), clock, this::beforeTick, this);
@@ -354,11 +352,6 @@ public final class BoatOnPhone implements Closeable {
         @Override
         public void failed(String what, Throwable cause) {
             listener.said(what + ": " + cause);
-        }
-
-        @Override
-        public void recovered(String what) {
-            listener.said(what);
         }
 
         @Override

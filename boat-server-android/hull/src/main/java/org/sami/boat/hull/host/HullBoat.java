@@ -3,6 +3,8 @@ package org.sami.boat.hull.host;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
@@ -30,9 +32,6 @@ import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
-import org.sami.boat.server.log.LogEntries;
-import org.sami.boat.server.log.LogPlace;
-import org.sami.boat.server.tcp.LogFaultReports;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -59,6 +58,7 @@ public final class HullBoat implements Closeable {
     private Set<PositionDoubt> doubts = EnumSet.noneOf(PositionDoubt.class); // for the server's thread
     private Optional<CommandLogFile> log = Optional.empty();
     private Optional<TcpBoatServer> server = Optional.empty();
+    private int restored;
 
     /**
      * A boat whose ports are not open yet.
@@ -141,13 +141,13 @@ public final class HullBoat implements Closeable {
     /**
      * Begins to serve; after {@link #awaitPosition}.
      *
-     * @param logPlace continued where it is there: the boat knows what it has executed, and does not move before a new command
+     * @param logFile continued where it is there: the boat knows what it has executed, and does not move before a new command
      * @throws IOException if the port or the log cannot be had
      */
     public void serve(
-            InetSocketAddress address, LostLinkAction lostLink, Optional<LogPlace> logPlace, TcpServerListener listener)
+            InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFile, TcpServerListener listener)
             throws IOException {
-        serve(address, lostLink, logPlace, listener, UnaryOperator.identity());
+        serve(address, lostLink, logFile, listener, UnaryOperator.identity());
     }
 
     /**
@@ -158,7 +158,7 @@ public final class HullBoat implements Closeable {
     public void serve(
             InetSocketAddress address,
             LostLinkAction lostLink,
-            Optional<LogPlace> logPlace,
+            Optional<Path> logFile,
             TcpServerListener listener,
             UnaryOperator<TcpServerConfig> links)
             throws IOException {
@@ -171,22 +171,33 @@ public final class HullBoat implements Closeable {
                 .build();
         ServerLog toFile = new FileLog();
         BoatServer boat = new BoatServer(config, vehicle, toFile);
-        if (logPlace.isPresent()) {
-            log = Optional.of(openLog(logPlace.get(), boat, listener));
+        if (logFile.isPresent()) {
+            log = Optional.of(openLog(logFile.get(), boat, listener));
             boat.restore(log.get().epoch());
         }
-        BoatFiles files =
-                logPlace.map(place -> CommandLogFile.files(place.file())).orElseGet(BoatFiles::none);
+        BoatFiles files = logFile.map(CommandLogFile::files).orElseGet(BoatFiles::none);
         TcpServerConfig tcpConfig = links.apply(TcpServerConfig.on(address).withFiles(files));
         TcpBoatServer tcp = new TcpBoatServer(name, boat, tcpConfig, clock, this::tellDoubts, listener);
         server = Optional.of(tcp);
         tcp.start();
     }
 
-    private CommandLogFile openLog(LogPlace place, BoatServer boat, TcpServerListener listener) throws IOException {
-        place.makeFolder();
+    private CommandLogFile openLog(Path file, BoatServer boat, TcpServerListener listener) throws IOException {
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder != null) {
+            if (Files.exists(folder) && !Files.isDirectory(folder)) {
+                throw new IOException(folder + " is no folder");
+            }
+            Files.createDirectories(folder);
+        }
         return CommandLogFile.open(
-                place, bootId, LogEntries.restoring(boat), new LogFaultReports(place.file(), listener));
+                file,
+                bootId,
+                entry -> {
+                    boat.restore(entry.clientId(), entry.command(), entry.answer());
+                    restored++;
+                },
+                fault -> listener.failed("the log " + file + " cannot be written", fault));
     }
 
     /** Writes what was answered to the file, where there is one. */
@@ -237,9 +248,9 @@ public final class HullBoat implements Closeable {
                 .address();
     }
 
-    /** How many commands of earlier starts the boat knows from its log. */
+    /** How many commands of earlier starts were found in the log. */
     public int restored() {
-        return log.map(CommandLogFile::restored).orElse(0);
+        return restored;
     }
 
     /** How many lines of the log are damaged; their content is lost. */

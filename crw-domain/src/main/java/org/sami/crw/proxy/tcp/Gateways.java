@@ -1,0 +1,37 @@
+package org.sami.crw.proxy.tcp;
+
+import java.net.InetSocketAddress;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import org.sami.crw.proxy.gateway.BoatGateway;
+import org.sami.crw.proxy.gateway.GatewayMaker;
+
+/** The gateways of one base, each begun when an address needs it first. For the base's thread. */
+final class Gateways {
+    private final Map<GatewayMaker, BoatGateway> begun = new LinkedHashMap<>();
+    private Optional<Iterable<GatewayMaker>> makers = Optional.empty(); // of this program, once one was needed
+
+    /** The gateway to an address; empty where the boat there speaks the link itself. */
+    Optional<BoatGateway> to(InetSocketAddress address) {
+        if (!VehicleAddress.isOne(address.getHostString())) {
+            return Optional.empty();
+        }
+        if (makers.isEmpty()) {
+            makers = Optional.of(ServiceLoader.load(GatewayMaker.class));
+        }
+        for (GatewayMaker maker : makers.get()) {
+            if (address.getHostString().startsWith(maker.prefix())) {
+                return Optional.of(begun.computeIfAbsent(maker, GatewayMaker::begin));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Ends all that were begun. */
+    void close() {
+        begun.values().forEach(BoatGateway::close);
+        begun.clear();
+    }
+}

@@ -1,0 +1,110 @@
+package org.sami.crw.mavlink;
+
+import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Executor;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.sami.crw.proxy.gateway.BoatGateway;
+import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.mavlink.address.AddressText;
+import org.sami.mavlink.base.MavlinkBase;
+
+/**
+ * The vehicles of one base that speak MAVLink. One thread has all that concerns the boats; each MAVLink address has a {@link MavlinkBase} of its own, so that
+ * two vehicles with one system id are not taken for one.
+ */
+public final class MavlinkGateway implements BoatGateway {
+    private static final System.Logger LOG = System.getLogger(MavlinkGateway.class.getName());
+    private static final long TICK_MS = 100;
+
+    private final LongSupplier nowMs;
+    private final VehicleFiles files;
+    private final ScheduledExecutorService thread;
+    private final Future<?> ticks;
+    private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
+    private boolean closed;
+
+    /**
+     * A gateway without links, whose thread runs.
+     *
+     * @param nowMs a clock of milliseconds that only goes on
+     * @param files where it keeps what a base that dies has to find again
+     */
+    public MavlinkGateway(LongSupplier nowMs, VehicleFiles files) {
+        this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
+        this.files = Objects.requireNonNull(files, "files");
+        ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, work -> {
+            Thread made = new Thread(work, "mavlink boats");
+            made.setDaemon(true);
+            return made;
+        });
+        executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+        thread = executor;
+        ticks = thread.scheduleWithFixedDelay(
+                () -> guarded(() -> links.values().forEach(VehicleLink::tick)),
+                TICK_MS,
+                TICK_MS,
+                TimeUnit.MILLISECONDS);
+    }
+
+    @Override
+    public GatewayLink connect(InetSocketAddress address, GatewayLink.Listener listener) {
+        VehicleConnection connection = new VehicleConnection(address, listener, executor());
+        executor().execute(() -> {
+            if (!closed) {
+                add(address.getHostString(), connection);
+            }
+        });
+        return connection;
+    }
+
+    private void add(String host, VehicleConnection connection) {
+        try {
+            links.computeIfAbsent(host, this::open).add(connection, nowMs.getAsLong());
+        } catch (IllegalArgumentException e) {
+            connection.end(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private VehicleLink open(String host) {
+        return new VehicleLink(AddressText.parse(host), executor(), nowMs, files);
+    }
+
+    /** Its thread; what is thrown there is logged, and after the end nothing runs. */
+    private Executor executor() {
+        return work -> {
+            try {
+                thread.execute(() -> guarded(work));
+            } catch (RejectedExecutionException e) {
+                // the gateway has ended; nothing of this matters any longer
+            }
+        };
+    }
+
+    private static void guarded(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "a fault in what speaks for vehicles", e);
+        }
+    }
+
+    @Override
+    public void close() {
+        ticks.cancel(false);
+        executor().execute(() -> {
+            closed = true;
+            links.values().forEach(VehicleLink::close);
+            links.clear();
+        });
+        thread.shutdown();
+    }
+}

@@ -1,0 +1,117 @@
+package org.sami.crw.mavlink;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/** The mission that a vehicle holds: brings a list there and knows whether it is there, read back. For the gateway's thread. */
+final class MissionStore {
+    private static final int MOST_TRIES = 3;
+
+    private final MavlinkBase base;
+    private final VehicleId id;
+    private final Executor thread;
+    private Optional<DrivenList> held = Optional.empty(); // read back equal
+    private Optional<DrivenList> coming = Optional.empty();
+    private int tries;
+    private final List<Consumer<Optional<String>>> waiting = new ArrayList<>(); // for what comes
+
+    MissionStore(MavlinkBase base, VehicleId id, Executor thread) {
+        this.base = base;
+        this.id = id;
+        this.thread = thread;
+    }
+
+    /** Whether the vehicle holds this list. */
+    boolean holds(Optional<DrivenList> list) {
+        return list.isPresent() && held.isPresent() && held.get() == list.get();
+    }
+
+    /** What is held is not known any longer. */
+    void forget() {
+        held = Optional.empty();
+    }
+
+    /** Begins to bring a list to the vehicle in place of the one that it holds. */
+    void put(DrivenList list) {
+        whenHeld(list, why -> {});
+    }
+
+    /** Calls back once the vehicle holds the list, or with the reason why it does not. */
+    void whenHeld(DrivenList list, Consumer<Optional<String>> then) {
+        if (holds(Optional.of(list))) {
+            then.accept(Optional.empty());
+            return;
+        }
+        if (coming.isPresent() && coming.get() != list) {
+            end(Optional.of(VehiclePilot.VOID));
+        }
+        waiting.add(then);
+        if (coming.isEmpty()) {
+            coming = Optional.of(list);
+            held = Optional.empty();
+            tries = 0;
+            look(list);
+        }
+    }
+
+    /** What is there already is not sent again. */
+    private void look(DrivenList list) {
+        Results.when(
+                base.held(id, HeldKind.MISSION),
+                thread,
+                there -> {
+                    if (isComing(list) && list.isHeld(there)) {
+                        arrived(list);
+                    } else {
+                        send(list);
+                    }
+                },
+                why -> send(list));
+    }
+
+    private void send(DrivenList list) {
+        if (isComing(list)) {
+            Results.when(
+                    base.replace(id, HeldKind.MISSION, list.items()),
+                    thread,
+                    there -> {
+                        if (isComing(list) && list.isHeld(there)) {
+                            arrived(list);
+                        } else {
+                            again(list, "vehicle " + id + " holds another mission than was sent");
+                        }
+                    },
+                    why -> again(list, why));
+        }
+    }
+
+    private void again(DrivenList list, String why) {
+        if (isComing(list) && ++tries == MOST_TRIES) {
+            end(Optional.of(why));
+        } else {
+            send(list);
+        }
+    }
+
+    private boolean isComing(DrivenList list) {
+        return coming.isPresent() && coming.get() == list;
+    }
+
+    private void arrived(DrivenList list) {
+        held = Optional.of(list);
+        end(Optional.empty());
+    }
+
+    private void end(Optional<String> why) {
+        coming = Optional.empty();
+        List<Consumer<Optional<String>>> told = List.copyOf(waiting);
+        waiting.clear();
+        told.forEach(each -> each.accept(why));
+    }
+}

@@ -1,0 +1,163 @@
+package org.sami.crw.mavlink;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Progress;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.vehicle.TextSeverity;
+import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/**
+ * A vehicle as a boat of the base: what it reports becomes what boats say, and the base's commands go to {@link VehicleOrders}. It lives as long as its link,
+ * over all connections of the base. For the gateway's thread.
+ */
+final class VehicleBoat implements BaseSession.Boat {
+    private static final long HEARTBEAT_MS = 900; // so that it comes once a second at least
+    private static final long TICK_MS = 100;
+    private static final long BATTERY_MS = 10_000;
+
+    private final String name;
+    private final VehicleOrders orders;
+    private final OtherHands others = new OtherHands();
+    private Optional<BaseSession> session = Optional.empty();
+    private String bootId = UUID.randomUUID().toString();
+    private VehicleSnapshot vehicle;
+    private long saidMs; // of the base was told where the boat is
+    private long heardMs; // of what was told
+    private long beatMs;
+    private Optional<BatteryReport> battery = Optional.empty();
+    private long batteryMs;
+
+    VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
+        name = "vehicle" + first.id();
+        vehicle = first;
+        orders = new VehicleOrders(base, first, thread, this::broadcast, kept -> keep(files, kept), files.read(name));
+    }
+
+    private void keep(VehicleFiles files, VehicleFiles.Kept kept) {
+        try {
+            files.write(name, kept);
+        } catch (IOException e) {
+            session.ifPresent(told -> told.alarm("what " + name
+                    + " was given is not kept on this machine; a base that comes after this one sends it again: "
+                    + e.getMessage()));
+        }
+    }
+
+    private void broadcast(LinkMessage message) {
+        session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(message));
+    }
+
+    /** The base has a connection to it, in place of one that it had. */
+    void connect(VehicleConnection connection) {
+        session.ifPresent(before -> before.end("the base is connected anew"));
+        BaseSession next = new BaseSession(this, connection);
+        session = Optional.of(next);
+        connection.open(next);
+    }
+
+    /** This is how it reports itself. */
+    void reported(VehicleSnapshot now, long atMs) {
+        vehicle = now;
+        if (orders.reported(now, atMs)) {
+            String who = others.who(now, atMs);
+            session.ifPresent(told -> {
+                told.takenBy(who);
+                told.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
+            });
+        }
+    }
+
+    /** Something happened to it. */
+    void happened(VehicleEvent event, long atMs) {
+        if (event instanceof VehicleEvent.Restarted) {
+            bootId = UUID.randomUUID().toString();
+            orders.restarted();
+            session.ifPresent(told -> told.end("its autopilot has started again"));
+        } else if (event instanceof VehicleEvent.Said said) {
+            if (said.text().severity().compareTo(TextSeverity.WARNING) <= 0) {
+                session.ifPresent(
+                        told -> told.alarm(name + " says: " + said.text().text()));
+            }
+            others.said(said.text(), atMs);
+        } else if (event instanceof VehicleEvent.Measured measured) {
+            VehicleReports.reading(vehicle, measured.reading(), Math.max(0, atMs))
+                    .ifPresent(this::broadcast);
+        } else {
+            orders.happened(event);
+        }
+    }
+
+    void tick(long atMs) {
+        orders.tick(atMs);
+        if (session.filter(BaseSession::isGreeted).isEmpty()) {
+            return;
+        }
+        BaseSession told = session.get();
+        boolean news = vehicle.heardMs() > heardMs; // the base notices by our silence that the vehicle is silent
+        if (news && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
+            VehicleReports.telemetry(vehicle, orders.mode(), Math.max(0, atMs)).ifPresent(telemetry -> {
+                saidMs = atMs;
+                heardMs = vehicle.heardMs();
+                beatMs = atMs;
+                told.say(telemetry);
+            });
+        }
+        if (news && atMs - beatMs >= HEARTBEAT_MS) {
+            heardMs = vehicle.heardMs();
+            beatMs = atMs;
+            told.beat(atMs);
+        }
+        reportBattery(told, atMs);
+    }
+
+    private void reportBattery(BaseSession told, long atMs) {
+        Optional<BatteryReport> now = VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle));
+        boolean another = !now.map(BatteryReport::level).equals(battery.map(BatteryReport::level));
+        if (now.isPresent() && (another || atMs - batteryMs >= BATTERY_MS)) {
+            batteryMs = atMs;
+            told.say(now.get());
+        }
+        battery = now;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public String bootId() {
+        return bootId;
+    }
+
+    @Override
+    public void execute(CommandMessage command, String clientId, Consumer<LinkMessage> answer) {
+        orders.execute(command, clientId, answer);
+    }
+
+    @Override
+    public void teleoperate(double thrust, double rudder) {
+        orders.teleoperate(thrust, rudder);
+    }
+
+    @Override
+    public void introduce() {
+        VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle)).ifPresent(this::broadcast);
+        broadcast(orders.settings());
+        Progress progress = orders.progress();
+        broadcast(progress);
+    }
+
+    @Override
+    public void left() {
+        orders.left();
+    }
+}

@@ -1,0 +1,101 @@
+package org.sami.crw.mavlink;
+
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.crw.proxy.gateway.GatewayLink;
+
+/** The base's way to one vehicle, in memory: frames go in, and come out numbered. For the gateway's thread, but for what the base calls. */
+final class VehicleConnection implements GatewayLink {
+    /** Takes what the base says. */
+    interface Ears {
+        void received(Frame frame);
+
+        void closed();
+    }
+
+    private final InetSocketAddress address;
+    private final Listener listener;
+    private final Executor thread;
+    private Optional<Ears> ears = Optional.empty();
+    private long sent;
+    private boolean over;
+
+    VehicleConnection(InetSocketAddress address, Listener listener, Executor thread) {
+        this.address = address;
+        this.listener = listener;
+        this.thread = thread;
+    }
+
+    /** Where it leads. */
+    InetSocketAddress address() {
+        return address;
+    }
+
+    boolean isOver() {
+        return over;
+    }
+
+    /** The vehicle is there: from now on it hears what the base says. */
+    void open(Ears to) {
+        ears = Optional.of(to);
+        listener.opened();
+    }
+
+    /** One of the vehicles of an address of several. */
+    void found(InetSocketAddress vehicle) {
+        listener.found(vehicle);
+    }
+
+    void say(LinkMessage message) {
+        if (!over) {
+            listener.arrived(LinkCodec.STANDARD.encode(new Frame(sent++, "", message)));
+        }
+    }
+
+    /** The operator must know this. */
+    void alarm(String text) {
+        if (!over) {
+            listener.alarm(text);
+        }
+    }
+
+    /** Ends it from the vehicle's side, for a reason in words. */
+    void end(String why) {
+        if (!over) {
+            over = true;
+            listener.closed(why);
+        }
+    }
+
+    @Override
+    public void send(byte[] frame) {
+        thread.execute(() -> {
+            if (!over) {
+                ears.ifPresent(taking -> read(frame).ifPresent(taking::received));
+            }
+        });
+    }
+
+    private static Optional<Frame> read(byte[] frame) {
+        try {
+            return Optional.of(LinkCodec.STANDARD.decode(frame));
+        } catch (LinkException e) {
+            throw new IllegalStateException("the base sent a frame that cannot be read", e);
+        }
+    }
+
+    @Override
+    public void close() {
+        thread.execute(() -> {
+            if (!over) {
+                over = true;
+                ears.ifPresent(Ears::closed);
+            }
+        });
+    }
+}

@@ -1,0 +1,159 @@
+package org.sami.crw.mavlink;
+
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import java.util.stream.Collectors;
+import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleKind;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/** One MAVLink address with the vehicles that are heard there, and the base's connections to them. For the gateway's thread. */
+final class VehicleLink {
+    private static final int EVERY_VEHICLE = 256; // as the port of an address
+    private static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
+    private static final long TRY_MS = 4_000;
+
+    private final MavlinkAddress address;
+    private final Executor thread;
+    private final LongSupplier nowMs;
+    private final VehicleFiles files;
+    private final MavlinkBase base;
+    private final Consumer<VehicleEvent> events = this::heard;
+    private final Map<Integer, VehicleBoat> boats = new TreeMap<>(); // by system id
+    private final List<Waiting> waiting = new ArrayList<>();
+    private final List<Several> several = new ArrayList<>();
+    private List<VehicleSnapshot> vehicles = List.of();
+    private boolean asked; // for the vehicles, and not answered
+
+    /** A connection to a vehicle that is not heard yet. */
+    private record Waiting(VehicleConnection connection, long untilMs) {}
+
+    /** A connection that asks for all vehicles, and those that it was told of. */
+    private record Several(VehicleConnection connection, Set<Integer> found, long untilMs) {}
+
+    VehicleLink(MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files) {
+        this.address = address;
+        this.thread = thread;
+        this.nowMs = nowMs;
+        this.files = files;
+        base = new MavlinkBase(List.of(address), nowMs);
+        base.addListener(events);
+    }
+
+    void add(VehicleConnection connection, long now) {
+        if (connection.address().getPort() == EVERY_VEHICLE) {
+            several.add(new Several(connection, new TreeSet<>(), now + TRY_MS));
+        } else {
+            waiting.add(new Waiting(connection, now + TRY_MS));
+        }
+    }
+
+    /** On the thread of the MAVLink base. */
+    private void heard(VehicleEvent event) {
+        thread.execute(() -> Optional.ofNullable(boats.get(event.vehicle().system()))
+                .ifPresent(boat -> boat.happened(event, nowMs.getAsLong())));
+    }
+
+    void tick() {
+        if (!asked) {
+            asked = true;
+            Results.when(
+                    base.vehicles(),
+                    thread,
+                    now -> {
+                        asked = false;
+                        take(now, nowMs.getAsLong());
+                    },
+                    why -> asked = false);
+        }
+    }
+
+    private void take(List<VehicleSnapshot> now, long atMs) {
+        vehicles = now;
+        for (VehicleSnapshot vehicle : now) {
+            if (isBoat(vehicle)) {
+                boats.computeIfAbsent(vehicle.id().system(), number -> new VehicleBoat(base, vehicle, thread, files))
+                        .reported(vehicle, atMs);
+            }
+        }
+        boats.values().forEach(boat -> boat.tick(atMs));
+        List.copyOf(waiting).forEach(one -> look(one, atMs));
+        List.copyOf(several).forEach(one -> look(one, atMs));
+    }
+
+    private static boolean isBoat(VehicleSnapshot vehicle) {
+        return vehicle.kind() == VehicleKind.BOAT || vehicle.kind() == VehicleKind.ROVER;
+    }
+
+    private void look(Waiting one, long atMs) {
+        if (one.connection.isOver()) {
+            waiting.remove(one);
+            return;
+        }
+        Optional<VehicleSnapshot> heard = heard(one.connection.address().getPort(), atMs);
+        Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(vehicle.id().system()));
+        if (boat.isPresent()) {
+            waiting.remove(one);
+            boat.get().connect(one.connection);
+        } else if (heard.filter(vehicle -> !isBoat(vehicle)).isPresent()) {
+            waiting.remove(one);
+            one.connection.end("vehicle " + heard.get().id() + " is a "
+                    + heard.get().kind().word() + ", and here only boats are commanded");
+        } else if (atMs > one.untilMs) {
+            waiting.remove(one);
+            one.connection.end(whyNot("vehicle " + one.connection.address().getPort(), atMs));
+        }
+    }
+
+    private Optional<VehicleSnapshot> heard(int system, long atMs) {
+        return vehicles.stream()
+                .filter(vehicle -> vehicle.id().system() == system && atMs - vehicle.heardMs() <= HEARD_MS)
+                .findFirst();
+    }
+
+    private void look(Several all, long atMs) {
+        if (all.connection.isOver() && all.found.isEmpty()) {
+            several.remove(all);
+            return;
+        }
+        for (VehicleSnapshot vehicle : vehicles) {
+            if (isBoat(vehicle) && all.found.add(vehicle.id().system())) {
+                all.connection.found(InetSocketAddress.createUnresolved(
+                        address.toString(), vehicle.id().system()));
+            }
+        }
+        if (all.found.isEmpty() && atMs > all.untilMs) {
+            several.remove(all);
+            all.connection.end(whyNot("boat", atMs));
+        }
+    }
+
+    private String whyNot(String what, long atMs) {
+        Optional<String> fault = base.links().stream().findFirst().flatMap(MavlinkLinkReport::fault);
+        if (fault.isPresent()) {
+            return fault.get();
+        }
+        String others = vehicles.stream()
+                .filter(vehicle -> atMs - vehicle.heardMs() <= HEARD_MS)
+                .map(vehicle -> vehicle.kind().word() + " " + vehicle.id())
+                .collect(Collectors.joining(", "));
+        return "no " + what + " is heard there" + (others.isEmpty() ? "" : ", only " + others);
+    }
+
+    void close() {
+        base.removeListener(events);
+        base.close();
+    }
+}

@@ -1,0 +1,176 @@
+package org.sami.crw.mavlink;
+
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.BoatDefaults;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.command.CommandOutcome;
+import org.sami.mavlink.command.CommandPlace;
+import org.sami.mavlink.command.HandControl;
+import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.vehicle.VehicleId;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/** The ways in which an autopilot moves a boat, each as an order of its own: the later one makes the earlier one void. For the gateway's thread. */
+final class VehicleMotion {
+    static final String AUTO = "AUTO";
+    static final String GUIDED = "GUIDED";
+    static final String LOITER = "LOITER";
+    static final String HOLD = "HOLD";
+
+    private static final String MANUAL = "MANUAL";
+
+    private final MavlinkBase base;
+    private final VehicleId id;
+    private final Executor thread;
+    private final VehiclePilot pilot;
+    private Optional<Hand> hand = Optional.empty();
+    private long nowMs;
+
+    /** Sticks, and when they were set. */
+    private record Hand(double thrust, double rudder, long atMs) {}
+
+    /** Brings a mission to the vehicle and calls back: with nothing once it is there, or with the reason why it is not. */
+    interface Delivery {
+        void whenHeld(Consumer<Optional<String>> then);
+    }
+
+    VehicleMotion(MavlinkBase base, VehicleSnapshot first, Executor thread) {
+        this.base = base;
+        this.id = first.id();
+        this.thread = thread;
+        pilot = new VehiclePilot(base, first, thread);
+    }
+
+    VehicleSnapshot vehicle() {
+        return pilot.vehicle();
+    }
+
+    /** Whether it is in a state into which it was ordered here. */
+    boolean isOrdered() {
+        return pilot.ordered().isPresent();
+    }
+
+    /** Whether an order is being carried out. */
+    boolean isBusy() {
+        return pilot.isBusy();
+    }
+
+    /** Whether it was sent to a single place. */
+    boolean isGuided() {
+        return pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
+    }
+
+    /** It is not held to any state any longer. */
+    void release() {
+        pilot.release();
+        hand = Optional.empty();
+    }
+
+    /** The vehicle reports itself. Whether somebody else has changed its state; it is released then. */
+    boolean reported(VehicleSnapshot vehicle, long atMs) {
+        nowMs = atMs;
+        boolean other = pilot.reported(vehicle, atMs);
+        if (other) {
+            release();
+        }
+        return other;
+    }
+
+    void tick(long atMs) {
+        nowMs = atMs;
+        hand.ifPresent(sticks -> {
+            if (atMs - sticks.atMs > BoatDefaults.TELEOPERATION_STOP_MS) {
+                stop(why -> {});
+            } else if (!pilot.isBusy()) {
+                base.steer(id, new HandControl(sticks.thrust, 0, 0, sticks.rudder));
+            }
+        });
+    }
+
+    /** Motors off at once, and HOLD: whoever arms it again has it lie still. */
+    void stop(Consumer<Optional<String>> ended) {
+        hand = Optional.empty();
+        VehiclePilot.Order order = pilot.begin(ended);
+        order.command(
+                base.command(id, VehicleCommand.disarmAtOnce()),
+                () -> order.mode(HOLD, false, () -> order.done(new VehiclePilot.Ordered(HOLD, false))));
+    }
+
+    /** Keeps its place. */
+    void hold(Consumer<Optional<String>> ended) {
+        byItself(ended)
+                .ifPresent(order -> order.arm(
+                        () -> order.mode(LOITER, true, () -> order.done(new VehiclePilot.Ordered(LOITER, true)))));
+    }
+
+    /** An order that it needs to know its position for. */
+    private Optional<VehiclePilot.Order> byItself(Consumer<Optional<String>> ended) {
+        hand = Optional.empty();
+        VehiclePilot.Order order = pilot.begin(ended);
+        if (vehicle().located()) {
+            return Optional.of(order);
+        }
+        order.fail("vehicle " + id + " cannot drive by itself: its filter has no position yet");
+        return Optional.empty();
+    }
+
+    /** Goes to a single place and keeps it. */
+    void guide(Waypoint place, double speedMps, Runnable started, Consumer<Optional<String>> ended) {
+        VehicleCommand go =
+                VehicleCommand.reposition(new CommandPlace(place.latDeg(), place.lonDeg(), 0), Optional.of(speedMps));
+        byItself(ended)
+                .ifPresent(order -> order.arm(() -> order.mode(
+                        GUIDED,
+                        true,
+                        () -> order.command(base.command(id, go), () -> {
+                            started.run();
+                            order.done(new VehiclePilot.Ordered(GUIDED, true));
+                        }))));
+    }
+
+    /** Follows the mission that it then holds, from an item on. */
+    void follow(Delivery mission, int item, double speedMps, Runnable started, Consumer<Optional<String>> ended) {
+        byItself(ended)
+                .ifPresent(order -> mission.whenHeld(why -> {
+                    if (why.isPresent()) {
+                        order.fail(why.get());
+                    } else {
+                        follow(order, item, speedMps, started);
+                    }
+                }));
+    }
+
+    private void follow(VehiclePilot.Order order, int item, double speedMps, Runnable started) {
+        order.command(
+                base.command(id, VehicleCommand.setCurrentItem(item)),
+                () -> order.arm(() -> order.mode(
+                        AUTO,
+                        true,
+                        () -> order.command(base.command(id, VehicleCommand.setSpeed(speedMps)), () -> {
+                            started.run();
+                            order.done(new VehiclePilot.Ordered(AUTO, true));
+                        }))));
+    }
+
+    /** Changes the speed of the leg under way. */
+    void speed(double mps) {
+        Results.when(base.command(id, VehicleCommand.setSpeed(mps)), thread, (CommandOutcome outcome) -> {}, why -> {});
+    }
+
+    /** Sticks of a hand; in force until others come, at most for the dead man's time. */
+    void steer(double thrust, double rudder) {
+        boolean begins = hand.isEmpty();
+        hand = Optional.of(new Hand(thrust, rudder, nowMs));
+        if (begins) {
+            VehiclePilot.Order order = pilot.begin(why -> why.ifPresent(words -> hand = Optional.empty()));
+            order.mode(
+                    MANUAL,
+                    vehicle().armed(),
+                    () -> order.arm(() -> order.await(
+                            VehicleSnapshot::armed, "arm", () -> order.done(new VehiclePilot.Ordered(MANUAL, true)))));
+        }
+    }
+}

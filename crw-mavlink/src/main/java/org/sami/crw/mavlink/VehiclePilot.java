@@ -1,0 +1,174 @@
+package org.sami.crw.mavlink;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.command.CommandOutcome;
+import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.vehicle.VehicleId;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/**
+ * Has an autopilot do one thing after the other, each once the one before is seen to be so: a later order makes an earlier one void. Knows in which state it has
+ * put the vehicle, and so notices when somebody else changes it. For the gateway's thread.
+ */
+final class VehiclePilot {
+    private static final long SEEN_WITHIN_MS = 4_000; // heartbeats, which tell mode and arming, come once a second
+
+    /** A state of the vehicle that it was ordered into: its mode, and whether its motors may turn. */
+    record Ordered(String mode, boolean armed) {
+        boolean isSo(VehicleSnapshot vehicle) {
+            return vehicle.mode().equals(mode) && vehicle.armed() == armed;
+        }
+    }
+
+    private final MavlinkBase base;
+    private final VehicleId id;
+    private final Executor thread;
+    private VehicleSnapshot now;
+    private long nowMs;
+    private Optional<Order> running = Optional.empty();
+    private Optional<Ordered> ordered = Optional.empty(); // and seen to be so
+
+    VehiclePilot(MavlinkBase base, VehicleSnapshot first, Executor thread) {
+        this.base = base;
+        this.id = first.id();
+        this.thread = thread;
+        now = first;
+    }
+
+    /** Steps of one order, and who waits for its end. */
+    final class Order {
+        private final Consumer<Optional<String>> ended; // empty where all is done, or why it is not
+        private Predicate<VehicleSnapshot> awaited = vehicle -> true;
+        private Runnable then = () -> {};
+        private String words = "";
+        private long untilMs = Long.MAX_VALUE;
+        private boolean waits;
+
+        private Order(Consumer<Optional<String>> ended) {
+            this.ended = ended;
+        }
+
+        private boolean isVoid() {
+            return running.isEmpty() || running.get() != this;
+        }
+
+        /** Goes on with the next step once the vehicle accepts. */
+        void command(CompletableFuture<CommandOutcome> asked, Runnable next) {
+            Results.when(asked, thread, outcome -> took(outcome, next), this::refused);
+        }
+
+        private void took(CommandOutcome outcome, Runnable next) {
+            if (!isVoid() && outcome.isAccepted()) {
+                next.run();
+            } else {
+                refused(outcome.inWords());
+            }
+        }
+
+        private void refused(String why) {
+            if (!isVoid()) {
+                fail(why);
+            }
+        }
+
+        /** Goes on once it is seen in what the vehicle reports. */
+        void await(Predicate<VehicleSnapshot> seen, String what, Runnable next) {
+            awaited = seen;
+            words = what;
+            then = next;
+            untilMs = nowMs + SEEN_WITHIN_MS;
+            waits = true;
+            look();
+        }
+
+        private void look() {
+            if (!waits) {
+                return;
+            }
+            if (awaited.test(now)) {
+                waits = false;
+                then.run();
+            } else if (nowMs > untilMs) {
+                fail("vehicle " + id + " accepts, but does not " + words);
+            }
+        }
+
+        void fail(String why) {
+            running = Optional.empty();
+            ordered = Optional.empty();
+            ended.accept(Optional.of(why));
+        }
+
+        /** All is done, and the vehicle is in this state. */
+        void done(Ordered state) {
+            running = Optional.empty();
+            ordered = Optional.of(state);
+            ended.accept(Optional.empty());
+        }
+
+        /** Lets the motors turn, unless they may already. */
+        void arm(Runnable next) {
+            if (now.armed()) {
+                next.run();
+            } else {
+                command(base.command(id, VehicleCommand.arm()), next);
+            }
+        }
+
+        /** Changes the mode and waits until the vehicle says that it is in it, with its motors as they should be. */
+        void mode(String mode, boolean armed, Runnable next) {
+            Ordered state = new Ordered(mode, armed);
+            if (state.isSo(now)) {
+                next.run();
+            } else {
+                command(base.setMode(id, mode), () -> await(state::isSo, "come into mode " + mode, next));
+            }
+        }
+    }
+
+    /** Begins an order; one that runs is void from now on, and its end is told as that. */
+    Order begin(Consumer<Optional<String>> ended) {
+        Optional<Order> before = running;
+        Order order = new Order(ended);
+        running = Optional.of(order);
+        ordered = Optional.empty();
+        before.ifPresent(voided -> voided.ended.accept(Optional.of(VOID)));
+        return order;
+    }
+
+    /** Why an order has ended that a later one made void. */
+    static final String VOID = "a later command came";
+
+    /** Whether an order is being carried out. */
+    boolean isBusy() {
+        return running.isPresent();
+    }
+
+    /** What the vehicle was ordered into and is seen to have come into; empty while nothing holds. */
+    Optional<Ordered> ordered() {
+        return ordered;
+    }
+
+    /** It is not held to any state any longer. */
+    void release() {
+        running = Optional.empty();
+        ordered = Optional.empty();
+    }
+
+    VehicleSnapshot vehicle() {
+        return now;
+    }
+
+    /** This is how the vehicle reports itself. Whether somebody else has put it into another state than was ordered. */
+    boolean reported(VehicleSnapshot vehicle, long atMs) {
+        now = vehicle;
+        nowMs = atMs;
+        running.ifPresent(Order::look);
+        return ordered.filter(state -> !state.isSo(vehicle)).isPresent();
+    }
+}

@@ -1,0 +1,68 @@
+package org.sami.crw.mavlink;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.SensorReport;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.server.BoatDefaults;
+import org.sami.mavlink.vehicle.VehicleBattery;
+import org.sami.mavlink.vehicle.VehiclePosition;
+import org.sami.mavlink.vehicle.VehicleReading;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/** What a vehicle reports, as boats say it. */
+final class VehicleReports {
+    private static final double FULL = 100;
+    private static final String SENSOR = "autopilot";
+
+    private VehicleReports() {}
+
+    /** Where it is and how it moves; none as long as its filter has no position that it trusts. */
+    static Optional<Telemetry> telemetry(VehicleSnapshot vehicle, BoatMode mode, long nowMs) {
+        return vehicle.position()
+                .filter(at -> vehicle.located())
+                .map(at -> new Telemetry(
+                        at.latDeg(),
+                        at.lonDeg(),
+                        Math.toRadians(at.headingDeg().orElse(0.0)),
+                        at.speedMps(),
+                        percent(vehicle).orElse(FULL), // read only where a battery report has come
+                        mode,
+                        nowMs));
+    }
+
+    private static Optional<Double> percent(VehicleSnapshot vehicle) {
+        return vehicle.battery().flatMap(VehicleBattery::percent).map(Integer::doubleValue);
+    }
+
+    /** Its charge; none where the autopilot does not compute it. In a battery failsafe it is critical, whatever the number. */
+    static Optional<BatteryReport> battery(VehicleSnapshot vehicle, boolean failsafe) {
+        return percent(vehicle)
+                .map(percent -> new BatteryReport(
+                        percent,
+                        failsafe
+                                ? BatteryLevel.CRITICAL
+                                : BatteryLevel.of(
+                                        percent,
+                                        BoatDefaults.LOW_BATTERY_PERCENT,
+                                        BoatDefaults.CRITICAL_BATTERY_PERCENT)));
+    }
+
+    /** A value of a sensor, where the vehicle is now. */
+    static Optional<SensorReport> reading(VehicleSnapshot vehicle, VehicleReading reading, long nowMs) {
+        Optional<VehiclePosition> position = vehicle.position().filter(at -> vehicle.located());
+        String channel = reading.name().strip().toLowerCase(Locale.ROOT);
+        return position.filter(at -> !channel.isEmpty())
+                .map(at -> new SensorReport(
+                        SENSOR,
+                        channel,
+                        java.util.List.of(reading.value()),
+                        reading.unit(),
+                        at.latDeg(),
+                        at.lonDeg(),
+                        nowMs));
+    }
+}

@@ -1,0 +1,252 @@
+package org.sami.crw.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.status.LinkState;
+import org.sami.mavlink.testing.SmallBoat;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** A vehicle that speaks MAVLink is a boat of a base like any other. */
+@Timeout(300)
+class VehicleBoatTest {
+    private static final int MANUAL = 0;
+    private static final int HOLD = 4;
+    private static final int LOITER = 5;
+    private static final int AUTO = 10;
+    private static final int RTL = 11;
+    private static final int GUIDED = 15;
+    private static final double NEAR_M = 3;
+    private static final GeoPoint START = GeoPoint.of(45.7, 10.72);
+    private static final GeoPoint FIRST = GeoPoint.of(45.7003, 10.72);
+    private static final GeoPoint SECOND = GeoPoint.of(45.7003, 10.7204);
+    private static final GeoPoint THIRD = GeoPoint.of(45.7, 10.7204);
+    private static final String BOAT = "vehicle7";
+
+    @TempDir
+    private Path folder;
+
+    private SmallBoat boat;
+    private GatewayWorld world;
+
+    @BeforeEach
+    void launch() throws Exception {
+        boat = new SmallBoat(7, START.latDeg(), START.lonDeg(), 20);
+        world = new GatewayWorld(folder);
+        world.connect(boat.address());
+        world.untilReady(BOAT);
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        world.close();
+        boat.close();
+        assertThat(world.faults).isEmpty();
+    }
+
+    private static FollowPath path(GeoPoint... points) {
+        return FollowPath.of("p" + points.length, 1, 1, List.of(points), Priority.MEDIUM);
+    }
+
+    private void submit(FollowPath path) {
+        world.tell(BOAT, proxy -> proxy.commands().submit(path));
+    }
+
+    private static boolean isUnderWay(BoatProxy proxy) {
+        return proxy.status().mode().equals(Optional.of(BoatMode.PATH));
+    }
+
+    private double metresTo(GeoPoint point) {
+        return boat.metresTo(point.latDeg(), point.lonDeg());
+    }
+
+    private void completes(String command) {
+        Await.until(
+                command + " is completed",
+                GatewayWorld.WAIT_S,
+                () -> world.has(
+                        FleetEvent.CommandCompleted.class,
+                        done -> done.command().commandId().equals(command)));
+    }
+
+    @Test
+    void addressWithoutANumberBringsTheVehicleThatIsHeardThere() {
+        assertThat(world.links()).singleElement().satisfies(link -> {
+            assertThat(link.boatId()).contains(BOAT);
+            assertThat(link.address()).isEqualTo(GatewayWorld.address(boat.address() + "/7"));
+        });
+        assertThat(boat.isArmed()).isFalse();
+        assertThat(world.is(
+                        BOAT, proxy -> proxy.status().battery().orElseThrow().percent() == 87))
+                .isTrue();
+    }
+
+    @Test
+    void followsAPathAsOneMissionAndKeepsItsPlaceAtTheEnd() {
+        submit(path(FIRST, SECOND, THIRD));
+
+        completes("p3");
+
+        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.armings()).isEqualTo(1);
+        assertThat(boat.mode()).isEqualTo(AUTO);
+        assertThat(metresTo(THIRD)).isLessThan(NEAR_M);
+        assertThat(world.has(FleetEvent.Progressed.class, news -> news.visited() == 1))
+                .isTrue();
+        world.until("it keeps its place", BOAT, proxy -> proxy.status().mode().equals(Optional.of(BoatMode.HOLD)));
+    }
+
+    @Test
+    void goesToASinglePlaceInGuidedWithoutAMission() {
+        submit(path(FIRST));
+
+        completes("p1");
+
+        assertThat(boat.uploads()).isZero();
+        assertThat(boat.mode()).isEqualTo(GUIDED);
+        assertThat(metresTo(FIRST)).isLessThan(NEAR_M);
+    }
+
+    @Test
+    void stopsByBeingDisarmedAndStaysSoUntilItIsReleased() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        world.tell(BOAT, BoatProxy::fleetStop);
+
+        world.until("it is stopped", BOAT, proxy -> proxy.status().mode().equals(Optional.of(BoatMode.FLEET_STOP)));
+        assertThat(boat.isArmed()).isFalse();
+        assertThat(boat.mode()).isEqualTo(HOLD);
+        world.tell(BOAT, BoatProxy::fleetRelease);
+        completes("p3");
+    }
+
+    @Test
+    void whoTakesItIsNoticedAndItsMissionsWaitUntilItIsTakenBack() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.takenByPilot(MANUAL, true);
+
+        world.until("it is somebody else's", BOAT, proxy -> !proxy.isCommanding());
+        assertThat(world.alarms)
+                .contains(
+                        BOAT
+                                + " is taken by a pilot or another ground station (MANUAL): its missions wait until you take it back");
+        assertThat(boat.mode()).isEqualTo(MANUAL);
+        world.tell(BOAT, proxy -> proxy.handOver().takeCommand());
+        completes("p3");
+        assertThat(boat.uploads()).isEqualTo(1);
+    }
+
+    @Test
+    void failsafeOfItsOwnTakesItToo() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.failsafe("Battery 1 is low: Failsafe", RTL);
+
+        world.until("it acts by itself", BOAT, proxy -> !proxy.isCommanding());
+        assertThat(world.alarms)
+                .contains(
+                        BOAT + " says: Battery 1 is low: Failsafe",
+                        BOAT
+                                + " is taken by its own failsafe \"Battery 1 is low: Failsafe\" (RTL): its missions wait until you take it back");
+        world.until(
+                "its battery is critical",
+                BOAT,
+                proxy -> proxy.status().battery().orElseThrow().level() == BatteryLevel.CRITICAL);
+    }
+
+    @Test
+    void refusalsAreInTheAutopilotsWords() {
+        boat.refuseArming("PreArm: GPS 1: Bad fix");
+
+        submit(path(FIRST));
+
+        Await.until(
+                "the command fails",
+                GatewayWorld.WAIT_S,
+                () -> world.has(
+                        FleetEvent.CommandFailed.class,
+                        failed -> failed.reason().contains("vehicle 7 fails to arm: PreArm: GPS 1: Bad fix")));
+        assertThat(boat.isArmed()).isFalse();
+    }
+
+    @Test
+    void afterARestartOfItsAutopilotItDoesNotMoveBeforeThatIsAllowed() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.restart();
+
+        Await.until(
+                "the restart is noticed",
+                GatewayWorld.WAIT_S,
+                () -> world.has(FleetEvent.Restarted.class, news -> true));
+        world.until("it is linked again", BOAT, BoatProxy::isCommanding);
+        assertThat(boat.isArmed()).isFalse();
+        world.tell(BOAT, BoatProxy::confirmRestart);
+        completes("p3");
+    }
+
+    @Test
+    void itsSilenceIsALostLink() {
+        boat.silent(true);
+
+        world.until("the link is lost", BOAT, proxy -> proxy.status().link() == LinkState.LOST);
+        boat.silent(false);
+        world.untilReady(BOAT);
+    }
+
+    @Test
+    void baseThatComesAfterOneThatDiedGoesOnWithoutSendingAgain() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+        String list = world.list(BOAT);
+        world.close();
+
+        world = new GatewayWorld(folder, "base-2");
+        world.connect(boat.address() + "/7");
+        world.untilReady(BOAT);
+        world.tell(BOAT, proxy -> proxy.commands().knownList(list));
+        submit(path(FIRST, SECOND, THIRD));
+
+        completes("p3");
+        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.armings()).isEqualTo(1);
+    }
+
+    @Test
+    void handSteersItInManualAndItStopsWhenTheHandIsStill() {
+        world.tell(BOAT, proxy -> proxy.teleoperate(0.5, 0));
+        Await.until("it moves", GatewayWorld.WAIT_S, () -> boat.movedM() > 1);
+        assertThat(boat.mode()).isEqualTo(MANUAL);
+
+        Await.until("it is disarmed", GatewayWorld.WAIT_S, () -> !boat.isArmed() && boat.mode() == HOLD);
+    }
+
+    @Test
+    void givenUpPathHasItKeepItsPlace() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        world.tell(BOAT, proxy -> proxy.handOver().observe());
+
+        Await.until("it keeps its place", GatewayWorld.WAIT_S, () -> boat.mode() == LOITER);
+    }
+}

@@ -1,0 +1,281 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.MavlinkConnection;
+import io.dronefleet.mavlink.MavlinkMessage;
+import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.CommandInt;
+import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.ManualControl;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavResult;
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.MissionCurrent;
+import io.dronefleet.mavlink.common.MissionItemReached;
+import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.minimal.MavType;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A boat with an autopilot that drives, on TCP on loopback: modes, arming, a mission and single places, as ArduPilot's boats do them, with nothing of water in
+ * it. It takes straight lines at many times the speed that it is asked for. One client at a time. Safe for use by several threads.
+ */
+public final class SmallBoat implements AutoCloseable {
+    private static final int AUTOPILOT = 1;
+    private static final long STEP_MS = 50;
+    private static final int BEAT_EVERY = 4; // steps
+    private static final int LOCATED = 16;
+    private static final int SET_MODE = 176;
+    private static final int CHANGE_SPEED = 178;
+    private static final int REPOSITION = 192;
+    private static final int SET_CURRENT = 224;
+    private static final int ARM = 400;
+
+    private final int system;
+    private final ServerSocket server;
+    private final SmallBoatMotion motion;
+    private final SmallBoatMission mission = new SmallBoatMission();
+    private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread made = new Thread(work, "small boat moves");
+        made.setDaemon(true);
+        return made;
+    });
+    private Socket client = new Socket();
+    private MavlinkConnection codec;
+    private int mode = SmallBoatMotion.HOLD;
+    private boolean armed;
+    private boolean silent;
+    private boolean failsafe;
+    private String refusal = "";
+    private int charge = 87;
+    private long bootMs = 60_000;
+    private long stepped;
+    private int armings;
+
+    /**
+     * A boat that lies at a place, disarmed in HOLD.
+     *
+     * @param times how many times faster it is than it is asked to be
+     */
+    public SmallBoat(int system, double latDeg, double lonDeg, double times) throws IOException {
+        this.system = system;
+        motion = new SmallBoatMotion(latDeg, lonDeg, times);
+        server = new ServerSocket();
+        server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 1);
+        Thread thread = new Thread(this::serve, "small boat " + system);
+        thread.setDaemon(true);
+        thread.start();
+        steps.scheduleAtFixedRate(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
+    }
+
+    /** Its address for a base. */
+    public String address() {
+        return "mavlink:tcp:127.0.0.1:" + server.getLocalPort();
+    }
+
+    /** Whether its motors may turn. */
+    public synchronized boolean isArmed() {
+        return armed;
+    }
+
+    /** The number of its mode. */
+    public synchronized int mode() {
+        return mode;
+    }
+
+    /** How often it was armed. */
+    public synchronized int armings() {
+        return armings;
+    }
+
+    /** How many missions were sent to it. */
+    public synchronized int uploads() {
+        return mission.uploads();
+    }
+
+    /** How far it is from a place, in metres. */
+    public synchronized double metresTo(double latDeg, double lonDeg) {
+        return motion.metresTo(latDeg, lonDeg);
+    }
+
+    /** How far it has moved, in metres. */
+    public synchronized double movedM() {
+        return motion.movedM();
+    }
+
+    /** Somebody with a radio changes its mode, and maybe arms it. */
+    public synchronized void takenByPilot(int newMode, boolean nowArmed) {
+        mode = newMode;
+        armed = nowArmed;
+    }
+
+    /** Its failsafe acts: it says so and changes its mode. */
+    public synchronized void failsafe(String words, int newMode) {
+        failsafe = true;
+        say(words);
+        mode = newMode;
+    }
+
+    /** It refuses to be armed from now on, in these words; empty text to let it. */
+    public synchronized void refuseArming(String words) {
+        refusal = words;
+    }
+
+    /** Says nothing from now on, or again. */
+    public synchronized void silent(boolean now) {
+        silent = now;
+    }
+
+    /** Its charge in percent from now on. */
+    public synchronized void charge(int percent) {
+        charge = percent;
+    }
+
+    /** Its autopilot starts again: disarmed in HOLD, with the mission that it held. */
+    public synchronized void restart() {
+        armed = false;
+        mode = SmallBoatMotion.HOLD;
+        bootMs = 0;
+        failsafe = false;
+    }
+
+    private void serve() {
+        while (!server.isClosed()) {
+            try (Socket socket = server.accept()) {
+                socket.setTcpNoDelay(true);
+                MavlinkConnection open = MavlinkConnection.create(socket.getInputStream(), socket.getOutputStream());
+                synchronized (this) {
+                    client = socket;
+                    codec = open;
+                }
+                for (MavlinkMessage<?> message = open.next(); message != null; message = open.next()) {
+                    take(message.getPayload());
+                }
+            } catch (IOException e) {
+                // this client is gone; the next may come
+            }
+        }
+    }
+
+    private synchronized void take(Object message) {
+        if (message instanceof CommandLong command) {
+            boolean known = command(command.command().value(), command.param1(), command.param2());
+            ack(command.command().value(), known);
+        } else if (message instanceof CommandInt command && command.command().value() == REPOSITION) {
+            motion.goTo(command.x(), command.y());
+            motion.speed(command.param1() > 0 ? command.param1() : motion.speed());
+            mode = SmallBoatMotion.GUIDED;
+            ack(REPOSITION, true);
+        } else if (message instanceof ManualControl sticks) {
+            motion.sticks(sticks.z(), sticks.y());
+        } else {
+            mission.answers(message).forEach(this::send);
+        }
+    }
+
+    private boolean command(int number, double first, double second) {
+        switch (number) {
+            case SET_MODE -> {
+                boolean empty = (int) second == SmallBoatMotion.AUTO && mission.isEmpty();
+                mode = empty ? mode : (int) second;
+                return !empty;
+            }
+            case ARM -> {
+                if (first > 0 && !refusal.isEmpty()) {
+                    say(refusal);
+                    return false;
+                }
+                armings += first > 0 && !armed ? 1 : 0;
+                armed = first > 0;
+                return true;
+            }
+            case SET_CURRENT -> mission.setCurrent((int) first);
+            case CHANGE_SPEED -> motion.speed(second);
+            default -> {
+                // it reports what it reports
+            }
+        }
+        return true;
+    }
+
+    private void ack(int command, boolean accepted) {
+        send(CommandAck.builder()
+                .command(EnumValue.create(MavCmd.class, command))
+                .result(accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
+                .build());
+    }
+
+    private void say(String words) {
+        send(Statustext.builder()
+                .severity(MavSeverity.MAV_SEVERITY_CRITICAL)
+                .text(words)
+                .build());
+    }
+
+    private synchronized void step() {
+        bootMs += STEP_MS;
+        if (armed) {
+            motion.step(mode, mission, STEP_MS / 1000.0)
+                    .ifPresent(
+                            item -> send(MissionItemReached.builder().seq(item).build()));
+        }
+        if (stepped++ % BEAT_EVERY == 0) {
+            report();
+        }
+    }
+
+    private void report() {
+        send(Heartbeat.builder()
+                .type(MavType.MAV_TYPE_SURFACE_BOAT)
+                .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+                .baseMode(armed ? EnumValue.of(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : EnumValue.create(0))
+                .customMode(mode)
+                .systemStatus(failsafe ? MavState.MAV_STATE_CRITICAL : MavState.MAV_STATE_ACTIVE)
+                .mavlinkVersion(3)
+                .build());
+        send(GlobalPositionInt.builder()
+                .timeBootMs(bootMs)
+                .lat(motion.lat())
+                .lon(motion.lon())
+                .vx((int) (armed ? motion.speed() * 100 : 0))
+                .hdg(9_000)
+                .build());
+        send(SysStatus.builder().voltageBattery(12_600).batteryRemaining(charge).build());
+        send(EkfStatusReport.builder().flags(EnumValue.create(LOCATED)).build());
+        send(MissionCurrent.builder().seq(mission.current()).build());
+    }
+
+    private void send(Object payload) {
+        if (codec != null && !silent) {
+            try {
+                codec.send2(system, AUTOPILOT, payload);
+            } catch (IOException e) {
+                // its reading thread finds out
+            }
+        }
+    }
+
+    /** Ends it: its port is free, and its client is cut off. */
+    @Override
+    public void close() throws IOException {
+        server.close();
+        steps.shutdownNow();
+        synchronized (this) {
+            client.close();
+        }
+    }
+}

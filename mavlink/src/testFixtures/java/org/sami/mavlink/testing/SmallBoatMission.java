@@ -1,0 +1,131 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.common.MavMissionResult;
+import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.common.MissionAck;
+import io.dronefleet.mavlink.common.MissionClearAll;
+import io.dronefleet.mavlink.common.MissionCount;
+import io.dronefleet.mavlink.common.MissionItemInt;
+import io.dronefleet.mavlink.common.MissionRequestInt;
+import io.dronefleet.mavlink.common.MissionRequestList;
+import io.dronefleet.mavlink.common.MissionWritePartialList;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The mission of a small boat, and the protocol that brings it there and back. For one thread at a time. */
+final class SmallBoatMission {
+    private static final int WAYPOINT = 16;
+    private static final int KEEP_PLACE = 17;
+    private static final int CHANGE_SPEED = 178;
+
+    private List<MissionItemInt> items = new ArrayList<>();
+    private List<MissionItemInt> coming = new ArrayList<>();
+    private int awaited; // the item that is asked for next
+    private int last; // of those that come
+    private int uploads;
+    private int current;
+
+    boolean isEmpty() {
+        return items.size() < 2;
+    }
+
+    int uploads() {
+        return uploads;
+    }
+
+    int current() {
+        return current;
+    }
+
+    void setCurrent(int item) {
+        current = item;
+    }
+
+    /** The place of the item under way, after the items without places before it; empty where there is none. */
+    Optional<MissionItemInt> place(SmallBoatMotion motion) {
+        current = Math.max(1, current);
+        while (current < items.size() && number(items.get(current)) == CHANGE_SPEED) {
+            motion.speed(items.get(current).param2());
+            current++;
+        }
+        return current < items.size() ? Optional.of(items.get(current)) : Optional.empty();
+    }
+
+    private static int number(MissionItemInt item) {
+        return item.command().value();
+    }
+
+    /** The boat is at the item under way. The number of a waypoint that is reached by it. */
+    Optional<Integer> arrived() {
+        if (number(items.get(current)) == KEEP_PLACE) {
+            return Optional.empty();
+        }
+        Optional<Integer> reached = number(items.get(current)) == WAYPOINT ? Optional.of(current) : Optional.empty();
+        current++;
+        return reached;
+    }
+
+    /** What it answers. */
+    List<Object> answers(Object message) {
+        if (message instanceof MissionRequestList list) {
+            return List.of(MissionCount.builder()
+                    .count(isMission(list.missionType()) ? items.size() : 0)
+                    .missionType(list.missionType())
+                    .build());
+        } else if (message instanceof MissionRequestInt asked && asked.seq() < items.size()) {
+            return List.of(items.get(asked.seq()));
+        } else if (message instanceof MissionCount count && isMission(count.missionType())) {
+            return comes(new ArrayList<>(), 0, count.count() - 1);
+        } else if (message instanceof MissionWritePartialList part && isMission(part.missionType())) {
+            return comes(new ArrayList<>(items), part.startIndex(), part.endIndex());
+        } else if (message instanceof MissionClearAll) {
+            items = new ArrayList<>();
+            return List.of(ack());
+        } else if (message instanceof MissionItemInt item && item.seq() == awaited && awaited <= last) {
+            return take(item);
+        }
+        return List.of();
+    }
+
+    private List<Object> comes(List<MissionItemInt> before, int first, int end) {
+        coming = before;
+        awaited = first;
+        last = end;
+        return List.of(asked());
+    }
+
+    private Object asked() {
+        return MissionRequestInt.builder()
+                .seq(awaited)
+                .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
+                .build();
+    }
+
+    private List<Object> take(MissionItemInt item) {
+        if (item.seq() < coming.size()) {
+            coming.set(item.seq(), item);
+        } else {
+            coming.add(item);
+        }
+        awaited++;
+        if (awaited <= last) {
+            return List.of(asked());
+        }
+        items = coming;
+        uploads++;
+        return List.of(ack());
+    }
+
+    private static MissionAck ack() {
+        return MissionAck.builder()
+                .type(MavMissionResult.MAV_MISSION_ACCEPTED)
+                .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
+                .build();
+    }
+
+    private static boolean isMission(EnumValue<MavMissionType> type) {
+        return type.entry() == MavMissionType.MAV_MISSION_TYPE_MISSION;
+    }
+}

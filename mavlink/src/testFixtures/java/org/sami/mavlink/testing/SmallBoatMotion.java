@@ -1,0 +1,105 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.common.MissionItemInt;
+import java.util.Optional;
+
+/** Where a small boat is and goes, in a plane. For one thread at a time. */
+final class SmallBoatMotion {
+    static final int MANUAL = 0;
+    static final int HOLD = 4;
+    static final int AUTO = 10;
+    static final int GUIDED = 15;
+
+    private static final double METRES = 0.0111319; // of a ten millionth of a degree of latitude
+    private static final double FULL_SPEED_MPS = 3;
+    private static final double FULL_STICK = 1000;
+    private static final double REACHED_M = 1;
+
+    private final double times;
+    private final double narrower; // a degree of longitude
+    private double lat; // ten millionths of degrees
+    private double lon;
+    private double speedMps = 1;
+    private double targetLat;
+    private double targetLon;
+    private double stick;
+    private double turn;
+    private double movedM;
+
+    SmallBoatMotion(double latDeg, double lonDeg, double times) {
+        this.times = times;
+        lat = latDeg * 1e7;
+        lon = lonDeg * 1e7;
+        narrower = Math.cos(Math.toRadians(latDeg));
+    }
+
+    int lat() {
+        return (int) Math.round(lat);
+    }
+
+    int lon() {
+        return (int) Math.round(lon);
+    }
+
+    double speed() {
+        return speedMps;
+    }
+
+    void speed(double mps) {
+        speedMps = mps;
+    }
+
+    double movedM() {
+        return movedM;
+    }
+
+    void goTo(int toLat, int toLon) {
+        targetLat = toLat;
+        targetLon = toLon;
+    }
+
+    void sticks(double ahead, double right) {
+        stick = ahead;
+        turn = right;
+    }
+
+    double metresTo(double latDeg, double lonDeg) {
+        return metres(latDeg * 1e7, lonDeg * 1e7);
+    }
+
+    private double metres(double toLat, double toLon) {
+        return Math.hypot((toLat - lat) * METRES, (toLon - lon) * METRES * narrower);
+    }
+
+    /** Moves for a time. The item of its mission that it has reached. */
+    Optional<Integer> step(int mode, SmallBoatMission mission, double seconds) {
+        double way = speedMps * times * seconds;
+        if (mode == GUIDED) {
+            towards(targetLat, targetLon, way);
+        } else if (mode == AUTO) {
+            Optional<MissionItemInt> place = mission.place(this);
+            if (place.isPresent() && towards(place.get().x(), place.get().y(), way)) {
+                return mission.arrived();
+            }
+        } else if (mode == MANUAL) {
+            double metres = stick / FULL_STICK * FULL_SPEED_MPS * times * seconds;
+            move(metres * Math.cos(turn / FULL_STICK), metres * Math.sin(turn / FULL_STICK));
+        }
+        return Optional.empty();
+    }
+
+    private boolean towards(double toLat, double toLon, double way) {
+        double left = metres(toLat, toLon);
+        if (left > REACHED_M) {
+            double part = Math.min(1, way / left);
+            move((toLat - lat) * METRES * part, (toLon - lon) * METRES * narrower * part);
+        }
+        return metres(toLat, toLon) <= REACHED_M;
+    }
+
+    private void move(double northM, double eastM) {
+        lat += northM / METRES;
+        lon += eastM / (METRES * narrower);
+        movedM += Math.hypot(northM, eastM);
+    }
+}
