@@ -51,11 +51,11 @@ public record MissionItem(
         }
         latDeg = whole(latDeg) / TO_WHOLE; // as exactly as messages carry it, so that what comes back is equal
         lonDeg = whole(lonDeg) / TO_WHOLE;
-        heightM = (float) heightM;
-        param1 = (float) param1;
-        param2 = (float) param2;
-        param3 = (float) param3;
-        param4 = (float) param4;
+        heightM = asSent(heightM);
+        param1 = asSent(param1);
+        param2 = asSent(param2);
+        param3 = asSent(param3);
+        param4 = asSent(param4);
     }
 
     /** A place to go to, {@code waitS} seconds of waiting there included; its height is over home. */
@@ -104,6 +104,11 @@ public record MissionItem(
             case RELATIVE_INT -> RELATIVE;
             default -> frame;
         };
+    }
+
+    private static double asSent(double value) {
+        float single = (float) value; // what messages carry
+        return single;
     }
 
     private static long whole(double degrees) {
