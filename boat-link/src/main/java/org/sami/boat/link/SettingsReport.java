@@ -6,14 +6,15 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * The settings in force on the boat. Sent with every welcome, and to all clients after the answer to a command that changed one: the sender sees the
- * result, and observers see the change.
+ * The settings in force on the boat, and how its control board is. Sent with every welcome, and to all clients after the answer to a command that changed one, or
+ * when the board's condition has changed: the sender sees the result, and observers see the change.
  */
 public final class SettingsReport extends LinkMessage {
     static final String TYPE = "settings";
     private static final String HOME = "home";
     private static final String ERROR = "error";
     private static final String STOPPED_BY = "stoppedBy";
+    private static final String BOARD = "board";
 
     private final Gains heading;
     private final Gains speed;
@@ -22,6 +23,7 @@ public final class SettingsReport extends LinkMessage {
     private final Optional<Waypoint> home;
     private final Optional<TrackingError> error;
     private final String stoppedBy;
+    private final Optional<BoardCondition> board;
 
     /** The report of an older boat, which sends neither its home nor its errors. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
@@ -39,13 +41,7 @@ public final class SettingsReport extends LinkMessage {
         this(heading, speed, velocityMultiplier, lostLinkAction, home, error, "");
     }
 
-    /**
-     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
-     *
-     * @param home where the boat returns to, at the speed at which it does
-     * @param error how far the boat may be off its path, if it knows
-     * @param stoppedBy the client that has latched the fleet stop; empty where it is not latched, or the client is not known
-     */
+    /** The report of a boat without a control board, or of an older one, which does not say how it is. */
     public SettingsReport(
             Gains heading,
             Gains speed,
@@ -54,6 +50,26 @@ public final class SettingsReport extends LinkMessage {
             Optional<Waypoint> home,
             Optional<TrackingError> error,
             String stoppedBy) {
+        this(heading, speed, velocityMultiplier, lostLinkAction, home, error, stoppedBy, Optional.empty());
+    }
+
+    /**
+     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
+     *
+     * @param home where the boat returns to, at the speed at which it does
+     * @param error how far the boat may be off its path, if it knows
+     * @param stoppedBy the client that has latched the fleet stop; empty where it is not latched, or the client is not known
+     * @param board how its control board is; empty for a boat without one
+     */
+    public SettingsReport(
+            Gains heading,
+            Gains speed,
+            double velocityMultiplier,
+            LostLinkAction lostLinkAction,
+            Optional<Waypoint> home,
+            Optional<TrackingError> error,
+            String stoppedBy,
+            Optional<BoardCondition> board) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
@@ -62,6 +78,7 @@ public final class SettingsReport extends LinkMessage {
         this.home = Objects.requireNonNull(home, "home");
         this.error = Objects.requireNonNull(error, "error");
         this.stoppedBy = Checks.optionalName(STOPPED_BY, stoppedBy);
+        this.board = Objects.requireNonNull(board, "board");
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -72,7 +89,8 @@ public final class SettingsReport extends LinkMessage {
                 in.word("action", LostLinkAction.class),
                 in.has(HOME) ? Optional.of(WaypointRows.readRow(in.array(HOME), "/" + HOME)) : Optional.empty(),
                 in.has(ERROR) ? Optional.of(TrackingError.read(in.object(ERROR))) : Optional.empty(),
-                in.textOrEmpty(STOPPED_BY));
+                in.textOrEmpty(STOPPED_BY),
+                in.has(BOARD) ? Optional.of(in.word(BOARD, BoardCondition.class)) : Optional.empty());
     }
 
     /** Gains of a control loop. */
@@ -105,6 +123,11 @@ public final class SettingsReport extends LinkMessage {
         return stoppedBy;
     }
 
+    /** How its control board is; empty for a boat without one, and for older ones. */
+    public Optional<BoardCondition> board() {
+        return board;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -131,6 +154,9 @@ public final class SettingsReport extends LinkMessage {
         }
         if (!stoppedBy.isEmpty()) {
             out.writeStringField(STOPPED_BY, stoppedBy);
+        }
+        if (board.isPresent()) {
+            out.writeStringField(BOARD, board.get().name());
         }
     }
 }

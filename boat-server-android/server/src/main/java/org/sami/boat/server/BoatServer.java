@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.CommandEpoch;
@@ -74,6 +75,7 @@ public final class BoatServer {
     private String movedBy = ""; // client that set the boat in motion or released it last; empty after a lost link
     private long terms;
     private BatteryLevel reportedLevel;
+    private Optional<BoardCondition> reportedBoard;
 
     /** A server that keeps no log. */
     public BoatServer(ServerConfig config, Vehicle vehicle) {
@@ -91,6 +93,7 @@ public final class BoatServer {
         sensors = new SensorSampler(vehicle);
         battery = new BatteryWatch(config, vehicle, modes.homeward().waysHome());
         reportedLevel = battery.level();
+        reportedBoard = modes.board();
         motion = new MotionReports(vehicle);
     }
 
@@ -143,6 +146,10 @@ public final class BoatServer {
         if (battery.level() != reportedLevel) {
             reportedLevel = battery.level();
             broadcast(battery(), nowMs);
+        }
+        if (!modes.board().equals(reportedBoard)) {
+            reportedBoard = modes.board();
+            broadcast(executor.settings(), nowMs);
         }
         for (ServerSession session : sessions) {
             session.tick(nowMs);

@@ -68,7 +68,8 @@ final class CommandExecutor {
                 lostLinkAction,
                 Optional.of(modes.homeward().home().origin(config.returnSpeedMps())),
                 config.trackingError(),
-                isFleetStopped() ? stoppedBy : "");
+                isFleetStopped() ? stoppedBy : "",
+                modes.board());
     }
 
     /**

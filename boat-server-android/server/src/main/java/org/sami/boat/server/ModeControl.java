@@ -2,6 +2,7 @@ package org.sami.boat.server;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.TakePanorama;
@@ -80,6 +81,10 @@ final class ModeControl {
 
     boolean hasCamera() {
         return vehicle.camera().isPresent();
+    }
+
+    Optional<BoardCondition> board() {
+        return vehicle.board();
     }
 
     /** Whether the boat refuses a command in its present mode. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.Frame;
@@ -180,6 +181,7 @@ final class ServerTestBench {
         double batteryPercent = 100;
         boolean fails;
         Camera camera;
+        Optional<BoardCondition> board = Optional.empty();
         List<Sensor> sensors = List.of();
         double port = 9;
         double starboard = 9;
@@ -227,6 +229,11 @@ final class ServerTestBench {
         @Override
         public Optional<Camera> camera() {
             return Optional.ofNullable(camera);
+        }
+
+        @Override
+        public Optional<BoardCondition> board() {
+            return board;
         }
 
         @Override

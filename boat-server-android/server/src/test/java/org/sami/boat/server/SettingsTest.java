@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
@@ -41,6 +42,23 @@ class SettingsTest {
         assertThat(newest(client).gains(GainAxis.HEADING)).isEqualTo(new Gains(1.2, 0, 0));
         assertThat(newest(client).velocityMultiplier()).isEqualTo(1);
         assertThat(newest(client).lostLinkAction()).isEqualTo(LostLinkAction.HOLD);
+    }
+
+    @Test
+    void howTheControlBoardIsIsToldAtTheWelcomeAndToEverybodyWhenItChanges() {
+        bench.vehicle.board = Optional.of(BoardCondition.WORKING);
+        Client client = bench.commander();
+        Client observer = bench.client(Role.OBSERVER, 1);
+        assertThat(newest(client).board()).contains(BoardCondition.WORKING);
+        bench.run(1, client, observer);
+        int before = observer.all(SettingsReport.class).size();
+
+        bench.vehicle.board = Optional.of(BoardCondition.SILENT);
+        bench.run(1, client, observer);
+
+        assertThat(newest(client).board()).contains(BoardCondition.SILENT);
+        assertThat(newest(observer).board()).contains(BoardCondition.SILENT);
+        assertThat(observer.all(SettingsReport.class)).hasSize(before + 1);
     }
 
     @Test

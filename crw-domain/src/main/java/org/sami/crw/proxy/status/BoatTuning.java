@@ -1,24 +1,38 @@
 package org.sami.crw.proxy.status;
 
 import java.util.Objects;
+import java.util.Optional;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SettingsReport;
 
 /**
- * The settings in force on a boat, as it has reported.
+ * The settings in force on a boat, and how its control board is, as it has reported.
  *
  * @param heading gains of the heading loop
  * @param speed gains of the speed loop
  * @param velocityMultiplier factor on the speed of every leg
  * @param lostLinkAction action when the link to its commander is lost
+ * @param board how its control board is; empty for a boat without one, or an earlier one
  */
-public record BoatTuning(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
+public record BoatTuning(
+        Gains heading,
+        Gains speed,
+        double velocityMultiplier,
+        LostLinkAction lostLinkAction,
+        Optional<BoardCondition> board) {
+    /** Those of a boat without a control board. */
+    public BoatTuning(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
+        this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty());
+    }
+
     public BoatTuning {
         Objects.requireNonNull(heading, "heading");
         Objects.requireNonNull(speed, "speed");
         Objects.requireNonNull(lostLinkAction, "lostLinkAction");
+        Objects.requireNonNull(board, "board");
     }
 
     /** Those of a report. */
@@ -27,6 +41,7 @@ public record BoatTuning(Gains heading, Gains speed, double velocityMultiplier, 
                 report.gains(GainAxis.HEADING),
                 report.gains(GainAxis.SPEED),
                 report.velocityMultiplier(),
-                report.lostLinkAction());
+                report.lostLinkAction(),
+                report.board());
     }
 }

@@ -73,6 +73,7 @@ final class LaunchPanel extends JPanel {
             case COMMANDER -> "Command";
             case POSITION -> "Position";
             case COMPASS -> "Compass";
+            case BOARD -> "Control board";
             case MOTOR -> "Motor";
             case BATTERY -> "Battery";
             case LOST_LINK -> "Without a link";

@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LostLinkAction;
@@ -39,6 +40,8 @@ public record LaunchCheck(List<Item> items) {
         COMMANDER,
         POSITION,
         COMPASS,
+        /** Only of boats that have one. */
+        BOARD,
         MOTOR,
         BATTERY,
         LOST_LINK
@@ -63,6 +66,7 @@ public record LaunchCheck(List<Item> items) {
                 case COMMANDER -> text;
                 case POSITION -> "position: " + text;
                 case COMPASS -> "compass: " + text;
+                case BOARD -> "control board " + text;
                 case MOTOR -> "motor: " + text;
                 case BATTERY -> "battery " + text;
                 case LOST_LINK -> "without a link it " + text;
@@ -86,6 +90,7 @@ public record LaunchCheck(List<Item> items) {
         items.add(commander(boat));
         items.add(position(boat, alarms, nowMillis));
         items.add(compass(boat, alarms));
+        boat.settings().flatMap(BoatTuning::board).map(LaunchCheck::board).ifPresent(items::add);
         items.add(motor(boat, triedMps));
         items.add(battery(boat));
         items.add(lostLink(boat.settings()));
@@ -195,6 +200,14 @@ public record LaunchCheck(List<Item> items) {
                                 Locale.ROOT,
                                 "heads %03.0f°: turn the hull, the value must follow",
                                 (degrees + 360) % 360)));
+    }
+
+    private static Item board(BoardCondition condition) {
+        return switch (condition) {
+            case WORKING -> new Item(Subject.BOARD, State.GOOD, "answers");
+            case SILENT -> new Item(Subject.BOARD, State.BAD, "is silent: look at its power and its cable");
+            case GONE -> new Item(Subject.BOARD, State.BAD, "is gone: plug it in");
+        };
     }
 
     private static Item motor(BoatSnapshot boat, OptionalDouble triedMps) {

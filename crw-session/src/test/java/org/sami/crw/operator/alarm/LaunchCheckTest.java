@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
@@ -94,6 +95,21 @@ class LaunchCheckTest {
         assertThat(check(NOW, 25, BatteryLevel.LOW, List.of(), LostLinkAction.HOLD, 0.5)
                         .words())
                 .isEqualTo("ready; battery 25 %, low: a short way only");
+    }
+
+    @Test
+    void silentControlBoardIsNamedAndABoatWithoutOneIsNotAskedForIt() {
+        Optional<BoatTuning> silent =
+                Optional.of(new BoatTuning(GAINS, GAINS, 1, LostLinkAction.HOLD, Optional.of(BoardCondition.SILENT)));
+        LaunchCheck check =
+                LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, silent), List.of(), OptionalDouble.of(0.5), NOW);
+
+        assertThat(check.isReady()).isFalse();
+        assertThat(check.words()).isEqualTo("control board is silent: look at its power and its cable");
+        assertThat(check(NOW, 80, BatteryLevel.NOMINAL, List.of(), LostLinkAction.HOLD, 0.5)
+                        .items())
+                .extracting(LaunchCheck.Item::subject)
+                .doesNotContain(Subject.BOARD);
     }
 
     private static State state(LaunchCheck check, Subject subject) {

@@ -2,6 +2,8 @@ package org.sami.boat.app.boat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 
@@ -51,6 +53,11 @@ final class PhoneVehicle implements Vehicle {
         List<Sensor> all = new ArrayList<>(hull.sensors());
         all.addAll(phone.sensors());
         return all;
+    }
+
+    @Override
+    public Optional<BoardCondition> board() {
+        return hull.board();
     }
 
     @Override

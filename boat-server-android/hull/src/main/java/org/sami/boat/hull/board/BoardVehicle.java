@@ -17,6 +17,7 @@ import org.sami.boat.hull.settings.MotorDrive;
 import org.sami.boat.hull.stream.PortListener;
 import org.sami.boat.hull.stream.ReconnectingPort;
 import org.sami.boat.hull.stream.StreamPort;
+import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -189,6 +190,18 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     /** How the link to the board is. */
     public BoardState boardState() {
         return link.state();
+    }
+
+    @Override
+    public Optional<BoardCondition> board() {
+        switch (link.state()) {
+            case CONNECTED:
+                return Optional.of(BoardCondition.WORKING);
+            case SILENT:
+                return Optional.of(BoardCondition.SILENT);
+            default:
+                return Optional.of(BoardCondition.GONE);
+        }
     }
 
     /** Why the board is not there, in words for people; empty while it is. */

@@ -3,6 +3,7 @@ package org.sami.boat.server.vehicle;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.link.BoardCondition;
 
 /**
  * A hull with a motor on each side, as the boat server sees it: the phone's own, or a simulated one.
@@ -33,6 +34,11 @@ public interface Vehicle {
 
     /** The camera on board, if there is one. */
     default Optional<Camera> camera() {
+        return Optional.empty();
+    }
+
+    /** How its control board is; empty for a vehicle without one. */
+    default Optional<BoardCondition> board() {
         return Optional.empty();
     }
 
