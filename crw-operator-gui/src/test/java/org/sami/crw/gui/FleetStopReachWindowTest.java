@@ -28,6 +28,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JMenu;
+import javax.swing.JRootPane;
 import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -185,6 +186,36 @@ class FleetStopReachWindowTest {
         Component connect = robot.find(Component.class, "boat-connect-do");
         robot.until("there is nothing to connect to", () -> !connect.isEnabled());
         robot.press(VK_ESCAPE);
+    }
+
+    @Test
+    void focusGoesToNoButtonWhereWhatHadItIsOutOfSight() {
+        look(1280, 800, 150);
+        Component before = robot.find(Component.class, "map-layers");
+        WindowRobot.ask(before::requestFocusInWindow);
+        robot.untilFocused("map-layers");
+        robot.press(VK_B, VK_CONTROL);
+        robot.untilFocused("boat-connect-address");
+        show(before, false);
+
+        robot.press(VK_ESCAPE);
+
+        JRootPane root = window.frame().getRootPane();
+        robot.until("the focus is at no button", root::isFocusOwner);
+        show(before, true);
+        WindowRobot.ask(before::requestFocusInWindow);
+        robot.untilFocused("map-layers");
+        robot.press(VK_B, VK_CONTROL);
+        robot.untilFocused("boat-connect-address");
+        robot.press(VK_ESCAPE);
+        robot.untilFocused("map-layers");
+    }
+
+    private static void show(Component component, boolean shown) {
+        WindowRobot.ask(() -> {
+            component.setVisible(shown);
+            return null;
+        });
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.beans.PropertyChangeListener;
@@ -19,8 +20,8 @@ import org.sami.ui.look.Spacing;
 
 /**
  * Shows one thing at a time over a window's panels, inside the window. Nothing waits for it: panels, commands and keys go on working. It leaves
- * free what must stay in sight, such as the strip with the fleet stop. Escape closes it, and the focus goes back to where it was. On the
- * event thread.
+ * free what must stay in sight, such as the strip with the fleet stop. Escape closes it, and the focus goes back to where it was, or to
+ * no button where that is out of sight. On the event thread.
  */
 public final class WindowSheet {
     private static final LayoutFocusTraversalPolicy FIRST_IN = new LayoutFocusTraversalPolicy();
@@ -81,7 +82,7 @@ public final class WindowSheet {
         Objects.requireNonNull(sheet, "sheet");
         Optional<Component> before = Optional.ofNullable(
                         KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner())
-                .filter(owner -> SwingUtilities.getRootPane(owner) == root);
+                .filter(owner -> SwingUtilities.getRootPane(owner) == root && !(owner instanceof Window));
         Optional<Component> inSheetBefore = shown.flatMap(Shown::focusedBefore);
         remove(false);
         SheetPanel panel = new SheetPanel(sheet, this::close);
@@ -130,7 +131,10 @@ public final class WindowSheet {
             root.getLayeredPane().remove(now.panel());
             root.getLayeredPane().repaint(now.panel().getBounds());
             if (giveFocusBack && hadFocus) {
-                now.focusedBefore().filter(Component::isShowing).ifPresent(Component::requestFocusInWindow);
+                now.focusedBefore()
+                        .filter(Component::isShowing)
+                        .orElse(root) // else it goes to the window's first button, such as one that stops the fleet
+                        .requestFocusInWindow();
             }
             now.sheet().closed().run();
         });
