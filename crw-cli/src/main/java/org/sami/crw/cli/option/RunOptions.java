@@ -1,6 +1,7 @@
 package org.sami.crw.cli.option;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.cli.output.UsageFault;
@@ -57,8 +58,27 @@ public final class RunOptions {
     @Mixin
     private ConditionsOptions conditions;
 
-    public RunSettings settings(String plan, String mission) {
-        List<BoatAddress> addresses = addresses(connect);
+    @Option(
+            names = "--near",
+            description = "Use the boats that announce themselves on the local network and are paired, or need no "
+                    + "pairing: they are looked for during 8 s, and used as those of --connect.")
+    private boolean near;
+
+    @Mixin
+    private NetworkOption network = new NetworkOption();
+
+    /** Where boats are looked for; empty where none are. */
+    public Optional<NetworkOption> nearOn() {
+        return near ? Optional.of(network) : Optional.empty();
+    }
+
+    /**
+     * The settings of a run.
+     *
+     * @param found addresses of boats near, which are used besides those of {@code --connect}
+     */
+    public RunSettings settings(String plan, String mission, List<BoatAddress> found) {
+        List<BoatAddress> addresses = addresses(connect, found);
         Speed usual = addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL;
         return options.settings(
                 plan,
@@ -113,18 +133,31 @@ public final class RunOptions {
         return connectWithinMillis;
     }
 
-    private List<BoatAddress> addresses(String text) {
-        List<BoatAddress> addresses = addressesOf(text);
-        if (!addresses.isEmpty() && options.hasBoats()) {
-            throw new UsageFault("--boats and --connect exclude each other: the boats are those that are connected");
+    private List<BoatAddress> addresses(String text, List<BoatAddress> found) {
+        List<BoatAddress> named = addressesOf(text);
+        checkConnected();
+        List<BoatAddress> all = new ArrayList<>(named);
+        found.stream().filter(address -> !named.contains(address)).forEach(all::add);
+        if (!found.isEmpty()) {
+            ScenarioOptions.within("--near: the number of boats", all.size(), 1, RunSettings.Fleet.MOST_BOATS);
         }
-        if (!addresses.isEmpty() && options.hasQuay()) {
-            throw new UsageFault("with --connect the boats lie where they were started: see 'crw boat --help'");
+        return all;
+    }
+
+    /** Refuses what makes no sense with boats that are connected; before any is looked for. */
+    public void checkConnected() {
+        boolean connected = connect != null || near;
+        String option = connect == null ? "--near" : "--connect";
+        if (connected && options.hasBoats()) {
+            throw new UsageFault(
+                    "--boats and " + option + " exclude each other: the boats are those that are connected");
         }
-        if (!addresses.isEmpty() && speed != null && !speed.equals(Speed.REAL)) {
+        if (connected && options.hasQuay()) {
+            throw new UsageFault("with " + option + " the boats lie where they were started: see 'crw boat --help'");
+        }
+        if (connected && speed != null && !speed.equals(Speed.REAL)) {
             throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);
         }
-        return addresses;
     }
 
     /** Reads {@code --connect}; none for an option that was not given. */

@@ -12,6 +12,7 @@ import org.sami.crw.cli.option.RunOptions;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.finding.Finding;
@@ -39,7 +40,7 @@ import picocli.CommandLine.Spec;
             "1:the plan or the answers file has errors; nothing was run",
             "2:wrong usage, or a file that cannot be read",
             "3:the mission was aborted",
-            "4:the mission or the program failed, or boats do not answer (--connect)",
+            "4:the mission or the program failed, or boats do not answer (--connect) or none is near (--near)",
             "5:the mission was still running when the run was stopped (--for, Ctrl-C)",
             "6:the mission ended, with problems that are named"
         },
@@ -48,6 +49,7 @@ import picocli.CommandLine.Spec;
             "  crw run clv",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
             "  crw run clv --connect 127.0.0.1:5001,127.0.0.1:5002 --area 60 --locations 6",
+            "  crw run clv --near                     on the boats of the local network that are paired",
             "  crw run my-project.json --plan search --also watch@60",
             "  crw run my-project.json --script day.script",
             "  crw run station-keep --set watch-time.duration=60s --speed max",
@@ -108,7 +110,15 @@ public final class RunCommand implements Callable<Integer> {
                 source.source(),
                 concerning.stream().filter(f -> f.code().equals(DISABLED)).toList());
         err.flush();
-        RunSettings settings = options.settings(plan.id(), plan.title());
+        List<BoatAddress> found = List.of();
+        if (options.nearOn().isPresent()) {
+            options.checkConnected();
+            found = BoatSearch.connectable(options.nearOn().get(), err);
+            if (found.isEmpty()) {
+                return ExitCode.FAILED;
+            }
+        }
+        RunSettings settings = options.settings(plan.id(), plan.title(), found);
         options.checkScript(new RunPlan(library.vocabulary(), source.project().get(), plan), settings);
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {
