@@ -63,8 +63,7 @@ final class AnnouncedFleet implements AutoCloseable {
                 LoopbackFleet.QUAY.latDeg() - boats.size() % IN_A_ROW * APART_DEG,
                 LoopbackFleet.QUAY.lonDeg() + boats.size() / IN_A_ROW * APART_DEG);
         BoatOnTcp boat = new BoatOnTcp(
-                BoatSettings.of(
-                        name, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), at, boats.size()),
+                BoatSettings.of(name, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), at, boats.size()),
                 new SteadyClock(ProcessClock::ms),
                 TcpServerListener.NONE,
                 plain -> plain.withKeys(keys, new PairingResponder(keys, (other, code) -> {})));

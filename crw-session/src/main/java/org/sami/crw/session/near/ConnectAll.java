@@ -2,6 +2,7 @@ package org.sami.crw.session.near;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -49,7 +50,20 @@ public record ConnectAll(List<BoatAddress> connects, List<String> left) {
         String done = asked.isEmpty()
                 ? "No further boat can be connected now"
                 : connected + " of " + asked.size() + " connected";
-        List<String> left = of(now).left();
-        return left.isEmpty() ? done : done + ". Not connected: " + String.join("; ", left);
+        String rest = leftWords(now);
+        return rest.isEmpty() ? done : done + ". Not connected: " + rest;
+    }
+
+    /** The boats that are not connected now, those together that are for one reason; the rows say more. */
+    private static String leftWords(NearList now) {
+        Map<String, List<String>> byReason = new LinkedHashMap<>();
+        for (NearRow row : now.rows()) {
+            row.whyNot()
+                    .ifPresent(why -> byReason.computeIfAbsent(row.words(), reason -> new ArrayList<>())
+                            .add(row.name()));
+        }
+        List<String> reasons = new ArrayList<>();
+        byReason.forEach((reason, names) -> reasons.add(String.join(", ", names) + " (" + reason + ")"));
+        return String.join("; ", reasons);
     }
 }

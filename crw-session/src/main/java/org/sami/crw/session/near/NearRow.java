@@ -46,8 +46,8 @@ public record NearRow(
     public Link state() {
         if (link.isEmpty()) {
             return Link.NONE;
-        } else if (boat().isPresent() && link.get().connected()) {
-            return Link.CONNECTED;
+        } else if (link.get().connected()) {
+            return boat().isPresent() ? Link.CONNECTED : Link.CONNECTING;
         }
         return link.get().failedTries() > 0 ? Link.FAILING : Link.CONNECTING;
     }
@@ -73,7 +73,7 @@ public record NearRow(
                         .isPresent();
     }
 
-    /** How it stands, in words, such as {@code connected}, {@code not paired} or {@code does not answer: connection refused}. */
+    /** How it stands, in words, such as {@code connected}, {@code not paired} or {@code does not answer}. */
     public String words() {
         return switch (state()) {
             case CONNECTED -> "connected";
@@ -87,15 +87,14 @@ public record NearRow(
     }
 
     private static String failing(LinkReport tried) {
-        String what = tried.boatId().isPresent() ? "link lost" : tried.refused() ? "refused" : "does not answer";
-        String why = tried.lastEvent();
-        return why.isEmpty() || why.startsWith(what) ? (why.isEmpty() ? what : why) : what + ": " + why;
+        return tried.boatId().isPresent() ? "link lost" : tried.refused() ? "refused" : "does not answer";
     }
 
-    /** What connects it where one press does not; empty text where nothing needs to be done, or nothing can be. */
+    /** What connects it where one press does not, or why it does not answer; empty text where nothing needs to be done, or nothing can be. */
     public String advice() {
         if (state() == Link.FAILING) {
-            return "it goes on being tried";
+            String why = link.orElseThrow().lastEvent();
+            return (why.isEmpty() ? "" : why + "; ") + "it goes on being tried";
         } else if (state() != Link.NONE || elsewhere.isPresent()) {
             return "";
         }

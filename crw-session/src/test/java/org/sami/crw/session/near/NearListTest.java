@@ -46,20 +46,22 @@ class NearListTest {
         assertThat(all.connects()).containsExactly(at(1), at(2));
         assertThat(all.left())
                 .containsExactly(
-                        "10.0.0.1:7: does not answer: connection refused, it goes on being tried",
+                        "10.0.0.1:7: does not answer, connection refused; it goes on being tried",
                         "carl: waits to be paired, select it and press Pair",
                         "dora: not paired, have it show its words, then press Pair",
                         "emil: plain, needs --open, pair it, or start this program with --open if whoever reaches it"
                                 + " may command it");
-        assertThat(all.words(list)).startsWith("0 of 2 connected. Not connected: 10.0.0.1:7: ");
+        assertThat(all.words(list))
+                .isEqualTo("0 of 2 connected. Not connected: 10.0.0.1:7 (does not answer); carl (waits to be paired);"
+                        + " dora (not paired); emil (plain, needs --open)");
     }
 
     @Test
     void wordsFollowWhatBecomesOfTheAddresses() {
         ConnectAll all = ConnectAll.of(NearList.of(List.of(near("anna", 1, State.PAIRED)), List.of(), List.of()));
 
-        NearList later = NearList.of(
-                List.of(near("anna", 1, State.PAIRED)), List.of(link(1, "anna", true, 0, "")), List.of());
+        NearList later =
+                NearList.of(List.of(near("anna", 1, State.PAIRED)), List.of(link(1, "anna", true, 0, "")), List.of());
 
         assertThat(all.words(later)).isEqualTo("1 of 1 connected");
         assertThat(ConnectAll.of(later).words(later)).isEqualTo("No further boat can be connected now");
@@ -83,15 +85,16 @@ class NearListTest {
 
     @Test
     void lostLinkIsNoConnection() {
-        NearRow lost = NearList.of(
-                        List.of(near("anna", 1, State.PAIRED)),
-                        List.of(link(1, "anna", false, 2, "nothing has come for 3500 ms")),
-                        List.of())
-                .rows()
-                .get(0);
+        NearList list = NearList.of(
+                List.of(near("anna", 1, State.PAIRED)),
+                List.of(link(1, "anna", false, 2, "nothing has come for 3500 ms")),
+                List.of());
+        NearRow lost = list.rows().get(0);
 
         assertThat(lost.state()).isEqualTo(NearRow.Link.FAILING);
-        assertThat(lost.words()).isEqualTo("link lost: nothing has come for 3500 ms");
+        assertThat(lost.words()).isEqualTo("link lost");
+        assertThat(lost.advice()).isEqualTo("nothing has come for 3500 ms; it goes on being tried");
+        assertThat(ConnectAll.of(list).words(list)).endsWith("Not connected: anna (link lost)");
     }
 
     private static NearBoat near(String name, int port, State state) {
