@@ -46,7 +46,7 @@ public final class LinkBenchmarkMain {
             note(file, PREFIX, figures);
         }
         if (isWanted(PROTECTED)) {
-            note(file, PROTECTED, new ProtectedLinkBenchmark(quick ? 4 : 10, quick ? 6 : 20, quick ? 1 : 3).run());
+            note(file, PROTECTED, new ProtectedLinkBenchmark(quick ? 4 : 30, quick ? 6 : 20, quick ? 1 : 3).run());
         }
         if (isWanted(BOAT_STEP)) {
             note(file, BOAT_STEP, new BoatStepBenchmark(8).run());
