@@ -114,7 +114,7 @@ public class BoatServiceTest {
         Files.write(file, "nonsense".getBytes(StandardCharsets.UTF_8));
         controller.create().startCommand(0, 1);
         assertThat(link().boat()).isEmpty();
-        assertThat(link().fault()).contains("boat.txt: expected are the lines name=... and port=...");
+        assertThat(link().fault()).contains("boat.txt: expected are the lines name=..., port=... and maybe log=...");
 
         Files.delete(file);
         ShadowLooper.idleMainLooper(3, java.util.concurrent.TimeUnit.SECONDS);

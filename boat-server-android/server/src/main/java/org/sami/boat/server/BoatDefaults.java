@@ -32,6 +32,9 @@ public final class BoatDefaults {
     /** The longest waypoint list that a boat takes. */
     public static final int MAX_WAYPOINTS = 20_000;
 
+    /** Most bytes of a boat's log, over all of its files. */
+    public static final long LOG_BYTES = 32L << 20;
+
     /** Gains of the heading loop. */
     public static final Gains HEADING_GAINS = new Gains(1.2, 0, 0);
 

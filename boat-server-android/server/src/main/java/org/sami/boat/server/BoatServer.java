@@ -28,12 +28,12 @@ import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
-import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.StopMotors;
-import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
+import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -106,10 +106,24 @@ public final class BoatServer {
      * @param answer what the boat had answered
      */
     public void restore(String clientId, CommandMessage command, LinkMessage answer) {
-        ledger.record(clientId, command, answer);
-        boolean moving = command instanceof StartWaypoints || command instanceof TakePanorama;
-        boolean lasting = !moving && !isStoppingOnly(command);
-        if (answer instanceof Ack && lasting && !CommandTransfer.isOne(command)) {
+        ledger.record(RememberedCommand.of(clientId, command, answer));
+        if (answer instanceof Ack) {
+            restoreInForce(clientId, command);
+        }
+    }
+
+    /** Takes back a command of an earlier start of which only this is known any more. */
+    public void restore(RememberedCommand command) {
+        ledger.record(command);
+    }
+
+    /**
+     * Takes back what a command of an earlier start has set: the list, its ways home, a setting, the latched stop. Others say nothing: motion is not begun
+     * again, and keys and the number of the commander are kept elsewhere.
+     */
+    public void restoreInForce(String clientId, CommandMessage command) {
+        boolean lists = command instanceof UploadWaypoints || command instanceof SetWaysHome;
+        if (lists || CommandExecutor.isSetting(command) || CommandExecutor.isLatch(command)) {
             executor.execute(clientId, command);
         }
     }
@@ -359,7 +373,7 @@ public final class BoatServer {
             appoint(next, nowMs);
         });
         if (transfer.answer() instanceof Ack) { // a refused request may be granted the next time
-            ledger.record(session.clientId(), command, transfer.answer());
+            ledger.record(RememberedCommand.of(session.clientId(), command, transfer.answer()));
         }
         if (transfer.appointed().isPresent()) {
             note(session, command, transfer.answer(), nowMs);
@@ -412,7 +426,7 @@ public final class BoatServer {
         LinkMessage answer = command instanceof WithdrawKeys
                 ? withdraw(session, (WithdrawKeys) command, nowMs)
                 : executor.execute(session.clientId(), command);
-        ledger.record(session.clientId(), command, answer);
+        ledger.record(RememberedCommand.of(session.clientId(), command, answer));
         if (CommandExecutor.isMoving(command) && answer instanceof Ack) {
             movedBy = session.clientId();
         }

@@ -13,6 +13,7 @@ import org.sami.boat.hull.host.HullBoat;
 import org.sami.boat.hull.settings.HullSettings;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.log.LogPlace;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
 
@@ -23,8 +24,10 @@ import org.sami.boat.server.tcp.TcpServerListener;
  * @param address where its server listens
  * @param lostLink what it does when the link is lost
  * @param logFolder where its log is
+ * @param logBytes most bytes of its log
  */
-public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFolder) {
+public record RealBoatRun(
+        String name, InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFolder, long logBytes) {
 
     /** Waits until the run is to end. */
     public interface Waiter {
@@ -69,7 +72,7 @@ public record RealBoatRun(String name, InetSocketAddress address, LostLinkAction
             out.printf("%s waits for a position%n", name);
             out.flush();
             boat.awaitPosition();
-            Optional<Path> log = logFolder.map(folder -> folder.resolve(name + ".log"));
+            Optional<LogPlace> log = logFolder.map(folder -> new LogPlace(folder.resolve(name + ".log"), logBytes));
             boat.serve(address, lostLink, log, console, links.make());
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
             try (Closeable announcer =

@@ -97,7 +97,13 @@ final class FleetValues {
                         BatteryDefaults.RECHARGED_PERCENT,
                         "%",
                         "A charge that rises by this much means a new or charged battery.")
-                .number("longest waypoint list", BoatDefaults.MAX_WAYPOINTS, "", "Most waypoints that a boat takes.");
+                .number("longest waypoint list", BoatDefaults.MAX_WAYPOINTS, "", "Most waypoints that a boat takes.")
+                .number(
+                        "size of the log",
+                        BoatDefaults.LOG_BYTES >> 20,
+                        "MiB",
+                        "Most that a boat keeps of its log, over all of its files.",
+                        "crw boat --log-size; the settings on the boat's phone");
     }
 
     private static String gains(Gains gains) {

@@ -6,8 +6,6 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.nio.file.Path;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -69,6 +67,7 @@ public final class BoatServerCommand implements Callable<Integer> {
             "--name",
             "--lost-link",
             "--log",
+            "--log-size",
             "--bind",
             "--while-input",
             "--announce",
@@ -146,13 +145,8 @@ public final class BoatServerCommand implements Callable<Integer> {
                     + "hold, return, continue, drift (default ${DEFAULT-VALUE}).")
     private LostLinkAction lostLink;
 
-    @Option(
-            names = "--log",
-            paramLabel = "DIR",
-            description =
-                    "A folder for its log, NAME.log. An existing log is continued: the boat knows the commands that "
-                            + "it has executed, and does not move before a new one.")
-    private Path log;
+    @Mixin
+    private BoatLogOptions log = new BoatLogOptions();
 
     @Option(
             names = "--bind",
@@ -216,7 +210,7 @@ public final class BoatServerCommand implements Callable<Integer> {
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             RealBoatRun run =
-                    new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, Optional.ofNullable(log));
+                    new RealBoatRun(name, new InetSocketAddress(bind, port), lostLink, log.folder(), log.bytes());
             Console console = new Console();
             run.run(
                     hullOptions,
@@ -289,7 +283,8 @@ public final class BoatServerCommand implements Callable<Integer> {
                     conditions.conditions(),
                     fieldSeed,
                     lostLink,
-                    Optional.ofNullable(log));
+                    log.folder(),
+                    log.bytes());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }
@@ -344,6 +339,11 @@ public final class BoatServerCommand implements Callable<Integer> {
         @Override
         public void failed(String what, Throwable cause) {
             say(what + ": " + cause);
+        }
+
+        @Override
+        public void recovered(String what) {
+            say(what);
         }
 
         @Override

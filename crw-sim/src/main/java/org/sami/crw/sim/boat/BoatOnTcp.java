@@ -3,13 +3,9 @@ package org.sami.crw.sim.boat;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Instant;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.Ack;
@@ -23,8 +19,10 @@ import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
-import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.log.LogEntries;
+import org.sami.boat.server.log.LogPlace;
 import org.sami.boat.server.picture.PictureFolder;
+import org.sami.boat.server.tcp.LogFaultReports;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -57,7 +55,6 @@ public final class BoatOnTcp implements Closeable {
     private final Optional<DrawingCamera> camera;
     private final String name;
     private final BoatsInSight water;
-    private int restored; // not written any more once the boat is launched
     private final TcpBoatServer server;
     private long lastMs;
     private volatile double batteryPercent; // as the boat's thread last set it
@@ -125,7 +122,9 @@ public final class BoatOnTcp implements Closeable {
 
     /** What its clients may fetch: its log and its pictures, where it keeps some. */
     private static BoatFiles files(BoatSettings settings) {
-        BoatFiles logs = settings.logFile().map(CommandLogFile::files).orElseGet(BoatFiles::none);
+        BoatFiles logs = settings.logPlace()
+                .map(place -> CommandLogFile.files(place.file()))
+                .orElseGet(BoatFiles::none);
         return settings.pictureFolder()
                 .map(folder -> logs.with(KeptFile.PICTURE, folder, name -> name.endsWith(".jpg")))
                 .orElse(logs);
@@ -173,24 +172,18 @@ public final class BoatOnTcp implements Closeable {
         return Optional.of(new DrawingCamera(settings.name(), folder, ahead, listener::failed));
     }
 
-    /** The boat restores entry by entry: a log grows without limit, and only its last list counts. */
     private Optional<CommandLogFile> openLog(BoatSettings settings, BoatServer boat, TcpServerListener listener)
             throws IOException {
-        if (settings.logFile().isEmpty()) {
+        Optional<LogPlace> place = settings.logPlace();
+        if (place.isEmpty()) {
             return Optional.empty();
         }
-        Path file = settings.logFile().get();
-        Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent(), "folder");
-        if (Files.exists(folder) && !Files.isDirectory(folder)) {
-            throw new IOException(folder + " is no folder");
-        }
-        Files.createDirectories(folder);
-        Consumer<LoggedCommand> takeBack = entry -> {
-            boat.restore(entry.clientId(), entry.command(), entry.answer());
-            restored++;
-        };
+        place.get().makeFolder();
         return Optional.of(CommandLogFile.open(
-                file, bootId, takeBack, fault -> listener.failed("the log " + file + " cannot be written", fault)));
+                place.get(),
+                bootId,
+                LogEntries.restoring(boat),
+                new LogFaultReports(place.get().file(), listener)));
     }
 
     /** Where the boat listens, with the port that it got. */
@@ -208,9 +201,9 @@ public final class BoatOnTcp implements Closeable {
         return bootId;
     }
 
-    /** How many commands of earlier starts were found in the log. */
+    /** How many commands of earlier starts the boat knows from its log. */
     public int restored() {
-        return restored;
+        return log.map(CommandLogFile::restored).orElse(0);
     }
 
     /** How many lines of the log are damaged; their content is lost. */

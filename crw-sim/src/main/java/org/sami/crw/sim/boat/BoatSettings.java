@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
+import org.sami.boat.server.log.LogPlace;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
@@ -22,6 +24,7 @@ import org.sami.spn.value.GeoPoint;
  * @param fieldSeed of what there is to be measured; equal for all boats of one water
  * @param lostLink what it does when its link is lost, until a command sets something else
  * @param logFolder where its log is kept, and taken up again after a restart; none if empty
+ * @param logBytes most bytes of its log
  * @param pictureFolder where its pictures are kept; none if empty
  */
 public record BoatSettings(
@@ -35,6 +38,7 @@ public record BoatSettings(
         long fieldSeed,
         LostLinkAction lostLink,
         Optional<Path> logFolder,
+        long logBytes,
         Optional<Path> pictureFolder) {
 
     /** A boat that keeps its pictures beside its log, if it keeps one. */
@@ -48,7 +52,8 @@ public record BoatSettings(
             Conditions conditions,
             long fieldSeed,
             LostLinkAction lostLink,
-            Optional<Path> logFolder) {
+            Optional<Path> logFolder,
+            long logBytes) {
         this(
                 name,
                 address,
@@ -60,6 +65,7 @@ public record BoatSettings(
                 fieldSeed,
                 lostLink,
                 logFolder,
+                logBytes,
                 logFolder.map(folder -> folder.resolve(name + "-pictures")));
     }
 
@@ -98,13 +104,29 @@ public record BoatSettings(
                 Conditions.CALM,
                 1,
                 LostLinkAction.HOLD,
-                Optional.empty());
+                Optional.empty(),
+                BoatDefaults.LOG_BYTES);
     }
 
-    /** The same with a log in a folder. */
+    /** The same with a log in a folder, of the usual size. */
     public BoatSettings loggingTo(Path folder) {
+        return loggingTo(folder, BoatDefaults.LOG_BYTES);
+    }
+
+    /** The same with a log in a folder, of so many bytes at most. */
+    public BoatSettings loggingTo(Path folder, long bytes) {
         return new BoatSettings(
-                name, address, at, seed, batteryPercent, hull, conditions, fieldSeed, lostLink, Optional.of(folder));
+                name,
+                address,
+                at,
+                seed,
+                batteryPercent,
+                hull,
+                conditions,
+                fieldSeed,
+                lostLink,
+                Optional.of(folder),
+                bytes);
     }
 
     /** The same with pictures kept in a folder. */
@@ -120,24 +142,47 @@ public record BoatSettings(
                 fieldSeed,
                 lostLink,
                 logFolder,
+                logBytes,
                 Optional.of(folder));
     }
 
     /** The same with another charge at the start. */
     public BoatSettings withBatteryPercent(double percent) {
         return new BoatSettings(
-                name, address, at, seed, percent, hull, conditions, fieldSeed, lostLink, logFolder, pictureFolder);
+                name,
+                address,
+                at,
+                seed,
+                percent,
+                hull,
+                conditions,
+                fieldSeed,
+                lostLink,
+                logFolder,
+                logBytes,
+                pictureFolder);
     }
 
     /** The same on other water. */
     public BoatSettings on(Conditions water) {
         return new BoatSettings(
-                name, address, at, seed, batteryPercent, hull, water, fieldSeed, lostLink, logFolder, pictureFolder);
+                name,
+                address,
+                at,
+                seed,
+                batteryPercent,
+                hull,
+                water,
+                fieldSeed,
+                lostLink,
+                logFolder,
+                logBytes,
+                pictureFolder);
     }
 
-    /** The file of the boat's log. */
-    public Optional<Path> logFile() {
-        return logFolder.map(folder -> folder.resolve(name + ".log"));
+    /** Where the boat's log is kept. */
+    public Optional<LogPlace> logPlace() {
+        return logFolder.map(folder -> new LogPlace(folder.resolve(name + ".log"), logBytes));
     }
 
     /** The configuration of the boat's server for one start of it. */

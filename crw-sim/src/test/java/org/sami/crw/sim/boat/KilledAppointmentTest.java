@@ -35,10 +35,13 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
+import org.sami.boat.server.log.LogPlace;
+import org.sami.boat.server.tcp.LogFaultReports;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -179,8 +182,15 @@ class KilledAppointmentTest {
         private BoatThatNeverAnswers() {}
 
         public static void main(String[] args) throws Exception {
+            LogPlace place = new LogPlace(Path.of(args[0], "anna.log"), BoatDefaults.LOG_BYTES);
+            TcpServerListener broken = new TcpServerListener() {
+                @Override
+                public void failed(String what, Throwable cause) {
+                    System.exit(1);
+                }
+            };
             CommandLogFile file =
-                    CommandLogFile.open(Path.of(args[0], "anna.log"), "boot", entry -> {}, fault -> System.exit(1));
+                    CommandLogFile.open(place, "boot", entry -> {}, new LogFaultReports(place.file(), broken));
             ServerLog log = new ServerLog() {
                 @Override
                 public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {

@@ -37,6 +37,8 @@ import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
+import org.sami.boat.server.log.LogEntries;
+import org.sami.boat.server.log.LogPlace;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -309,10 +311,10 @@ public final class BoatOnPhone implements Closeable {
             boat = new BoatServer(config, vehicle, this);
             mode = boat.mode();
             log = CommandLogFile.open(
-                    files.commandLog(),
+                    new LogPlace(files.commandLog(), settings.logBytes()),
                     bootId,
-                    entry -> boat.restore(entry.clientId(), entry.command(), entry.answer()),
-                    broken -> health.setLogBroken());
+                    LogEntries.restoring(boat),
+                    health.logFaults());
             boat.restore(log.epoch());
             try {
                 tcp = new TcpBoatServer(settings.name(), boat, links(), clock, this::beforeTick, this);
@@ -352,6 +354,11 @@ public final class BoatOnPhone implements Closeable {
         @Override
         public void failed(String what, Throwable cause) {
             listener.said(what + ": " + cause);
+        }
+
+        @Override
+        public void recovered(String what) {
+            listener.said(what);
         }
 
         @Override

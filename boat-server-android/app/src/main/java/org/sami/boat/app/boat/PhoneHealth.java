@@ -1,9 +1,11 @@
 package org.sami.boat.app.boat;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleSupplier;
+import org.sami.boat.server.log.LogFaults;
 import org.sami.boat.server.vehicle.Sensor;
 
 /**
@@ -28,6 +30,7 @@ public final class PhoneHealth {
     private volatile double freeMegabytes = Double.NaN;
     private volatile double clockSetByS = Double.NaN;
     private volatile boolean logBroken;
+    private volatile boolean logOversized;
     private volatile boolean dateLost;
 
     /** The phone's battery. */
@@ -51,9 +54,25 @@ public final class PhoneHealth {
         dateLost = lost;
     }
 
-    /** The boat's log cannot be written any more. */
-    public void setLogBroken() {
-        logBroken = true;
+    /** Learns there when the boat's log cannot be kept as it should be. */
+    LogFaults logFaults() {
+        return new LogFaults() {
+            @Override
+            public void unwritable(IOException cause) {
+                logBroken = true;
+            }
+
+            @Override
+            public void oversized(IOException cause) {
+                logOversized = true;
+            }
+
+            @Override
+            public void mended() {
+                logBroken = false;
+                logOversized = false;
+            }
+        };
     }
 
     /** Charge of the phone's battery in percent; NaN if unknown. */
@@ -84,6 +103,9 @@ public final class PhoneHealth {
         if (logBroken) {
             troubles.add("the log cannot be written: after a restart the boat will not know its last commands");
         }
+        if (logOversized) {
+            troubles.add("the log grows beyond its size, as no new file of it can be written: free some storage");
+        }
         return troubles;
     }
 
@@ -94,6 +116,7 @@ public final class PhoneHealth {
         sensors.add(new Channel("temperature", "°C", () -> temperatureC));
         sensors.add(new Channel("free storage", "MB", () -> freeMegabytes));
         sensors.add(new Channel("log broken", "", () -> logBroken ? 1 : Double.NaN));
+        sensors.add(new Channel("log too large", "", () -> logOversized ? 1 : Double.NaN));
         sensors.add(new Channel("date lost", "", () -> dateLost ? 1 : Double.NaN));
         sensors.add(new Channel("date set by", "s", this::takeClockSet));
         return sensors;

@@ -57,6 +57,7 @@ public final class SettingsActivity extends Activity {
         ((RadioButton) findViewById(hull.kind() == HullKind.RUDDER ? R.id.rudder : R.id.differential)).setChecked(true);
         field(R.id.safe_maximum).setText(percent(hull.safeMaximum()));
         field(R.id.trim).setText(percent(hull.trim()));
+        field(R.id.log_mebibytes).setText(String.valueOf(boat.get().settings().logMebibytes()));
         box(R.id.left_reversed).setChecked(hull.leftReversed());
         box(R.id.right_reversed).setChecked(hull.rightReversed());
         box(R.id.sides_swapped).setChecked(hull.sidesSwapped());
@@ -69,16 +70,16 @@ public final class SettingsActivity extends Activity {
             return;
         }
         try {
-            PhoneSettings named = new PhoneSettings(text(R.id.boat_name), (int) number(R.id.port));
+            PhoneSettings named =
+                    new PhoneSettings(text(R.id.boat_name), (int) number(R.id.port), (int) number(R.id.log_mebibytes));
             HullSettings hullBefore = boat.get().board().hull();
             HullSettings hull = hull(hullBefore);
             boat.get().setHull(hull);
-            PhoneSettings before = boat.get().settings();
-            boolean renamed = !named.name().equals(before.name()) || named.port() != before.port();
-            if (renamed) {
+            boolean other = !named.isSame(boat.get().settings());
+            if (other) {
                 named.write(new AppFiles(getFilesDir().toPath()));
             }
-            if (renamed || hull.safeMaximum() != hullBefore.safeMaximum()) { // the server reckons with the top speed
+            if (other || hull.safeMaximum() != hullBefore.safeMaximum()) { // the server reckons with the top speed
                 service.beginAnew();
             }
             finish();

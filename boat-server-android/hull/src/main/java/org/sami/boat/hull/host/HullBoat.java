@@ -3,8 +3,6 @@ package org.sami.boat.hull.host;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
@@ -32,6 +30,9 @@ import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
+import org.sami.boat.server.log.LogEntries;
+import org.sami.boat.server.log.LogPlace;
+import org.sami.boat.server.tcp.LogFaultReports;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -58,7 +59,6 @@ public final class HullBoat implements Closeable {
     private Set<PositionDoubt> doubts = EnumSet.noneOf(PositionDoubt.class); // for the server's thread
     private Optional<CommandLogFile> log = Optional.empty();
     private Optional<TcpBoatServer> server = Optional.empty();
-    private int restored;
 
     /**
      * A boat whose ports are not open yet.
@@ -141,13 +141,13 @@ public final class HullBoat implements Closeable {
     /**
      * Begins to serve; after {@link #awaitPosition}.
      *
-     * @param logFile continued where it is there: the boat knows what it has executed, and does not move before a new command
+     * @param logPlace continued where it is there: the boat knows what it has executed, and does not move before a new command
      * @throws IOException if the port or the log cannot be had
      */
     public void serve(
-            InetSocketAddress address, LostLinkAction lostLink, Optional<Path> logFile, TcpServerListener listener)
+            InetSocketAddress address, LostLinkAction lostLink, Optional<LogPlace> logPlace, TcpServerListener listener)
             throws IOException {
-        serve(address, lostLink, logFile, listener, UnaryOperator.identity());
+        serve(address, lostLink, logPlace, listener, UnaryOperator.identity());
     }
 
     /**
@@ -158,7 +158,7 @@ public final class HullBoat implements Closeable {
     public void serve(
             InetSocketAddress address,
             LostLinkAction lostLink,
-            Optional<Path> logFile,
+            Optional<LogPlace> logPlace,
             TcpServerListener listener,
             UnaryOperator<TcpServerConfig> links)
             throws IOException {
@@ -171,33 +171,22 @@ public final class HullBoat implements Closeable {
                 .build();
         ServerLog toFile = new FileLog();
         BoatServer boat = new BoatServer(config, vehicle, toFile);
-        if (logFile.isPresent()) {
-            log = Optional.of(openLog(logFile.get(), boat, listener));
+        if (logPlace.isPresent()) {
+            log = Optional.of(openLog(logPlace.get(), boat, listener));
             boat.restore(log.get().epoch());
         }
-        BoatFiles files = logFile.map(CommandLogFile::files).orElseGet(BoatFiles::none);
+        BoatFiles files =
+                logPlace.map(place -> CommandLogFile.files(place.file())).orElseGet(BoatFiles::none);
         TcpServerConfig tcpConfig = links.apply(TcpServerConfig.on(address).withFiles(files));
         TcpBoatServer tcp = new TcpBoatServer(name, boat, tcpConfig, clock, this::tellDoubts, listener);
         server = Optional.of(tcp);
         tcp.start();
     }
 
-    private CommandLogFile openLog(Path file, BoatServer boat, TcpServerListener listener) throws IOException {
-        Path folder = file.toAbsolutePath().getParent();
-        if (folder != null) {
-            if (Files.exists(folder) && !Files.isDirectory(folder)) {
-                throw new IOException(folder + " is no folder");
-            }
-            Files.createDirectories(folder);
-        }
+    private CommandLogFile openLog(LogPlace place, BoatServer boat, TcpServerListener listener) throws IOException {
+        place.makeFolder();
         return CommandLogFile.open(
-                file,
-                bootId,
-                entry -> {
-                    boat.restore(entry.clientId(), entry.command(), entry.answer());
-                    restored++;
-                },
-                fault -> listener.failed("the log " + file + " cannot be written", fault));
+                place, bootId, LogEntries.restoring(boat), new LogFaultReports(place.file(), listener));
     }
 
     /** Writes what was answered to the file, where there is one. */
@@ -248,9 +237,9 @@ public final class HullBoat implements Closeable {
                 .address();
     }
 
-    /** How many commands of earlier starts were found in the log. */
+    /** How many commands of earlier starts the boat knows from its log. */
     public int restored() {
-        return restored;
+        return log.map(CommandLogFile::restored).orElse(0);
     }
 
     /** How many lines of the log are damaged; their content is lost. */

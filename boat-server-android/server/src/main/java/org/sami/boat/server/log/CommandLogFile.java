@@ -2,22 +2,12 @@ package org.sami.boat.server.log;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFileAttributeView;
-import java.nio.file.attribute.PosixFilePermission;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.util.EnumSet;
 import java.util.Objects;
-import java.util.Set;
-import java.util.function.Consumer;
+import java.util.Optional;
+import java.util.concurrent.Executor;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.KeptFile;
@@ -26,101 +16,112 @@ import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.file.BoatFiles;
 
 /**
- * A boat's log as a text file with one line for each command, appended to over all starts. The operating system gets each line before the boat's answer
+ * A boat's log as text files with one line for each command, appended to over all starts. The operating system gets each line before the boat's answer
  * leaves, so that the death of the process loses no answered command; a line that was cut off is removed at the next opening. A loss of power can lose
  * the last seconds.
  *
- * <p>A file that cannot be written does not stop the boat: it reports the fault once and goes on without a log. For the thread that drives the boat.
+ * <p>All files together have no more than a set size. An eighth of it is one file: then a new one begins with all that a restarted boat needs, and the
+ * oldest go. A new file counts once it is whole on the disk; until then the boat writes to the one before.
+ *
+ * <p>Files that cannot be written do not stop the boat: it reports the fault once, goes on without a log, and tries to begin a new file from time to time.
+ * For the thread that drives the boat.
  */
 public final class CommandLogFile implements ServerLog, Closeable {
-    private static final Set<PosixFilePermission> OWNERS =
-            EnumSet.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE);
-    private static final Set<StandardOpenOption> OPTIONS =
-            EnumSet.of(StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+    /** Least size of a log in bytes. */
+    public static final long LEAST_BYTES = 64 << 10;
 
-    private final FileChannel channel;
+    private static final int FILES = 8;
+    private static final long RETRY_MS = 10_000;
+
+    private final LogDisk disk;
+    private final LogFiles files;
+    private final long limitBytes;
     private final String bootId;
-    private final int unreadLines;
+    private final Executor aside;
+    private final LogFaults faults;
+    private final CarriedState state;
     private final EpochFile epochFile;
     private final CommandEpoch epoch;
-    private final Consumer<IOException> onFault;
-    private boolean broken;
+    private final FileChannel lock;
+    private final int unreadLines;
+    private final int restored;
+    private FileChannel channel;
+    private int number;
+    private long bytes;
+    private long headBytes;
+    private Optional<LogTurn> turn = Optional.empty();
+    private boolean unwritable;
+    private boolean oversized;
+    private long nextTurnMs = Long.MIN_VALUE;
 
     private CommandLogFile(
-            FileChannel channel, String bootId, int unreadLines, EpochFile epochFile, Consumer<IOException> onFault)
+            LogDisk disk, Executor aside, long limitBytes, String bootId, LogFaults faults, LogOpening opened)
             throws IOException {
-        this.channel = channel;
-        this.bootId = bootId;
-        this.unreadLines = unreadLines;
-        this.epochFile = epochFile;
+        this.disk = disk;
+        this.aside = aside;
+        this.limitBytes = limitBytes;
+        this.bootId = Objects.requireNonNull(bootId, "bootId");
+        this.faults = Objects.requireNonNull(faults, "faults");
+        files = opened.files();
+        state = opened.state();
+        lock = opened.lock();
+        epochFile = new EpochFile(files.file(0));
         epoch = epochFile.read();
-        this.onFault = onFault;
+        channel = opened.newest();
+        number = opened.number();
+        bytes = opened.extent().wholeBytes();
+        headBytes = opened.extent().headBytes();
+        unreadLines = opened.unreadLines();
+        restored = state.size();
     }
 
     /**
-     * Opens or creates a boat's log, reads its entries and adds the start of this server.
+     * Opens or creates a boat's log, reads what a restarted boat needs and adds the start of this server.
      *
+     * @param place where it is; what a restarted boat needs is kept even if that has more than the bytes there
      * @param bootId names this start
-     * @param earlier receives every entry of the earlier starts, in order
-     * @param onFault receives the fault when the log can no longer be written
-     * @throws IOException if the file cannot be read or written, is no boat's log, or another process writes it
+     * @param earlier receives what the earlier starts have left, in order
+     * @param faults gets to know when the log cannot be kept
+     * @throws IOException if a file cannot be read or written, is no boat's log, or another process writes it
      */
-    public static CommandLogFile open(
-            Path file, String bootId, Consumer<LoggedCommand> earlier, Consumer<IOException> onFault)
+    public static CommandLogFile open(LogPlace place, String bootId, LogEntries earlier, LogFaults faults)
             throws IOException {
-        FileChannel channel = FileChannel.open(file, OPTIONS, ownersOnly(file));
+        return open(new LogDisk(), LogAside.THREAD, place, bootId, earlier, faults);
+    }
+
+    static CommandLogFile open(
+            LogDisk disk, Executor aside, LogPlace place, String bootId, LogEntries earlier, LogFaults faults)
+            throws IOException {
+        LogOpening opened = LogOpening.of(disk, new LogFiles(place.file()), earlier);
         try {
-            lock(channel, file);
-            LogExtent extent = LogLines.read(file, earlier);
-            channel.truncate(extent.wholeBytes());
-            channel.position(extent.wholeBytes());
-            CommandLogFile log = new CommandLogFile(
-                    channel,
-                    bootId,
-                    extent.unreadLines(),
-                    new EpochFile(file),
-                    Objects.requireNonNull(onFault, "onFault"));
-            log.write(LogLines.start(bootId));
+            CommandLogFile log = new CommandLogFile(disk, aside, place.limitBytes(), bootId, faults, opened);
+            log.begin();
             return log;
         } catch (IOException | RuntimeException e) {
-            channel.close();
+            opened.close();
             throw e;
         }
     }
 
-    /** The log as clients may fetch it; nothing else of its folder, where other boats of this machine may have theirs. */
+    /** The log's files as clients may fetch them; nothing else of their folder, where other boats of this machine may have theirs. */
     public static BoatFiles files(Path file) {
-        String name = String.valueOf(file.getFileName());
-        Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent(), "a log stands in a folder");
-        return BoatFiles.none().with(KeptFile.LOG, folder, name::equals);
+        LogFiles files = new LogFiles(file);
+        return BoatFiles.none().with(KeptFile.LOG, files.folder(), files::isOne);
     }
 
-    /** The log is read by its user only, where the file system knows users. */
-    private static FileAttribute<?>[] ownersOnly(Path file) throws IOException {
-        PosixFileAttributeView posix = Files.getFileAttributeView(file, PosixFileAttributeView.class);
-        if (posix == null) {
-            return new FileAttribute<?>[0];
+    private void begin() throws IOException {
+        for (Path part : files.unfinished()) {
+            disk.delete(part);
         }
-        if (Files.isRegularFile(file) && Files.isWritable(file)) {
-            try {
-                posix.setPermissions(OWNERS);
-            } catch (IOException others) {
-                // another user's file, whose permissions are not ours to change
-            }
+        String start = LogLines.start(bootId);
+        disk.write(channel, start.getBytes(StandardCharsets.UTF_8));
+        bytes += start.length();
+        if (number > 0
+                && headBytes == 0) { // a disk has lost its head: the next one is whole before anything counts on it
+            LogTurn whole = new LogTurn(disk, files, number + 1);
+            whole.write(state.head(bootId));
+            finish(whole);
         }
-        return new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS)};
-    }
-
-    private static void lock(FileChannel channel, Path file) throws IOException {
-        try {
-            FileLock lock = channel.tryLock();
-            if (lock != null) {
-                return; // until the channel closes
-            }
-        } catch (OverlappingFileLockException e) {
-            // this process has it
-        }
-        throw new IOException(file + " is being written by another boat server");
     }
 
     /** How many lines of the earlier starts said nothing, because they are damaged. */
@@ -128,9 +129,16 @@ public final class CommandLogFile implements ServerLog, Closeable {
         return unreadLines;
     }
 
+    /** How many commands of the earlier starts were given back, to be known or in force. */
+    public int restored() {
+        return restored;
+    }
+
     @Override
     public void answered(long nowMs, String clientId, CommandMessage command, LinkMessage answer) {
-        add(LogLines.command(new LoggedCommand(bootId, nowMs, clientId, command, answer)));
+        LoggedCommand entry = new LoggedCommand(bootId, nowMs, clientId, command, answer);
+        state.answered(entry);
+        add(nowMs, LogLines.command(entry));
     }
 
     /** Who commanded last in the earlier starts; {@link CommandEpoch#NONE} if nobody did. */
@@ -143,36 +151,113 @@ public final class CommandLogFile implements ServerLog, Closeable {
         try {
             epochFile.write(next);
         } catch (IOException e) {
-            onFault.accept(e);
+            faults.unwritable(e); // the log itself may still be written
         }
     }
 
     @Override
     public void leftOut(long nowMs, long count) {
-        add(LogLines.leftOut(bootId, nowMs, count));
+        add(nowMs, LogLines.leftOut(bootId, nowMs, count));
     }
 
-    private void add(String line) {
-        if (broken) {
-            return;
-        }
-        try {
+    private void add(long nowMs, String line) {
+        if (!unwritable) {
             write(line);
-        } catch (IOException e) {
-            broken = true;
-            onFault.accept(e);
+        }
+        if (turn.isPresent()) {
+            turn.get().add(line);
+            if (turn.get().isWritten()) {
+                finish(nowMs);
+            }
+        } else if (nowMs >= nextTurnMs && (unwritable || bytes >= fileBytes())) {
+            LogTurn next = new LogTurn(disk, files, number + 1);
+            CarriedState.LogHead head = state.head(bootId);
+            turn = Optional.of(next);
+            aside.execute(() -> next.write(head));
         }
     }
 
-    private void write(String line) throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8));
-        while (bytes.hasRemaining()) {
-            channel.write(bytes);
+    /** A file grows to this length. A new one begins with room for as much as it carries, or the disk would do nothing else. */
+    private long fileBytes() {
+        return Math.max(limitBytes / FILES, 2 * headBytes);
+    }
+
+    /** A line of which only a part could be written is taken away: what follows it would be lost with it. */
+    private void write(String line) {
+        byte[] content = line.getBytes(StandardCharsets.UTF_8);
+        try {
+            disk.write(channel, content);
+            bytes += content.length;
+        } catch (IOException e) {
+            reportUnwritable(e);
+            try {
+                channel.truncate(bytes);
+            } catch (IOException closedOrBroken) {
+                // the next start takes it away
+            }
+        }
+    }
+
+    private void reportUnwritable(IOException cause) {
+        if (!unwritable) {
+            unwritable = true;
+            faults.unwritable(cause);
+        }
+    }
+
+    private void finish(long nowMs) {
+        LogTurn done = turn.orElseThrow(IllegalStateException::new);
+        turn = Optional.empty();
+        try {
+            finish(done);
+        } catch (IOException e) {
+            nextTurnMs = nowMs + RETRY_MS;
+            if (!oversized && !unwritable) {
+                oversized = true;
+                faults.oversized(e);
+            }
+        }
+    }
+
+    private void finish(LogTurn done) throws IOException {
+        FileChannel before = channel;
+        channel = done.finish();
+        number = done.number();
+        bytes = channel.position();
+        headBytes = done.headBytes();
+        try {
+            before.close();
+        } catch (IOException e) {
+            // nothing more is written to it
+        }
+        long room =
+                limitBytes - limitBytes / FILES - fileBytes(); // an eighth for what comes until the next one is there
+        int newest = number;
+        aside.execute(() -> removeOld(newest, room));
+        if (unwritable || oversized) {
+            unwritable = false;
+            oversized = false;
+            faults.mended();
+        }
+    }
+
+    /** On another thread. The files before are needed until the name of the new one is on the disk. */
+    private void removeOld(int newest, long room) {
+        disk.forceFolder(files.folder());
+        try {
+            for (Path file : files.over(newest, room)) {
+                disk.delete(file);
+            }
+        } catch (IOException e) {
+            // a system may refuse while a client reads it: the next time
         }
     }
 
     @Override
     public void close() throws IOException {
+        turn.ifPresent(LogTurn::cancel);
+        turn = Optional.empty();
+        lock.close();
         channel.close();
     }
 }

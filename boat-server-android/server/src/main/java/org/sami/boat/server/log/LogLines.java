@@ -11,49 +11,94 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.server.RememberedCommand;
 
 /**
  * The lines of a boat's log. Their parts, divided by tabs, are a checksum of the rest of the line, the boat's time, the start of the server, the bodies of
  * the command and its answer as on the link, and the client's name in URL encoding. A line without bodies records a start, or how many lines were left
- * out; lines of earlier versions name no client.
+ * out; lines of earlier versions name no client. A word in place of the command's body marks the lines with which a file after the first begins:
+ * {@code carries} and their count, {@code known} for each command that the boat remembers, {@code in-force} for each that is in force.
  */
 public final class LogLines {
     private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
+    private static final String LEFT_OUT = "left out: ";
+    private static final String CARRIES = "carries";
+    private static final String KNOWN = "known";
+    private static final String IN_FORCE = "in-force";
+    private static final int KNOWN_FIELDS = 8;
+    private static final int DIGEST_DIGITS = 64;
 
     private LogLines() {}
 
     /**
-     * Reads a log; damaged lines are counted and skipped.
+     * Reads a file of a log; damaged lines are counted and skipped.
      *
      * @throws IOException if the file cannot be read, or is something else than a boat's log
      */
-    public static LogExtent read(Path file, Consumer<LoggedCommand> entries) throws IOException {
+    public static LogExtent read(Path file, LogEntries entries) throws IOException {
+        return read(file, new Reading(entries), false);
+    }
+
+    private static LogExtent read(Path file, Reading reading, boolean headOnly) throws IOException {
         try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
             ByteArrayOutputStream line = new ByteArrayOutputStream();
-            long read = 0;
-            long whole = 0;
-            int unread = 0;
-            for (int next = in.read(); next >= 0; next = in.read()) {
-                read++;
+            for (int next = in.read(); next >= 0 && !(headOnly && reading.isPastHead()); next = in.read()) {
                 if (next == '\n') {
                     String text = new String(line.toByteArray(), StandardCharsets.UTF_8);
-                    checkFirst(file, whole, text);
+                    checkFirst(file, reading.wholeBytes, text);
+                    reading.line(text, line.size() + 1);
                     line.reset();
-                    unread += take(text, entries) ? 0 : 1;
-                    whole = read;
                 } else {
                     line.write(next);
                 }
             }
-            checkFirst(file, whole, new String(line.toByteArray(), StandardCharsets.UTF_8));
-            return new LogExtent(whole, unread);
+            checkFirst(file, reading.wholeBytes, new String(line.toByteArray(), StandardCharsets.UTF_8));
+            return reading.extent();
+        }
+    }
+
+    /** Whether a file begins with all that a restarted boat needs of earlier ones. */
+    static boolean isHeadWhole(Path file) throws IOException {
+        return read(file, new Reading(entry -> {}), true).isHeadWhole();
+    }
+
+    /** How far a file has been read. */
+    private static final class Reading {
+        private final LogEntries entries;
+        private long wholeBytes;
+        private int lines;
+        private int unread;
+        private int headLines = -1; // with the line that counts the others; -1 without a head
+        private long headBytes;
+
+        Reading(LogEntries entries) {
+            this.entries = entries;
+        }
+
+        void line(String text, int bytes) {
+            wholeBytes += bytes;
+            lines++;
+            unread += take(text, entries) ? 0 : 1;
+            if (lines == 1) {
+                headLines = 1 + carried(text);
+            }
+            if (lines == headLines) {
+                headBytes = wholeBytes;
+            }
+        }
+
+        boolean isPastHead() {
+            return lines > 0 && lines >= headLines;
+        }
+
+        LogExtent extent() {
+            return new LogExtent(wholeBytes, unread, headLines > 0 && lines >= headLines, headBytes);
         }
     }
 
@@ -70,7 +115,7 @@ public final class LogLines {
 
     /** A line that counts changes of commander which were left out. */
     static String leftOut(String bootId, long timeMs, long count) {
-        return checked(timeMs + "\t" + bootId + "\tleft out: " + count);
+        return checked(timeMs + "\t" + bootId + "\t" + LEFT_OUT + count);
     }
 
     static String command(LoggedCommand entry) {
@@ -85,6 +130,25 @@ public final class LogLines {
                 + encoded(entry.clientId()));
     }
 
+    /** The first line of a file after the first: so many lines follow that carry the state. */
+    static String begins(String bootId, int count) {
+        return checked("0\t" + bootId + "\t" + CARRIES + "\t" + count);
+    }
+
+    static String remembered(String bootId, RememberedCommand command) {
+        StringBuilder digest = new StringBuilder(DIGEST_DIGITS);
+        for (byte next : command.digest()) {
+            digest.append(Character.forDigit((next >> 4) & 0xf, 16)).append(Character.forDigit(next & 0xf, 16));
+        }
+        return checked("0\t" + bootId + "\t" + KNOWN + "\t" + body(command.answer()) + "\t"
+                + encoded(command.clientId()) + "\t" + encoded(command.commandId()) + "\t"
+                + (command.isTransfer() ? "transfer" : "command") + "\t" + digest);
+    }
+
+    static String inForce(String bootId, String clientId, CommandMessage command) {
+        return checked("0\t" + bootId + "\t" + IN_FORCE + "\t" + body(command) + "\t" + encoded(clientId));
+    }
+
     private static String checked(String rest) {
         return String.format("%08x", checksum(rest)) + "\t" + rest + "\n";
     }
@@ -96,36 +160,71 @@ public final class LogLines {
         return checksum.getValue();
     }
 
-    /** Whether a line could be read: a start, or an entry, which is handed on. */
-    private static boolean take(String line, Consumer<LoggedCommand> entries) {
+    /** The parts of an undamaged line after its checksum; none of another. */
+    private static String[] fields(String line) {
         String[] parts = line.split("\t", 2);
-        if (parts.length < 2 || !parts[0].equals(String.format("%08x", checksum(parts[1])))) {
-            return false;
-        }
-        String[] fields = parts[1].split("\t", 5);
-        if (fields.length < 4) {
-            return true; // a start
-        }
-        Optional<LoggedCommand> entry = entry(fields);
-        entry.ifPresent(entries);
-        return entry.isPresent();
+        boolean undamaged = parts.length == 2 && parts[0].equals(String.format("%08x", checksum(parts[1])));
+        return undamaged ? parts[1].split("\t", KNOWN_FIELDS) : new String[0];
     }
 
-    private static Optional<LoggedCommand> entry(String[] fields) {
+    /** How many lines a first line counts; -2 for another line. */
+    private static int carried(String line) {
+        String[] fields = fields(line);
         try {
-            LinkMessage command = message(fields[2]);
-            String clientId = fields.length < 5 ? "" : decoded(fields[4]);
-            return command instanceof CommandMessage
-                    ? Optional.of(new LoggedCommand(
-                            fields[1],
-                            Long.parseLong(fields[0]),
-                            clientId,
-                            (CommandMessage) command,
-                            message(fields[3])))
-                    : Optional.empty();
-        } catch (LinkException | IllegalArgumentException e) {
-            return Optional.empty(); // written by a server that knew other messages
+            return fields.length == 4 && fields[2].equals(CARRIES) ? Math.max(0, Integer.parseInt(fields[3])) : -2;
+        } catch (NumberFormatException e) {
+            return -2;
         }
+    }
+
+    /** Whether a line could be read: its content is handed on. */
+    private static boolean take(String line, LogEntries entries) {
+        String[] fields = fields(line);
+        try {
+            if (fields.length < 2) {
+                return false;
+            } else if (fields.length == 2) {
+                entries.started(fields[1]);
+            } else if (fields.length == 3) {
+                boolean count = fields[2].startsWith(LEFT_OUT);
+                long lines = count ? Long.parseLong(fields[2].substring(LEFT_OUT.length())) : 0;
+                entries.leftOut(fields[1], Long.parseLong(fields[0]), lines);
+            } else if (fields[2].equals(CARRIES)) {
+                entries.begins(fields[1], Integer.parseInt(fields[3]));
+            } else if (fields[2].equals(KNOWN) && fields.length == KNOWN_FIELDS) {
+                entries.remembered(remembered(fields));
+            } else if (fields[2].equals(IN_FORCE) && fields.length == 5) {
+                LinkMessage command = message(fields[3]);
+                if (command instanceof CommandMessage) {
+                    entries.inForce(decoded(fields[4]), (CommandMessage) command);
+                }
+            } else {
+                Optional<LoggedCommand> entry = entry(fields);
+                entry.ifPresent(entries::answered);
+                return entry.isPresent();
+            }
+            return true;
+        } catch (LinkException | IllegalArgumentException e) {
+            return false; // written by a server that knew other messages
+        }
+    }
+
+    private static RememberedCommand remembered(String[] fields) throws LinkException {
+        byte[] digest = new byte[fields[7].length() / 2];
+        for (int i = 0; i < digest.length; i++) {
+            digest[i] = (byte) Integer.parseInt(fields[7].substring(2 * i, 2 * i + 2), 16);
+        }
+        return new RememberedCommand(
+                decoded(fields[4]), decoded(fields[5]), fields[6].equals("transfer"), digest, message(fields[3]));
+    }
+
+    private static Optional<LoggedCommand> entry(String[] fields) throws LinkException {
+        LinkMessage command = message(fields[2]);
+        String clientId = fields.length < 5 ? "" : decoded(fields[4]);
+        return command instanceof CommandMessage
+                ? Optional.of(new LoggedCommand(
+                        fields[1], Long.parseLong(fields[0]), clientId, (CommandMessage) command, message(fields[3])))
+                : Optional.empty();
     }
 
     /** A message's JSON; it has no tab and no line end, as JSON escapes both. */

@@ -15,4 +15,7 @@ public interface TcpServerListener {
 
     /** Something broke; the server goes on. */
     default void failed(String what, Throwable cause) {}
+
+    /** What had failed works again. */
+    default void recovered(String what) {}
 }

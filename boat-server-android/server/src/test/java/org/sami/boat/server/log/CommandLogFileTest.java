@@ -22,6 +22,7 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.BoatDefaults;
 
 class CommandLogFileTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.12345678901234, 10, 1.5));
@@ -33,10 +34,12 @@ class CommandLogFileTest {
         return folder.resolve("boat1.log");
     }
 
+    private LogPlace place() {
+        return new LogPlace(file(), BoatDefaults.LOG_BYTES);
+    }
+
     private CommandLogFile open(String bootId, List<LoggedCommand> earlier) throws IOException {
-        return CommandLogFile.open(file(), bootId, earlier::add, fault -> {
-            throw new AssertionError(fault);
-        });
+        return CommandLogFile.open(place(), bootId, earlier::add, new NoFaults());
     }
 
     private List<LoggedCommand> read() throws IOException {
@@ -201,7 +204,13 @@ class CommandLogFileTest {
     @Test
     void faultIsToldOnceAndTheBoatGoesOn() throws IOException {
         List<IOException> faults = new ArrayList<>();
-        CommandLogFile log = CommandLogFile.open(file(), "b1", entry -> {}, faults::add);
+        LogFaults listed = new NoFaults() {
+            @Override
+            public void unwritable(IOException cause) {
+                faults.add(cause);
+            }
+        };
+        CommandLogFile log = CommandLogFile.open(place(), "b1", entry -> {}, listed);
         log.close();
         log.answered(1, "base", new StopMotors("s1"), new Ack("s1"));
         log.answered(2, "base", new StopMotors("s2"), new Ack("s2"));
