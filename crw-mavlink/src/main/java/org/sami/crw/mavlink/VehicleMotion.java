@@ -119,16 +119,21 @@ final class VehicleMotion {
 
     /** Goes to a single place and keeps it. */
     void guide(Waypoint place, double speedMps, Runnable started, Consumer<Optional<String>> ended) {
-        VehicleCommand go =
-                VehicleCommand.reposition(new CommandPlace(place.latDeg(), place.lonDeg(), 0), Optional.of(speedMps));
+        VehicleCommand go = VehicleCommand.reposition(
+                new CommandPlace(place.latDeg(), place.lonDeg(), 0),
+                Optional.empty()); // with a speed ArduPilot refuses it
         byItself(ended)
                 .ifPresent(order -> order.arm(() -> order.mode(
                         GUIDED,
                         true,
-                        () -> order.command(base.command(id, go), () -> {
-                            started.run();
-                            order.done(new VehiclePilot.Ordered(GUIDED, true));
-                        }))));
+                        () -> order.command(base.command(id, go), () -> goes(order, speedMps, started)))));
+    }
+
+    private void goes(VehiclePilot.Order order, double speedMps, Runnable started) {
+        order.command(base.command(id, VehicleCommand.setSpeed(speedMps)), () -> {
+            started.run();
+            order.done(new VehiclePilot.Ordered(GUIDED, true));
+        });
     }
 
     /** Follows the mission that it then holds, from an item on. */

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
@@ -73,11 +74,14 @@ final class GatewayWorld implements AutoCloseable, BaseListener {
         return base.query(boats -> boats.find(boat).filter(what).isPresent()).join();
     }
 
+    <T> T ask(String boat, Function<BoatProxy, T> question) {
+        return base.query(boats -> question.apply(boats.find(boat).orElseThrow()))
+                .join();
+    }
+
     /** The id of the list that the boat holds. */
     String list(String boat) {
-        return base.query(boats ->
-                        boats.find(boat).orElseThrow().commands().heldListId().orElseThrow())
-                .join();
+        return ask(boat, proxy -> proxy.commands().heldListId().orElseThrow());
     }
 
     /** Waits until the boat is so. */

@@ -1,0 +1,64 @@
+package org.sami.mavlink.testing;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+
+/** Boats with the real firmware in its own simulator, as processes: where they are beside the project. They have the system ids and ports of their numbers. */
+public final class ArduPilotBoats implements AutoCloseable {
+    private static final Path PEERS = Path.of("../../shared/peers/ardupilot");
+    private static final int FIRST_PORT = 5760;
+    private static final int APART = 10;
+    private static final int SECOND_LINK = 2;
+
+    private final Process process;
+
+    /**
+     * Starts some.
+     *
+     * @param first the number of the first; its system id is one more
+     * @param speed how many times faster than real they live
+     * @param work a folder for their parameters and logs
+     */
+    public ArduPilotBoats(int first, int count, int speed, Path work) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(
+                        "bash", "run.sh", "boat", Integer.toString(count), Integer.toString(speed))
+                .directory(PEERS.toFile())
+                .redirectErrorStream(true)
+                .redirectOutput(new File(work.toFile(), "boats.txt"));
+        builder.environment().put("FIRST", Integer.toString(first));
+        builder.environment().put("WORK", work.toAbsolutePath().toString());
+        process = builder.start();
+    }
+
+    /** Whether the firmware is there. */
+    public static boolean areThere() {
+        return Files.isExecutable(PEERS.resolve("run.sh"));
+    }
+
+    /** What to say where it is not. */
+    public static String missing() {
+        return "no autopilot is here to try: " + PEERS.toAbsolutePath().normalize() + " is missing";
+    }
+
+    /** The address of the first link of a boat, by its number. */
+    public static String address(int number) {
+        return "mavlink:tcp:127.0.0.1:" + (FIRST_PORT + APART * number);
+    }
+
+    /** The port of its second link. */
+    public static int secondPort(int number) {
+        return FIRST_PORT + APART * number + SECOND_LINK;
+    }
+
+    /** Ends them. */
+    @Override
+    public void close() throws InterruptedException {
+        process.destroy();
+        if (!process.waitFor(30, TimeUnit.SECONDS)) {
+            process.destroyForcibly();
+        }
+    }
+}

@@ -1,0 +1,78 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.MavlinkConnection;
+import io.dronefleet.mavlink.MavlinkMessage;
+import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
+import io.dronefleet.mavlink.ardupilotmega.Simstate;
+import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Where a simulated vehicle truly was, as its simulator says on a link of its own. Safe for use by several threads. */
+public final class SimulatorTruth implements AutoCloseable {
+    private static final int SIMSTATE = 164;
+    private static final float EVERY_US = 100_000;
+    private static final double METRES = 0.0111319; // of a ten millionth of a degree of latitude
+    private static final int GROUND = 250;
+
+    private final Socket socket;
+    private final List<int[]> track = new ArrayList<>();
+
+    /** Begins to listen on a vehicle's port. */
+    public SimulatorTruth(int port, int system) throws IOException {
+        socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        MavlinkConnection codec = MavlinkConnection.builder(socket.getInputStream(), socket.getOutputStream())
+                .defaultDialect(new ArdupilotmegaDialect())
+                .dialect(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, new ArdupilotmegaDialect())
+                .build();
+        codec.send2(
+                GROUND,
+                1,
+                CommandLong.builder()
+                        .targetSystem(system)
+                        .targetComponent(1)
+                        .command(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL)
+                        .param1(SIMSTATE)
+                        .param2(EVERY_US)
+                        .build());
+        Thread thread = new Thread(() -> read(codec), "truth of " + system);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void read(MavlinkConnection codec) {
+        try {
+            for (MavlinkMessage<?> message = codec.next(); message != null; message = codec.next()) {
+                if (message.getPayload() instanceof Simstate state) {
+                    synchronized (track) {
+                        track.add(new int[] {state.lat(), state.lng()});
+                    }
+                }
+            }
+        } catch (IOException e) {
+            // it was closed
+        }
+    }
+
+    /** How near it came to a place, in metres. */
+    public double nearestM(double latDeg, double lonDeg) {
+        double narrower = Math.cos(Math.toRadians(latDeg));
+        synchronized (track) {
+            return track.stream()
+                    .mapToDouble(at ->
+                            Math.hypot((at[0] - latDeg * 1e7) * METRES, (at[1] - lonDeg * 1e7) * METRES * narrower))
+                    .min()
+                    .orElse(Double.MAX_VALUE);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        socket.close();
+    }
+}
