@@ -87,6 +87,12 @@ enum SamiModule {
                     "org.sami.crw.proxy..",
                     "org.sami.crw.task.."),
             List.of(CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+    /** The aircraft domain: its handlers, over the proxies of the base. */
+    UAV_DOMAIN(
+            "uav-domain",
+            19,
+            List.of("org.sami.uav.."),
+            List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     CRW_SESSION(
             "crw-session",
             245,

@@ -27,6 +27,11 @@ final class Checks {
         return range("lon", lonDeg, -180, 180);
     }
 
+    /** Metres above the place of a take-off. */
+    static double altitude(double altM) {
+        return range("alt", altM, -1000, 10_000);
+    }
+
     static double speed(String name, double speedMps) {
         return range(name, speedMps, 0, MAX_SPEED_MPS);
     }

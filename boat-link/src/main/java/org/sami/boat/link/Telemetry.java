@@ -3,6 +3,7 @@ package org.sami.boat.link;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Objects;
+import java.util.OptionalDouble;
 
 /** Position, motion and mode of the boat. The newest counts, by the sequence number of its frame. */
 public final class Telemetry extends LinkMessage {
@@ -15,8 +16,9 @@ public final class Telemetry extends LinkMessage {
     private final double batteryPercent;
     private final BoatMode mode;
     private final long boatTimeMs;
+    private final OptionalDouble altM;
 
-    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    /** Makes a boat's message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public Telemetry(
             double latDeg,
             double lonDeg,
@@ -25,6 +27,23 @@ public final class Telemetry extends LinkMessage {
             double batteryPercent,
             BoatMode mode,
             long boatTimeMs) {
+        this(latDeg, lonDeg, headingRad, speedMps, batteryPercent, mode, boatTimeMs, OptionalDouble.empty());
+    }
+
+    /**
+     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
+     *
+     * @param altM metres above the place of the take-off; empty for what does not fly
+     */
+    public Telemetry(
+            double latDeg,
+            double lonDeg,
+            double headingRad,
+            double speedMps,
+            double batteryPercent,
+            BoatMode mode,
+            long boatTimeMs,
+            OptionalDouble altM) {
         this.latDeg = Checks.latitude(latDeg);
         this.lonDeg = Checks.longitude(lonDeg);
         this.headingRad = Checks.range("heading", headingRad, -7, 7);
@@ -32,6 +51,7 @@ public final class Telemetry extends LinkMessage {
         this.batteryPercent = Checks.range("battery", batteryPercent, 0, 100);
         this.mode = Objects.requireNonNull(mode, "mode");
         this.boatTimeMs = Checks.atLeastZero("time", boatTimeMs);
+        this.altM = altM.isPresent() ? OptionalDouble.of(Checks.altitude(altM.getAsDouble())) : altM;
     }
 
     static Telemetry read(Fields in) throws LinkException {
@@ -42,7 +62,8 @@ public final class Telemetry extends LinkMessage {
                 in.number("speed"),
                 in.number("battery"),
                 in.word("mode", BoatMode.class),
-                in.integer("time"));
+                in.integer("time"),
+                in.has("alt") ? OptionalDouble.of(in.number("alt")) : OptionalDouble.empty());
     }
 
     /** WGS 84 latitude in degrees. */
@@ -80,6 +101,11 @@ public final class Telemetry extends LinkMessage {
         return boatTimeMs;
     }
 
+    /** Metres above the place of the take-off; empty for what does not fly. */
+    public OptionalDouble altM() {
+        return altM;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -94,5 +120,8 @@ public final class Telemetry extends LinkMessage {
         out.writeNumberField("battery", batteryPercent);
         out.writeStringField("mode", mode.name());
         out.writeNumberField("time", boatTimeMs);
+        if (altM.isPresent()) {
+            out.writeNumberField("alt", altM.getAsDouble());
+        }
     }
 }

@@ -9,7 +9,7 @@ import java.util.List;
 import org.sami.boat.link.Checks.BadValueException;
 import org.sami.boat.link.LinkException.Fault;
 
-/** Waypoint lists in the body: an array of rows {@code [lat, lon, speed]}. */
+/** Waypoint lists in the body: an array of rows {@code [lat, lon, speed]}, of aircraft {@code [lat, lon, speed, altitude]}. */
 final class WaypointRows {
     private static final String NAME = "waypoints";
 
@@ -38,6 +38,9 @@ final class WaypointRows {
         out.writeNumber(waypoint.latDeg());
         out.writeNumber(waypoint.lonDeg());
         out.writeNumber(waypoint.speedMps());
+        if (waypoint.altM() != 0) { // earlier boats take rows of three numbers only
+            out.writeNumber(waypoint.altM());
+        }
         out.writeEndArray();
     }
 
@@ -56,14 +59,15 @@ final class WaypointRows {
     }
 
     static Waypoint readRow(JsonNode row, String where) throws LinkException {
-        if (!row.isArray() || row.size() != 3) {
+        if (!row.isArray() || (row.size() != 3 && row.size() != 4)) {
             throw new LinkException(Fault.WRONG_TYPE, where, "not a row of latitude, longitude and speed");
         }
         double latDeg = Fields.number(row.get(0), where + "/0");
         double lonDeg = Fields.number(row.get(1), where + "/1");
         double speedMps = Fields.number(row.get(2), where + "/2");
+        double altM = row.size() == 4 ? Fields.number(row.get(3), where + "/3") : 0;
         try {
-            return new Waypoint(latDeg, lonDeg, speedMps);
+            return new Waypoint(latDeg, lonDeg, speedMps, altM);
         } catch (BadValueException e) {
             throw new LinkException(Fault.BAD_VALUE, where, String.valueOf(e.getMessage()));
         }

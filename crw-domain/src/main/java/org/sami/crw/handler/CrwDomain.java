@@ -1,6 +1,7 @@
 package org.sami.crw.handler;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -105,18 +106,32 @@ public final class CrwDomain implements AutoCloseable {
         DomainHandlers all = new DomainHandlers(boats, messages, services, errors, motion, computations);
         all.addMotion();
         all.addExploration(explored);
-        Withdrawals withdrawals = new Withdrawals(all.types(), motion, computations, fleet); // of what moves boats
+        HandlerParts.Added own = ofDomain(new HandlerParts(
+                host, boats, fleet, messages, motion, computations, services, errors, new HandlerParts.Added()));
+        own.fleetListeners.forEach(events::passTo);
+        Set<String> moving = new HashSet<>(all.types());
+        moving.addAll(own.motion);
+        Withdrawals withdrawals = new Withdrawals(moving, motion, computations, fleet);
         all.addPlanning();
         all.addAborts();
         all.addBoats(connector, newBoats, settings);
         all.addSubscriptions(areas, measurements, batteries);
         all.addMissions(tasks);
+        all.add(own.handlers);
         handlers = all.types();
 
         all.registerOn(host, fleet, registrations);
         listen(host, withdrawals, computations, explored);
         registrations.add(computations::close);
+        own.hostListeners.forEach(listener -> listen(host, listener));
         listen(host, questions, ways, new UnknownBoats(host, fleet), tasks, batteries, areas, measurements);
+    }
+
+    /** What the modules of the host's domain add. */
+    private static HandlerParts.Added ofDomain(HandlerParts parts) {
+        String domain = parts.host().ask(view -> view.vocabulary().domain());
+        HandlerModules.of(domain).forEach(module -> module.addTo(parts));
+        return parts.added();
     }
 
     private void publish(TaskNews news, List<TaskId> names, MotionCommands motion) {

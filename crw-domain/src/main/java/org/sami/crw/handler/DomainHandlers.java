@@ -99,6 +99,11 @@ final class DomainHandlers {
         byType.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
     }
 
+    /** Adds handlers of the session's own domain, which come before those of the same name here. */
+    void add(Map<String, ActivationHandler> others) {
+        byType.putAll(others);
+    }
+
     void addMotion() {
         byType.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion, false));
         byType.put(ExecutePathHandler.BLOCKING_TYPE, new ExecutePathHandler(motion, true));

@@ -21,6 +21,9 @@ final class BoatCondition {
     /** The latest that is known of the boat. */
     BoatStatus status;
 
+    /** Whether it flies: then waypoints have altitudes for it. */
+    boolean flies;
+
     /** The last known position of the boat, with its time; empty before the first report. */
     Optional<Sighting> sighting = Optional.empty();
 

@@ -159,8 +159,10 @@ final class BoatMessages {
 
     private void telemetry(Telemetry telemetry) {
         seen(telemetry.latDeg(), telemetry.lonDeg(), telemetry.headingRad(), telemetry.speedMps(), telemetry.mode());
+        condition.flies = telemetry.altM().isPresent();
         BoatPose pose = new BoatPose(
-                GeoPoint.of(telemetry.latDeg(), telemetry.lonDeg()),
+                new GeoPoint(
+                        telemetry.latDeg(), telemetry.lonDeg(), telemetry.altM().orElse(0)),
                 telemetry.headingRad(),
                 telemetry.speedMps(),
                 telemetry.boatTimeMs());

@@ -67,7 +67,8 @@ public final class BoatProxy {
         fleetRequests = new PendingRequests(link, config);
         announcements = new DeferredEvents(Objects.requireNonNull(listener, "listener"));
         condition = new BoatCondition(boatId, link);
-        driver = new CommandDriver(boatId, config, link, announcements, this::position, condition.wayHome);
+        driver = new CommandDriver(
+                boatId, config, link, announcements, this::position, () -> condition.flies, condition.wayHome);
         handOver = new HandOver(boatId, link, config, announcements, condition, driver::wireId);
         settings = new ProxySettings(boatId, link, config, announcements, condition, driver::wireId, this::settle);
         messages = new BoatMessages(boatId, condition, link, handOver, settings, fleetRequests, driver, announcements);
@@ -112,6 +113,11 @@ public final class BoatProxy {
     /** Whether a person drives the boat by hand, so that its commands wait. */
     public boolean isTakenOver() {
         return condition.takenOver;
+    }
+
+    /** Whether it flies; false before its first report. */
+    public boolean isFlying() {
+        return condition.flies;
     }
 
     /** Names the boat. */

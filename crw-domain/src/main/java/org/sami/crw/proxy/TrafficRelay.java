@@ -108,7 +108,9 @@ public final class TrafficRelay {
             return;
         }
         checkedMs = nowMs;
-        look(boats, nowMs);
+        look(
+                boats.stream().filter(boat -> !boat.isFlying()).toList(),
+                nowMs); // aircraft are kept apart by their altitudes
         pairUp();
         for (Seen seen : fromWest) {
             if (seen.isConcerned && seen.boat.traffic().takesTraffic()) {

@@ -1,2 +1,2 @@
-/** A tiny second domain, aircraft instead of boats: the words of docs/writing-a-domain.md, tried. */
+/** The plans of the second domain, aircraft, as data. */
 package org.sami.domain.uav;

@@ -495,6 +495,7 @@ public final class BoatServer {
                 vehicle.speedMps(),
                 vehicle.batteryPercent(),
                 modes.mode(),
-                nowMs);
+                nowMs,
+                vehicle.altM());
     }
 }

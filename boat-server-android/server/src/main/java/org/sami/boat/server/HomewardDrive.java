@@ -8,6 +8,8 @@ import org.sami.boat.server.vehicle.Vehicle;
 
 /** Drives the boat to its home position, on the shortest of the ways that it knows, or straight. */
 final class HomewardDrive {
+    private static final double LEAST_ALTITUDE_M = 15; // of an aircraft on its way, above trees and masts
+
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final PathFollower follower;
@@ -33,10 +35,19 @@ final class HomewardDrive {
         return waysHome;
     }
 
-    /** Begins the way where the boat is. */
+    /** Begins the way where the boat is; an aircraft keeps its altitude until it is home, and lands there. */
     void begin() {
-        List<Waypoint> points = new ArrayList<>(waysHome.turns(vehicle.latDeg(), vehicle.lonDeg()));
-        points.add(home.origin(config.returnSpeedMps()));
+        double nowM = vehicle.altM().orElse(0);
+        double altM = nowM > 0 ? Math.max(nowM, LEAST_ALTITUDE_M) : 0;
+        List<Waypoint> points = new ArrayList<>();
+        for (Waypoint turn : waysHome.turns(vehicle.latDeg(), vehicle.lonDeg())) {
+            points.add(turn.at(altM));
+        }
+        Waypoint end = home.origin(config.returnSpeedMps());
+        if (altM > 0) {
+            points.add(end.at(altM));
+        }
+        points.add(end);
         way = new WaypointTrack("", points);
         follower.follow(way);
         waysHome.goOn(points.subList(0, points.size() - 1));
@@ -44,7 +55,8 @@ final class HomewardDrive {
 
     boolean isHome() {
         return way.turnsAhead().isEmpty()
-                && home.distanceM(vehicle.latDeg(), vehicle.lonDeg()) <= config.arrivalRadiusM();
+                && home.distanceM(vehicle.latDeg(), vehicle.lonDeg()) <= config.arrivalRadiusM()
+                && vehicle.isAtAltitude();
     }
 
     /** Drives for one tick. */

@@ -163,8 +163,10 @@ final class ModeControl {
             case STOP:
             case LOCK:
                 steering.rest();
+                levelOff();
                 break;
             case HOLD:
+                levelOff();
                 station.begin(kept.get());
                 break;
             case PATH:
@@ -178,6 +180,13 @@ final class ModeControl {
             default: // KEEP, DENY, HAND: nothing begins
         }
         return action;
+    }
+
+    /** An aircraft that climbs or descends stays at its altitude. */
+    private void levelOff() {
+        if (!vehicle.isAtAltitude()) {
+            vehicle.setAltitude(vehicle.altM().orElse(0));
+        }
     }
 
     /**

@@ -46,6 +46,7 @@ final class PathFollower {
     private void begin(WaypointTrack track, double fromLatDeg, double fromLonDeg) {
         Waypoint target = track.target();
         legMps = target.speedMps();
+        vehicle.setAltitude(target.altM());
         end = new LocalFrame(target.latDeg(), target.lonDeg());
         double fromEastM = end.eastM(fromLatDeg, fromLonDeg);
         double fromNorthM = end.northM(fromLatDeg, fromLonDeg);
@@ -60,6 +61,10 @@ final class PathFollower {
 
     /** Whether the vehicle has reached the track's target; {@link #goOn} may follow. */
     boolean isAtTarget() {
+        return isOverTarget() && vehicle.isAtAltitude();
+    }
+
+    private boolean isOverTarget() {
         return leg.isDone(eastM(), northM(), arrivalRadiusM);
     }
 
@@ -78,6 +83,11 @@ final class PathFollower {
         double northM = northM();
         double headingRad = vehicle.headingRad();
         if (Double.isNaN(eastM + northM + headingRad)) {
+            steering.rest();
+            drift.reset();
+            return;
+        }
+        if (isOverTarget() && !vehicle.isAtAltitude()) { // it climbs or descends on the spot
             steering.rest();
             drift.reset();
             return;

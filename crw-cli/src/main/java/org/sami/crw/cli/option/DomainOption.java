@@ -1,6 +1,7 @@
 package org.sami.crw.cli.option;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,7 +9,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
@@ -53,6 +56,26 @@ public final class DomainOption {
             throw new UsageFault("--domain: there is no folder '" + domain + "', nor does such a domain come with crw");
         }
         return DomainLibrary.fromClassPath(SHIPPED + domain);
+    }
+
+    /**
+     * The domain for what runs its plans; empty where its words have errors, which are printed then.
+     *
+     * @throws UsageFault if there is no such domain, or nothing here does what its plans ask
+     */
+    public Optional<DomainLibrary> library(PrintWriter err) {
+        Reading<DomainLibrary> reading = read();
+        if (reading.hasErrors()) {
+            FindingsText.print(err, domain, reading.findings());
+            err.flush();
+            return Optional.empty();
+        }
+        DomainLibrary library = reading.orThrow();
+        if (!HandlerModules.isHandled(library.vocabulary().domain())) {
+            throw new UsageFault("--domain: nothing here does what the plans of "
+                    + library.vocabulary().domain() + " ask; 'crw check' and 'crw test' take it");
+        }
+        return Optional.of(library);
     }
 
     private static Reading<DomainLibrary> fromFolder(Path folder) {

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.handler.HandledEvents;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.BoundedFile;
@@ -92,7 +93,7 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
     private static List<Finding> checked(DomainLibrary library, Project project) {
         Vocabulary vocabulary = library.vocabulary();
         List<Finding> all = new ArrayList<>(PlanChecks.check(project, vocabulary));
-        if (DOMAIN.endsWith("/" + vocabulary.domain())) {
+        if (HandlerModules.isHandled(vocabulary.domain())) {
             all.addAll(PlanChecks.checkHandled(project, vocabulary, HandledEvents.of(vocabulary)));
         }
         return all;

@@ -3,7 +3,9 @@ package org.sami.crw.cli.run;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanOption;
@@ -12,6 +14,7 @@ import org.sami.crw.cli.option.RunOptions;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -48,6 +51,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw run clv",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
+            "  crw run --domain uav search --boats 5 --speed max",
             "  crw run clv --connect 127.0.0.1:5001,127.0.0.1:5002 --area 60 --locations 6",
             "  crw run clv --near                     on the boats of the local network that are paired",
             "  crw run my-project.json --plan search --also watch@60",
@@ -75,6 +79,9 @@ public final class RunCommand implements Callable<Integer> {
     private PlanOption planOption = new PlanOption();
 
     @Mixin
+    private DomainOption domain = new DomainOption();
+
+    @Mixin
     private RunOptions options;
 
     @Option(
@@ -90,7 +97,11 @@ public final class RunCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         links.use();
         PrintWriter err = spec.commandLine().getErr();
-        DomainLibrary library = PlanSource.library();
+        Optional<DomainLibrary> words = domain.library(err);
+        if (words.isEmpty()) {
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = words.get();
         PlanSource source = options.source(name, library);
         if (source.project().isEmpty()) {
             FindingsText.print(err, source.source(), source.findings());
@@ -118,7 +129,9 @@ public final class RunCommand implements Callable<Integer> {
                 return ExitCode.FAILED;
             }
         }
-        RunSettings settings = options.settings(plan.id(), plan.title(), found);
+        RunSettings given = options.settings(plan.id(), plan.title(), found);
+        RunSettings settings = given.withFleet(
+                given.fleet().of(HandlerModules.robotsOf(library.vocabulary().domain())));
         options.checkScript(new RunPlan(library.vocabulary(), source.project().get(), plan), settings);
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {

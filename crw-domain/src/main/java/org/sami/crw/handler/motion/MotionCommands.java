@@ -13,7 +13,6 @@ import java.util.function.Function;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -123,7 +122,12 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     /** A boat cannot do what it was asked: it is answered before it gets a command. */
     public void refuse(Activation activation, HandlerContext context, Addressee addressee, String reason) {
-        SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY);
+        refuse(activation, context, addressee, Reply.WAY, reason);
+    }
+
+    /** The same for a command with answers of its own. */
+    public void refuse(Activation activation, HandlerContext context, Addressee addressee, Reply reply, String reason) {
+        SentCommand one = new SentCommand(activation, context, addressee, reply);
         one.post(failed(one, reason));
     }
 
@@ -197,8 +201,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private void onPanorama(BoatCommand command, int pictures, GeoPoint from) {
         SentCommand one = sent.get(command.commandId());
         if (one != null) {
-            one.post(one.result(
-                    EventNames.PANORAMA_TAKEN, Map.of("location", from, "pictures", new IntegerValue(pictures))));
+            one.post(one.pictures(Map.of("location", from, "pictures", new IntegerValue(pictures))));
         }
     }
 

@@ -22,7 +22,7 @@ public record Move(
         Reply reply,
         Optional<WayDoubt> doubt) {
     /** A command with which nothing is wrong but maybe its way. */
-    Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
+    public Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
         this(addressee, command, progress, reply, Optional.empty());
     }
 
@@ -45,7 +45,7 @@ public record Move(
     }
 
     /** The command's id: the same whenever the activation is delivered, and no other's. */
-    static String commandId(Activation activation, Addressee addressee) {
+    public static String commandId(Activation activation, Addressee addressee) {
         return "m" + activation.mission() + "-a" + activation.id() + "-" + addressee.boat();
     }
 

@@ -32,7 +32,7 @@ public final class PathProgress {
      * @param key in the mission's memory
      * @param behind points that were visited before the first one of the command
      */
-    record Along(String key, int behind) {
+    public record Along(String key, int behind) {
 
         /** So many points of the command are visited. */
         Input remember(long mission, int visited) {

@@ -1,41 +1,52 @@
 package org.sami.crw.handler.motion;
 
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.EventNames;
 
-/** The input events that report the result of a command to a plan; empty for no report. */
-enum Reply {
+/**
+ * The input events that report the result of a command to a plan; an empty name for no report.
+ *
+ * @param completed when it is done
+ * @param failed when it cannot be done; has the field {@code reason}
+ * @param pictures when pictures were taken; has the fields {@code location} and {@code pictures}
+ * @param ifAwaited whether the events are sent only where a transition waits for them
+ */
+public record Reply(String completed, String failed, String pictures, boolean ifAwaited) {
     /** Of a way somewhere. */
-    WAY(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED),
+    static final Reply WAY = way(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED);
+
     /** Of a way somewhere that need not be waited for. */
-    WAY_IF_AWAITED(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED),
+    static final Reply WAY_IF_AWAITED = new Reply(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED, "", true);
+
     /** Of a stop, which need not be waited for. */
-    STOP_IF_AWAITED(EventNames.BLOCK_DONE, ""),
+    static final Reply STOP_IF_AWAITED = new Reply(EventNames.BLOCK_DONE, "", "", true);
+
     /** Of a station, which is kept without an end, and need not be waited for. */
-    STATION_IF_AWAITED("", EventNames.PATH_FAILED),
+    static final Reply STATION_IF_AWAITED = new Reply("", EventNames.PATH_FAILED, "", true);
+
     /** Panorama events. Completion has its own event; a failure is reported to the place that waits for it. */
-    PICTURES_IF_AWAITED("", EventNames.PANORAMA_FAILED),
+    static final Reply PICTURES_IF_AWAITED = new Reply("", EventNames.PANORAMA_FAILED, EventNames.PANORAMA_TAKEN, true);
+
     /** No events: the mission has ended, or receives more than the end of the command. */
-    NONE("", "");
+    public static final Reply NONE = new Reply("", "", "", true);
 
-    private final String completed;
-    private final String failed;
-
-    Reply(String completed, String failed) {
-        this.completed = completed;
-        this.failed = failed;
+    public Reply {
+        Objects.requireNonNull(completed, "completed");
+        Objects.requireNonNull(failed, "failed");
+        Objects.requireNonNull(pictures, "pictures");
     }
 
-    Optional<String> completed() {
+    /** Of a way somewhere, always reported. */
+    public static Reply way(String completed, String failed) {
+        return new Reply(completed, failed, "", false);
+    }
+
+    Optional<String> completedEvent() {
         return Optional.of(completed).filter(name -> !name.isEmpty());
     }
 
-    /** Whether it is only sent where a transition waits for it. */
-    boolean ifAwaited() {
-        return this != WAY;
-    }
-
-    Optional<String> failed() {
+    Optional<String> failedEvent() {
         return Optional.of(failed).filter(name -> !name.isEmpty());
     }
 }

@@ -79,17 +79,17 @@ final class SentCommand {
 
     List<Input> completed() {
         List<Input> inputs = new ArrayList<>(progress(points));
-        reply.completed().ifPresent(event -> inputs.addAll(answer(event, Map.of())));
+        reply.completedEvent().ifPresent(event -> inputs.addAll(answer(event, Map.of())));
         return inputs;
     }
 
-    /** What came of it, sent as an event of its own. */
-    List<Input> result(String event, Map<String, Value> values) {
-        return List.of(new Input.Received(addressee.answer(event, activation, values)));
+    /** Pictures were taken. */
+    List<Input> pictures(Map<String, Value> values) {
+        return List.of(new Input.Received(addressee.answer(reply.pictures(), activation, values)));
     }
 
     List<Input> failed(String reason) {
-        return reply.failed()
+        return reply.failedEvent()
                 .map(event -> answer(event, Map.of("reason", new TextValue(reason))))
                 .orElse(List.of());
     }

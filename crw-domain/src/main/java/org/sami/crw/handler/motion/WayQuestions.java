@@ -160,9 +160,10 @@ public final class WayQuestions implements HostListener {
         List<GeoPoint> points = move.command().unvisitedPoints();
         String boat = move.addressee().boat();
         Optional<BoatStatus> status = boats.find(boat).map(BoatProxy::status);
-        OptionalDouble percent = status.flatMap(BoatStatus::battery).map(BatteryState::percent).stream()
-                .mapToDouble(Double::doubleValue)
-                .findFirst();
+        OptionalDouble percent =
+                status.filter(known -> !flies(boat)).flatMap(BoatStatus::battery).map(BatteryState::percent).stream()
+                        .mapToDouble(Double::doubleValue)
+                        .findFirst();
         return points.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new Way(
@@ -172,6 +173,11 @@ public final class WayQuestions implements HostListener {
                         points,
                         avoid,
                         move.command().water()));
+    }
+
+    /** How far a boat gets on its charge is known; aircraft pay for time. */
+    private boolean flies(String robot) {
+        return boats.find(robot).filter(BoatProxy::isFlying).isPresent();
     }
 
     private void askUnlessAnswered(Held one) {

@@ -40,7 +40,7 @@ public final class Computations implements HostListener {
     private final Map<Long, Running> running = new ConcurrentHashMap<>(); // by activation
 
     /** What a service computes, and what then becomes of it. */
-    interface Task<A> {
+    public interface Task<A> {
         /** What is computed, for people: "the allocation of 12 locations". */
         String what();
 
@@ -94,7 +94,7 @@ public final class Computations implements HostListener {
     }
 
     /** Computes for an activation. What the task throws becomes the handler's failure. */
-    <A> void compute(Activation activation, HandlerContext context, Task<A> task) throws Exception {
+    public <A> void compute(Activation activation, HandlerContext context, Task<A> task) throws Exception {
         if (threads.isEmpty()) {
             task.found(task.compute());
             return;

@@ -35,7 +35,10 @@ public final class DrivenPath {
         for (int i = 0; i < path.size(); i++) {
             GeoPoint point = path.get(i);
             if (i >= visited && at.isPresent() && water.isPresent()) {
-                Detour.between(at.get(), point, water.get()).ifPresent(points::addAll);
+                double altM = Math.max(at.get().altM(), point.altM()); // an aircraft descends behind the last turn
+                Detour.between(at.get(), point, water.get())
+                        .ifPresent(turns ->
+                                turns.forEach(turn -> points.add(new GeoPoint(turn.latDeg(), turn.lonDeg(), altM))));
             }
             at = i >= visited ? Optional.of(point) : at;
             indexOf[i] = points.size();
@@ -53,7 +56,7 @@ public final class DrivenPath {
             if (next < path.size() && waypoint.equals(path.get(next))) {
                 indexOf[next++] = points.size();
             }
-            points.add(GeoPoint.of(waypoint.latDeg(), waypoint.lonDeg()));
+            points.add(new GeoPoint(waypoint.latDeg(), waypoint.lonDeg(), waypoint.altM()));
         }
         boolean ends = next == path.size() && (next == 0 ? held.isEmpty() : indexOf[next - 1] == held.size() - 1);
         return ends ? Optional.of(new DrivenPath(points, indexOf)) : Optional.empty();

@@ -11,7 +11,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Drive along a path; complete when its last point is reached, and at once if none is left.
  *
- * @param points in driving order; altitudes are of no meaning
+ * @param points in driving order; altitudes, in metres above the take-off, count for what flies
  * @param speedMps speed in m/s; the fleet's cruise speed if empty
  * @param startIndex the first point that has not been visited yet; those before it are not driven to
  * @param water where the boat may go: legs that would leave it turn around what is in their way; empty = everywhere

@@ -2,6 +2,7 @@ package org.sami.crw.proxy.execution;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
@@ -38,6 +39,7 @@ public final class CommandDriver {
     private final PlaceHold hold = new PlaceHold();
     private final Uploads uploads;
     private final Supplier<Optional<GeoPoint>> position;
+    private final BooleanSupplier flies;
     private final ExpectedWayHome wayHome;
     private Optional<CommandRun> run = Optional.empty();
     private Optional<NearbyEdges> noGoEdges = Optional.empty();
@@ -51,6 +53,7 @@ public final class CommandDriver {
      * A driver.
      *
      * @param position gives where the boat is, if that is known
+     * @param flies gives whether it takes altitudes
      * @param wayHome learns what the boat knows of its ways home
      */
     public CommandDriver(
@@ -59,8 +62,10 @@ public final class CommandDriver {
             ProxyLink link,
             DeferredEvents announcements,
             Supplier<Optional<GeoPoint>> position,
+            BooleanSupplier flies,
             ExpectedWayHome wayHome) {
         this.position = position;
+        this.flies = flies;
         this.wayHome = wayHome;
         this.boatId = boatId;
         this.config = config;
@@ -283,10 +288,20 @@ public final class CommandDriver {
         if (queued.command() instanceof FollowPath path) {
             noGoEdges = path.water().map(NearbyEdges::new);
             return new PathRun(
-                    queued, path, position, wayHome, wireId, adoptable(queued), speedMps, requests, uploads::reached);
+                    queued,
+                    path,
+                    position,
+                    flies,
+                    wayHome,
+                    wireId,
+                    adoptable(queued),
+                    speedMps,
+                    requests,
+                    uploads::reached);
         } else if (queued.command() instanceof KeepStation station) {
             noGoEdges = station.water().map(NearbyEdges::new);
-            return new StationRun(queued, station, position, wayHome, wireId, speedMps, requests, uploads::reached);
+            return new StationRun(
+                    queued, station, position, flies, wayHome, wireId, speedMps, requests, uploads::reached);
         }
         return queued.command() instanceof Panorama panorama
                 ? new PanoramaRun(queued, panorama, wireId, requests)

@@ -3,6 +3,7 @@ package org.sami.crw.proxy.execution;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
@@ -51,6 +52,7 @@ final class PathRun extends CommandRun {
     private final Consumer<Upload> reached;
     private final FollowPath path;
     private final Supplier<Optional<GeoPoint>> position;
+    private final BooleanSupplier flies;
     private final ExpectedWayHome wayHome;
     private final double speedMps;
     private DrivenPath driven;
@@ -72,6 +74,7 @@ final class PathRun extends CommandRun {
      * One attempt.
      *
      * @param position position of the boat, if known
+     * @param flies whether it takes altitudes
      * @param wayHome learns the ways home that the boat knows
      * @param adopted goes on with the boat's list if it is this path; otherwise the path is sent under a new id
      * @param reached receives each state of the upload once
@@ -80,6 +83,7 @@ final class PathRun extends CommandRun {
             QueuedCommand queued,
             FollowPath path,
             Supplier<Optional<GeoPoint>> position,
+            BooleanSupplier flies,
             ExpectedWayHome wayHome,
             String wireId,
             Optional<Adopted> adopted,
@@ -94,6 +98,7 @@ final class PathRun extends CommandRun {
         this.requests = requests;
         this.path = path;
         this.position = position;
+        this.flies = flies;
         this.wayHome = wayHome;
         speedMps = path.speedMps().orElse(cruiseSpeedMps);
         driven = DrivenPath.of(path.points(), path.points().size(), Optional.empty(), Optional.empty());
@@ -102,7 +107,8 @@ final class PathRun extends CommandRun {
     private List<Waypoint> waypoints(List<GeoPoint> points) {
         List<Waypoint> waypoints = new ArrayList<>(points.size());
         for (GeoPoint point : points) {
-            waypoints.add(new Waypoint(point.latDeg(), point.lonDeg(), speedMps));
+            double altM = flies.getAsBoolean() ? point.altM() : 0;
+            waypoints.add(new Waypoint(point.latDeg(), point.lonDeg(), speedMps, altM));
         }
         return waypoints;
     }

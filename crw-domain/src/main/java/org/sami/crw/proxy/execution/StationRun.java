@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.execution;
 
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.sami.boat.link.CommandMessage;
@@ -23,6 +24,7 @@ public final class StationRun extends CommandRun {
             QueuedCommand queued,
             KeepStation station,
             Supplier<Optional<GeoPoint>> position,
+            BooleanSupplier flies,
             ExpectedWayHome wayHome,
             String wireId,
             double cruiseSpeedMps,
@@ -31,7 +33,16 @@ public final class StationRun extends CommandRun {
         super(queued);
         this.station = station;
         way = new PathRun(
-                queued, station.way(), position, wayHome, wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
+                queued,
+                station.way(),
+                position,
+                flies,
+                wayHome,
+                wireId,
+                Optional.empty(),
+                cruiseSpeedMps,
+                requests,
+                reached);
     }
 
     /** Whether the boat has come to its station, and has not left it since. */

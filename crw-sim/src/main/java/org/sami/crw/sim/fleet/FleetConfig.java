@@ -3,6 +3,7 @@ package org.sami.crw.sim.fleet;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.sami.boat.server.ServerConfig;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
@@ -42,6 +43,11 @@ public record FleetConfig(
         if (trackEveryMs < SimulatedFleet.TICK_MS) {
             throw new IllegalArgumentException("a track point every " + trackEveryMs + " ms");
         }
+    }
+
+    /** What these hulls are. */
+    public RobotKind robots() {
+        return hull.rotors().isPresent() ? RobotKind.COPTER : RobotKind.BOAT;
     }
 
     /** The same with other hulls. */

@@ -96,7 +96,8 @@ public final class SimulatedFleet {
         frame = new LocalFrame(baseLatDeg, baseLonDeg);
         seeds = new SplittableRandom(seed);
         for (int i = 0; i < boatCount; i++) {
-            add(idOf(i), i * SPACING_M, 0).setQuay(new Quay(0, (boatCount - 1) * SPACING_M, 0, Quay.REACH_M));
+            add(config.robots().nameOf(i), i * SPACING_M, 0)
+                    .setQuay(new Quay(0, (boatCount - 1) * SPACING_M, 0, Quay.REACH_M));
         }
     }
 

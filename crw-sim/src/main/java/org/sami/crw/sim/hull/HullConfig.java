@@ -1,7 +1,10 @@
 package org.sami.crw.sim.hull;
 
+import java.util.Objects;
+import java.util.Optional;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.service.reach.Range;
 
 /**
@@ -12,20 +15,51 @@ import org.sami.crw.service.reach.Range;
  * @param maxTurnRateRadPerS turn rate at full opposite thrust, in radians a second
  * @param maxTurnAccelerationRadPerS2 most that the turn rate changes, in radians a second per second
  * @param batteryPercentPerM the constant K of thesis 7.1.1: charge in percent that one metre costs on the average
+ * @param rotors of a copter; empty for a boat
  */
 public record HullConfig(
         double topSpeedMps,
         double maxAccelerationMps2,
         double maxTurnRateRadPerS,
         double maxTurnAccelerationRadPerS2,
-        double batteryPercentPerM) {
+        double batteryPercentPerM,
+        Optional<RotorConfig> rotors) {
+
+    private static final double RETURN_MPS = 8; // this and the next two of a copter, which has to come home and land
+    private static final double LOW_PERCENT = 35;
+    private static final double CRITICAL_PERCENT = 20;
 
     /** A boat of the fleet: 3.2 m/s, and about 3.5 km on one battery. */
     public static final HullConfig DEFAULT =
             new HullConfig(BoatDefaults.FULL_THRUST_SPEED_MPS, 0.6, 0.9, 2.0, 1 / Range.METRES_PER_PERCENT);
 
+    /** A copter: 12 m/s, and 25 minutes in the air; distances cost nothing more. */
+    public static final HullConfig COPTER = new HullConfig(12, 3, 1.5, 4, 0, Optional.of(RotorConfig.DEFAULT));
+
+    /** That of a kind of robots. */
+    public static HullConfig of(RobotKind robots) {
+        return robots == RobotKind.COPTER ? COPTER : DEFAULT;
+    }
+
+    /** A boat. */
+    public HullConfig(
+            double topSpeedMps,
+            double maxAccelerationMps2,
+            double maxTurnRateRadPerS,
+            double maxTurnAccelerationRadPerS2,
+            double batteryPercentPerM) {
+        this(
+                topSpeedMps,
+                maxAccelerationMps2,
+                maxTurnRateRadPerS,
+                maxTurnAccelerationRadPerS2,
+                batteryPercentPerM,
+                Optional.empty());
+    }
+
     /** Refuses limits that are not positive; a battery that never drains (0) is allowed. */
     public HullConfig {
+        Objects.requireNonNull(rotors, "rotors");
         positive("top speed", topSpeedMps);
         positive("acceleration", maxAccelerationMps2);
         positive("turn rate", maxTurnRateRadPerS);
@@ -38,18 +72,21 @@ public record HullConfig(
     /** The same hull with another battery constant. */
     public HullConfig withBatteryPercentPerM(double percentPerM) {
         return new HullConfig(
-                topSpeedMps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, percentPerM);
+                topSpeedMps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, percentPerM, rotors);
     }
 
     /** The same hull with other motors. */
     public HullConfig withTopSpeedMps(double mps) {
         return new HullConfig(
-                mps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, batteryPercentPerM);
+                mps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, batteryPercentPerM, rotors);
     }
 
     /** What a boat server on it knows of it. */
     public ServerConfig.Builder describeTo(ServerConfig.Builder server) {
         ServerConfig.Builder told = server.fullThrustSpeedMps(topSpeedMps);
+        if (rotors.isPresent()) {
+            told = told.returnSpeedMps(RETURN_MPS).batteryThresholds(LOW_PERCENT, CRITICAL_PERCENT);
+        }
         return batteryPercentPerM > 0 ? told.metresPerPercent(1 / batteryPercentPerM) : told;
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.sim.hull;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -46,6 +47,10 @@ public final class Instruments implements Vehicle {
         headingRad = new GaussMarkovError(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
         for (SensorSetting setting : conditions.sensors()) {
             sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
+        }
+        if (hull.altM().isPresent()) {
+            sensors.add(new TargetCamera(hull, fieldSeed));
+            sensors.add(new WindSensor(hull::windMps));
         }
         jump = new JumpingError(conditions.gpsJumpM(), GPS_S, new SplittableRandom(seed ^ JUMP_SEED));
     }
@@ -111,6 +116,21 @@ public final class Instruments implements Vehicle {
     @Override
     public Optional<Camera> camera() {
         return hull.camera();
+    }
+
+    @Override
+    public OptionalDouble altM() {
+        return hull.altM();
+    }
+
+    @Override
+    public void setAltitude(double altM) {
+        hull.setAltitude(altM);
+    }
+
+    @Override
+    public boolean isAtAltitude() {
+        return hull.isAtAltitude();
     }
 
     @Override

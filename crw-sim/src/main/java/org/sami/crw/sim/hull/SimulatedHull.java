@@ -1,6 +1,7 @@
 package org.sami.crw.sim.hull;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.CameraShot;
@@ -9,7 +10,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * A hull with two motors, moved by kinematics: the sum of the efforts sets the speed, their difference the turn rate, both
+ * A hull with two motors, of a boat or, with {@link Rotors}, of a copter, moved by kinematics: the sum of the efforts sets the speed, their difference the turn rate, both
  * within the hull's limits. Positions are kept in metres east and north of the origin of a plane that all hulls of a
  * world share.
  *
@@ -47,6 +48,7 @@ public final class SimulatedHull implements Vehicle {
     private Camera camera = this::count;
     private Optional<BatterySwap> swap = Optional.empty();
     private boolean underWay;
+    private final Optional<Rotors> rotors;
 
     /** A hull in calm water, at rest with a full battery, its bow to the north, at a place on the plane of its world. */
     public SimulatedHull(HullConfig config, LocalFrame frame, double eastM, double northM, long seed) {
@@ -61,6 +63,7 @@ public final class SimulatedHull implements Vehicle {
         this.eastM = eastM;
         this.northM = northM;
         random = new SplittableRandom(seed);
+        rotors = config.rotors().map(Rotors::new);
         dischargeIntervalS = conditions.dischargeIntervalS();
         weather = new Weather(conditions, new SplittableRandom(seed ^ GUST_SEED));
     }
@@ -85,7 +88,7 @@ public final class SimulatedHull implements Vehicle {
     /** Speed over ground along the heading: through the water, and what current and wind add to it. */
     @Override
     public double speedMps() {
-        if (weather.isCalm()) {
+        if (weather.isCalm() || rotors.isPresent()) {
             return speedMps;
         }
         return speedMps
@@ -148,6 +151,21 @@ public final class SimulatedHull implements Vehicle {
     }
 
     @Override
+    public OptionalDouble altM() {
+        return rotors.map(own -> OptionalDouble.of(own.altM())).orElse(OptionalDouble.empty());
+    }
+
+    @Override
+    public void setAltitude(double altM) {
+        rotors.ifPresent(own -> own.setAltitude(altM));
+    }
+
+    @Override
+    public boolean isAtAltitude() {
+        return rotors.map(Rotors::isAtAltitude).orElse(true);
+    }
+
+    @Override
     public void setMotors(double portEffort, double starboardEffort) {
         port = effort(portEffort);
         starboard = effort(starboardEffort);
@@ -182,17 +200,32 @@ public final class SimulatedHull implements Vehicle {
         batteryPercent = percent;
     }
 
+    /** How strong the wind blows where it is, in m/s. */
+    double windMps() {
+        return weather.windMps();
+    }
+
     /** Lets time pass. */
     public void step(double seconds) {
         if (!(seconds > 0)) {
             throw new IllegalArgumentException("a step of " + seconds + " s");
         }
-        if (swap.isPresent() && swap.get().pass(seconds, eastM, northM, speedMps, underWay)) {
+        if (swap.isPresent() && swap.get().pass(seconds, eastM, northM, speedMps, underWay || altM().orElse(0) > 0)) {
             recharge();
         }
-        drift(seconds);
+        if (rotors.isPresent()) {
+            fly(seconds, rotors.get());
+        } else {
+            drift(seconds);
+        }
         drive(seconds);
         spreadForS -= seconds;
+    }
+
+    /** The flight controller holds its position against the wind, which moves the copter no further than its GPS says. */
+    private void fly(double seconds, Rotors own) {
+        weather.step(seconds);
+        batteryPercent = Math.max(0, batteryPercent - own.step(seconds, batteryPercent > 0));
     }
 
     /** What current and wind do; it costs no charge. */
@@ -207,7 +240,7 @@ public final class SimulatedHull implements Vehicle {
 
     /** What the motors do. */
     private void drive(double seconds) {
-        double power = batteryPercent > 0 ? 1 : 0;
+        double power = batteryPercent > 0 && rotors.map(Rotors::isFree).orElse(true) ? 1 : 0;
         double wantedMps = power * (port + starboard) / 2 * config.topSpeedMps();
         double wantedTurn = power * (port - starboard) / 2 * config.maxTurnRateRadPerS();
         if (wantedMps == 0 && wantedTurn == 0 && speedMps == 0 && turnRateRadPerS == 0) {

@@ -50,6 +50,11 @@ final class Weather {
         return currentNorthMps - leeway() * windNorthMps;
     }
 
+    /** How strong the wind blows now, in m/s. */
+    double windMps() {
+        return Math.hypot(windEastMps, windNorthMps) * Math.max(0, 1 + gust.value());
+    }
+
     private double leeway() {
         return LEEWAY * Math.max(0, 1 + gust.value());
     }

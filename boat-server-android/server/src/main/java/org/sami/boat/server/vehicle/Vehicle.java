@@ -3,6 +3,7 @@ package org.sami.boat.server.vehicle;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.sami.boat.link.BoardCondition;
 
 /**
@@ -40,6 +41,19 @@ public interface Vehicle {
     /** How its control board is; empty for a vehicle without one. */
     default Optional<BoardCondition> board() {
         return Optional.empty();
+    }
+
+    /** Metres above the place of the take-off; empty for what does not fly. */
+    default OptionalDouble altM() {
+        return OptionalDouble.empty();
+    }
+
+    /** Climbs or descends to an altitude in metres and stays there; 0 lands. Nothing happens on what does not fly. */
+    default void setAltitude(double altM) {}
+
+    /** Whether it is at the altitude that was set; always so for what does not fly. */
+    default boolean isAtAltitude() {
+        return true;
     }
 
     /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.stream.IntStream;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.hull.Conditions;
 
 /**
@@ -53,6 +53,7 @@ public record RunSettings(
      *     planned with
      * @param charges of the batteries of boats in this process; others have their own
      * @param site where on earth that is
+     * @param robots what they are; those of boats are named boats in this record
      */
     public record Fleet(
             int boats,
@@ -61,7 +62,8 @@ public record RunSettings(
             long seed,
             Conditions conditions,
             InitialCharges charges,
-            Site site) {
+            Site site,
+            RobotKind robots) {
         /** The greatest number of boats. */
         public static final int MOST_BOATS = 250;
 
@@ -87,6 +89,19 @@ public record RunSettings(
                         "the batteries of " + boats + " boats have one charge for all or one for each, not " + charges);
             }
             Objects.requireNonNull(site, "site");
+            Objects.requireNonNull(robots, "robots");
+        }
+
+        /** A fleet of boats. */
+        public Fleet(
+                int boats,
+                int locations,
+                double areaM,
+                long seed,
+                Conditions conditions,
+                InitialCharges charges,
+                Site site) {
+            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT);
         }
 
         /** A fleet with full batteries in calm water. */
@@ -96,32 +111,37 @@ public record RunSettings(
 
         /** The same fleet with more or fewer boats. */
         Fleet of(int otherBoats) {
-            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site);
+            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water, charges, site);
+            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots);
         }
 
         /** The same fleet, with other locations, batteries and all else that is drawn. */
         public Fleet drawnFrom(long otherSeed) {
-            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site);
+            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots);
         }
 
         /** The same fleet with other charges. */
         public Fleet with(InitialCharges others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, others, site);
+            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots);
         }
 
         /** The same fleet elsewhere. */
         public Fleet at(Site other) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, other);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots);
+        }
+
+        /** The same fleet of other robots. */
+        public Fleet of(RobotKind others) {
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others);
         }
 
         /** The names of the boats, in order. */
         public List<String> boatNames() {
-            return IntStream.range(0, boats).mapToObj(SimulatedFleet::idOf).toList();
+            return IntStream.range(0, boats).mapToObj(robots::nameOf).toList();
         }
 
         private static void within(String what, int value, int least, int most) {

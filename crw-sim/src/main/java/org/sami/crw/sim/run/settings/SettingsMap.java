@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.RunSettings.Fleet;
@@ -16,6 +17,7 @@ public final class SettingsMap {
     private static final String CONNECT = "connect";
     private static final String INTERRUPT = "interrupt.";
     private static final String ALSO = "also.";
+    private static final String ROBOTS = "robots";
 
     private SettingsMap() {}
 
@@ -43,6 +45,9 @@ public final class SettingsMap {
         if (!fleet.charges().equals(InitialCharges.FULL)) {
             map.put(BATTERY, fleet.charges().toString());
         }
+        if (fleet.robots() != RobotKind.BOAT) {
+            map.put(ROBOTS, fleet.robots().word());
+        }
         settings.parameters().forEach((name, value) -> map.put(PARAMETER + name, value));
         number(map, INTERRUPT, settings.interrupts());
         number(map, ALSO, settings.also());
@@ -68,7 +73,8 @@ public final class SettingsMap {
                 Long.parseLong(needed(map, "seed")),
                 Conditions.fromMap(map),
                 map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
-                Site.fromMap(map));
+                Site.fromMap(map),
+                map.containsKey(ROBOTS) ? RobotKind.of(map.get(ROBOTS)) : RobotKind.BOAT);
         RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
                 .speed(Speed.parse(needed(map, "speed")))
                 .parameters(parameters)

@@ -12,6 +12,7 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
+import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.run.record.BoatState;
@@ -44,7 +45,10 @@ public final class SimulatedWater {
                 plane.latDeg(eastM, northM),
                 plane.lonDeg(eastM, northM),
                 listeners,
-                FleetConfig.DEFAULT.withoutTracks().withConditions(settings.conditions()));
+                FleetConfig.DEFAULT
+                        .withHull(HullConfig.of(settings.robots()))
+                        .withoutTracks()
+                        .withConditions(settings.conditions()));
         for (int i = 0; i < settings.boats(); i++) {
             fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
         }

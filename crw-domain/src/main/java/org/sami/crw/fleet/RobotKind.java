@@ -1,0 +1,39 @@
+package org.sami.crw.fleet;
+
+/** The kind of robots that a domain commands: what people call them. */
+public enum RobotKind {
+    /** Boats on the water. */
+    BOAT("boat"),
+    /** Copters in the air. */
+    COPTER("copter");
+
+    private final String word;
+
+    RobotKind(String word) {
+        this.word = word;
+    }
+
+    /** One of them, in a text and as the beginning of names. */
+    public String word() {
+        return word;
+    }
+
+    /**
+     * The kind of a word.
+     *
+     * @throws IllegalArgumentException naming the word, where it is none
+     */
+    public static RobotKind of(String word) {
+        for (RobotKind kind : values()) {
+            if (kind.word.equals(word)) {
+                return kind;
+            }
+        }
+        throw new IllegalArgumentException("there are no robots of the kind '" + word + "'");
+    }
+
+    /** The name of a simulated one, counted from 0. */
+    public String nameOf(int index) {
+        return word + (index + 1);
+    }
+}

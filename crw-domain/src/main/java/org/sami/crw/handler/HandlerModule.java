@@ -1,0 +1,18 @@
+package org.sami.crw.handler;
+
+import org.sami.crw.fleet.RobotKind;
+
+/**
+ * The handlers of one domain, in addition to those that every session has. A domain in a module of its own names its class in
+ * {@code META-INF/services/org.sami.crw.handler.HandlerModule}; it is found by the name that the vocabulary has (decision 0480).
+ */
+public interface HandlerModule {
+    /** The domain's name, as its {@code domain.json} says. */
+    String domain();
+
+    /** What its plans command. */
+    RobotKind robots();
+
+    /** Adds the handlers for one host; called once for each. */
+    void addTo(HandlerParts parts);
+}

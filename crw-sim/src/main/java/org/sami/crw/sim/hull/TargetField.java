@@ -1,0 +1,54 @@
+package org.sami.crw.sim.hull;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.sami.boat.server.vehicle.LocalFrame;
+
+/**
+ * Where there is something on the ground that aircraft search for: one place in about seven cells of a thousandth of a degree. The places follow from the
+ * seed alone and are the same for all aircraft of one world.
+ */
+final class TargetField {
+    private static final double CELL_DEG = 0.001;
+    private static final double SHARE = 0.15; // of cells with a target
+    private static final int NUMBERS = 10_000;
+
+    private final long seed;
+
+    TargetField(long seed) {
+        this.seed = seed;
+    }
+
+    /** A target: its number, and its place in degrees. */
+    record Target(int number, double latDeg, double lonDeg) {}
+
+    /** The targets within so many metres of a place, in the order of their cells. */
+    List<Target> near(double latDeg, double lonDeg, double radiusM) {
+        List<Target> seen = new ArrayList<>();
+        LocalFrame here = new LocalFrame(latDeg, lonDeg);
+        int south = cell(here.latDeg(0, -radiusM));
+        int north = cell(here.latDeg(0, radiusM));
+        int west = cell(here.lonDeg(-radiusM, 0));
+        int east = cell(here.lonDeg(radiusM, 0));
+        for (int row = south; row <= north; row++) {
+            for (int column = west; column <= east; column++) {
+                SplittableRandom random = new SplittableRandom(seed ^ (row * 0x9E3779B97F4A7C15L + column));
+                if (random.nextDouble() < SHARE) {
+                    Target target = new Target(
+                            random.nextInt(NUMBERS),
+                            (row + random.nextDouble()) * CELL_DEG,
+                            (column + random.nextDouble()) * CELL_DEG);
+                    if (here.distanceM(target.latDeg(), target.lonDeg()) <= radiusM) {
+                        seen.add(target);
+                    }
+                }
+            }
+        }
+        return seen;
+    }
+
+    private static int cell(double degrees) {
+        return (int) Math.floor(degrees / CELL_DEG);
+    }
+}

@@ -1,0 +1,151 @@
+package org.sami.uav.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.Move;
+import org.sami.crw.handler.motion.MotionCommands;
+import org.sami.crw.handler.motion.PathProgress;
+import org.sami.crw.handler.motion.Reply;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.event.Numbers;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Flights along points, for the handlers that need one. Altitudes are metres above the place of the take-off. An aircraft on the ground climbs on the
+ * spot before it goes anywhere.
+ */
+final class Flights {
+    /** The legal ceiling of small aircraft in Europe, in metres above ground. */
+    static final double CEILING_M = 120;
+
+    /** Altitude in metres of flights that name none. */
+    static final double ALTITUDE_M = 30;
+
+    /** Speed in m/s of flights that name none. */
+    static final double SPEED_MPS = 8;
+
+    private static final double GROUND_M = 0.5;
+    private static final double LAYER_M = 4;
+    private static final int LAYERS = 8; // then they begin again: aircraft so far apart in the fleet rarely meet
+
+    private final ProxyRegistry robots;
+    private final MotionCommands motion;
+
+    Flights(ProxyRegistry robots, MotionCommands motion) {
+        this.robots = robots;
+        this.motion = motion;
+    }
+
+    /** Where an aircraft said it was last. */
+    Optional<GeoPoint> position(String aircraft) {
+        return robots.find(aircraft).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
+    }
+
+    /** Where it took off, on the ground; where it is without that. */
+    Optional<GeoPoint> home(String aircraft) {
+        return robots.find(aircraft).flatMap(BoatProxy::home).or(() -> position(aircraft));
+    }
+
+    /** Whether it is in the air. */
+    boolean isAirborne(String aircraft) {
+        return position(aircraft).filter(at -> at.altM() > GROUND_M).isPresent();
+    }
+
+    /** A point at another altitude. */
+    static GeoPoint at(GeoPoint point, double altM) {
+        return new GeoPoint(point.latDeg(), point.lonDeg(), altM);
+    }
+
+    /**
+     * Points of which those on the ground, as clicks on a map are, get an altitude: that of the flight and, so that aircraft do not meet, a layer of the
+     * aircraft's own above it.
+     */
+    List<GeoPoint> raised(String aircraft, List<GeoPoint> points, double altM) {
+        double layerM = Math.min(CEILING_M, altM + layer(aircraft) * LAYER_M);
+        return points.stream()
+                .map(point -> point.altM() == 0 ? at(point, Math.max(altM, layerM)) : point)
+                .toList();
+    }
+
+    private int layer(String aircraft) {
+        return Math.max(0, robots.boatIds().indexOf(aircraft)) % LAYERS;
+    }
+
+    /** A number that the plan gives, else a default. */
+    static double number(Activation activation, String field, double otherwise) {
+        return activation.value(field).map(Numbers::real).orElse(otherwise);
+    }
+
+    /** One aircraft's flight: how its plan is answered, and along what it flies; empty where it is not known where the aircraft is. */
+    record Flight(Addressee aircraft, List<GeoPoint> points, double speedMps, boolean isRemembered) {
+        Flight {
+            points = List.copyOf(points);
+        }
+    }
+
+    /** Sends flights; those that no aircraft can fly are answered as failed. */
+    void send(Activation activation, HandlerContext context, List<Flight> flights, Reply reply) {
+        List<Move> moves = new ArrayList<>();
+        for (Flight flight : flights) {
+            Optional<String> reason = refusal(flight);
+            if (reason.isPresent()) {
+                motion.refuse(activation, context, flight.aircraft(), reply, reason.get());
+            } else {
+                moves.add(move(activation, context, flight, reply, ""));
+            }
+        }
+        motion.send(activation, context, moves);
+    }
+
+    /** Why a flight cannot be flown; empty where it can. */
+    Optional<String> refusal(Flight flight) {
+        Optional<BoatProxy> proxy = robots.find(flight.aircraft().boat());
+        if (proxy.isPresent() && position(flight.aircraft().boat()).isEmpty()) {
+            return Optional.of("it has not said yet where it is");
+        } else if (proxy.isPresent() && !proxy.get().isFlying()) {
+            return Optional.of(flight.aircraft().boat() + " does not fly");
+        }
+        return flight.points().stream()
+                .mapToDouble(GeoPoint::altM)
+                .filter(altM -> altM > CEILING_M)
+                .boxed()
+                .findFirst()
+                .map(altM -> String.format("%.0f m is above the ceiling of %.0f m", altM, CEILING_M));
+    }
+
+    /**
+     * The command of a flight.
+     *
+     * @param suffix of its id, where one activation gives an aircraft several commands
+     */
+    static Move move(Activation activation, HandlerContext context, Flight flight, Reply reply, String suffix) {
+        String key = PathProgress.key(flight.aircraft().boat(), new GeoPath(flight.points()));
+        int visited = flight.isRemembered()
+                ? PathProgress.visited(
+                        context, activation.mission(), key, flight.points().size())
+                : 0;
+        FollowPath command = new FollowPath(
+                Move.commandId(activation, flight.aircraft()) + suffix,
+                activation.mission(),
+                activation.id(),
+                flight.points(),
+                OptionalDouble.of(flight.speedMps()),
+                visited,
+                activation.priority(),
+                false);
+        return new Move(
+                flight.aircraft(),
+                command,
+                flight.isRemembered() ? Optional.of(new PathProgress.Along(key, 0)) : Optional.empty(),
+                reply);
+    }
+}

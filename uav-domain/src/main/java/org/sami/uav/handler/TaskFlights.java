@@ -1,0 +1,152 @@
+package org.sami.uav.handler;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.motion.Move;
+import org.sami.crw.handler.motion.MotionCommands;
+import org.sami.crw.handler.motion.Reply;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.TaskId;
+
+/**
+ * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer. For the
+ * fleet's thread; it passes the engine's steps on to it.
+ */
+final class TaskFlights implements Consumer<FleetEvent>, HostListener {
+    private static final Reply REPLY = Reply.way(UavEvents.REACHED_LOCATION, UavEvents.CANNOT_FLY);
+
+    private final ProxyRegistry robots;
+    private final Flights flights;
+    private final MotionCommands motion;
+    private final Executor fleet;
+    private final Set<String> keeping;
+    private final Map<String, Deque<Waiting>> waiting = new HashMap<>(); // by aircraft
+    private final Map<String, TaskId> flown = new HashMap<>(); // by aircraft: the task of its last flight
+    private final Map<String, TaskId> arrived = new HashMap<>(); // by aircraft: the task whose answer is under way
+
+    private record Waiting(Activation activation, HandlerContext context, Flights.Flight flight) {}
+
+    /**
+     * No flights yet.
+     *
+     * @param keeping types of output events that keep an aircraft at its task
+     */
+    TaskFlights(ProxyRegistry robots, Flights flights, MotionCommands motion, Executor fleet, Set<String> keeping) {
+        this.robots = robots;
+        this.flights = flights;
+        this.motion = motion;
+        this.fleet = fleet;
+        this.keeping = Set.copyOf(keeping);
+    }
+
+    /** A flight of one task, after those that wait. */
+    void add(Activation activation, HandlerContext context, Flights.Flight flight) {
+        waiting.computeIfAbsent(flight.aircraft().boat(), name -> new ArrayDeque<>())
+                .add(new Waiting(activation, context, flight));
+    }
+
+    /** Has every aircraft begin its next flight that can. */
+    void startWaiting() {
+        List.copyOf(waiting.keySet()).forEach(this::start);
+    }
+
+    private void start(String aircraft) {
+        Deque<Waiting> queue = waiting.getOrDefault(aircraft, new ArrayDeque<>());
+        while (!queue.isEmpty()) {
+            Waiting next = queue.peek();
+            if (isBusy(aircraft, next)) {
+                return;
+            }
+            queue.remove();
+            Optional<String> reason = flights.refusal(next.flight);
+            if (reason.isPresent()) {
+                motion.refuse(next.activation, next.context, next.flight.aircraft(), REPLY, reason.get());
+            } else if (next.flight.aircraft().stands(next.activation, next.context)) {
+                TaskId task = next.flight.aircraft().tasks().get(0);
+                flown.put(aircraft, task);
+                Move move = Flights.move(next.activation, next.context, next.flight, REPLY, "-" + task.name());
+                motion.send(next.activation, next.context, List.of(move));
+                return;
+            }
+        }
+        waiting.remove(aircraft);
+    }
+
+    private boolean isBusy(String aircraft, Waiting next) {
+        Optional<BoatProxy> proxy = robots.find(aircraft);
+        boolean flies = proxy.isPresent()
+                && proxy.get().commands().current().stream()
+                        .anyMatch(command -> command.mission() == next.activation.mission());
+        return flies
+                || arrived.containsKey(aircraft)
+                || next.context.query(view -> isKept(aircraft, next.activation.mission(), view));
+    }
+
+    private boolean isKept(String aircraft, long mission, EngineView view) {
+        return view.openActivations().stream()
+                .filter(open -> open.mission() == mission && keeping.contains(open.type()))
+                .flatMap(open -> open.tasks().stream())
+                .anyMatch(task -> aircraft.equals(view.allocation().get(task)));
+    }
+
+    @Override
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.CommandCompleted done && waiting.containsKey(done.boat())) {
+            Optional.ofNullable(flown.get(done.boat())).ifPresent(task -> arrived.put(done.boat(), task));
+        }
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
+                fleet.execute(() -> withdraw(withdrawn));
+            }
+        }
+        if (input instanceof Input.Received || !effects.isEmpty()) {
+            fleet.execute(() -> stepped(input));
+        }
+    }
+
+    private void stepped(Input input) {
+        if (waiting.isEmpty()) {
+            arrived.clear();
+            return;
+        }
+        if (input instanceof Input.Received received) {
+            arrived.values().removeIf(received.occurrence().tasks()::contains);
+        }
+        startWaiting();
+    }
+
+    private void withdraw(Effect.CommandsWithdrawn withdrawn) {
+        for (Iterator<Map.Entry<String, Deque<Waiting>>> all =
+                        waiting.entrySet().iterator();
+                all.hasNext(); ) {
+            Map.Entry<String, Deque<Waiting>> one = all.next();
+            if (withdrawn.proxies().isEmpty() || withdrawn.proxies().contains(one.getKey())) {
+                one.getValue().removeIf(each -> each.activation.mission() == withdrawn.mission());
+                arrived.remove(one.getKey());
+            }
+            if (one.getValue().isEmpty()) {
+                all.remove();
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package org.sami.uav.handler;
+
+/** The names of the domain's events that handlers take and post, as {@code events.json} has them. */
+final class UavEvents {
+    static final String TAKE_OFF = "TakeOff";
+    static final String CLIMB_TO = "ClimbTo";
+    static final String FLY_TO = "FlyTo";
+    static final String FLY_PATH = "FlyPath";
+    static final String HOVER = "Hover";
+    static final String LAND = "Land";
+    static final String RETURN_HOME = "ReturnHome";
+    static final String LOOK_AROUND = "LookAround";
+    static final String SEARCH_AROUND = "SearchAround";
+    static final String FOLLOW = "Follow";
+    static final String COMPUTE_ALLOCATIONS = "ComputeAllocations";
+    static final String PLAN_LANES = "PlanLanes";
+    static final String WATCH_WIND = "WatchWind";
+    static final String WATCH_TARGETS = "WatchTargets";
+
+    static final String AIRBORNE = "Airborne";
+    static final String ALTITUDE_REACHED = "AltitudeReached";
+    static final String REACHED_LOCATION = "ReachedLocation";
+    static final String PATH_FLOWN = "PathFlown";
+    static final String HOVERING = "Hovering";
+    static final String LANDED = "Landed";
+    static final String PICTURE_TAKEN = "PictureTaken";
+    static final String TARGET_SEEN = "TargetSeen";
+    static final String TARGET_SIGHTED = "TargetSighted";
+    static final String NOTHING_SEEN = "NothingSeen";
+    static final String CANNOT_FLY = "CannotFly";
+    static final String ALLOCATIONS_COMPUTED = "AllocationsComputed";
+    static final String LANES_PLANNED = "LanesPlanned";
+    static final String WIND_STRONG = "WindStrong";
+    static final String AIRCRAFT_LOST = "AircraftLost";
+    static final String LINK_LOST = "LinkLost";
+    static final String LINK_BACK = "LinkBack";
+
+    private UavEvents() {}
+}

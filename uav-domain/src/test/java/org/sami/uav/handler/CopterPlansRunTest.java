@@ -1,0 +1,97 @@
+package org.sami.uav.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.crw.report.FiringResult;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.analysis.PlanChecks;
+import org.sami.spn.testcase.TestCaseRunner;
+import org.sami.uav.handler.UavRuns.Run;
+
+/** Every plan of the aircraft's library, from its start to its end on simulated copters. */
+class CopterPlansRunTest {
+    private static final String POST = "45.7005,10.7205";
+
+    private static Arguments of(Run run, String... fires) {
+        return Arguments.of(run, Arrays.asList(fires));
+    }
+
+    private static Stream<Arguments> runs() {
+        return Stream.of(
+                of(Run.of("first-flight", 2), "Airborne", "Time is up", "All are down"),
+                of(Run.of("look", 1), "There", "Seen", "All down"),
+                of(
+                        Run.of("look", 1)
+                                .with(Map.of("fly-to.location", "{\"lat\": 45.7, \"lon\": 10.72, \"alt\": 300}")),
+                        "Not there",
+                        "All down"),
+                of(Run.of("search", 2), "Arrived", "All searched", "All are down"),
+                of(
+                        Run.of("path-approval", 2)
+                                .answering("{\"event\": \"ApprovePaths\", \"nth\": 1, \"answer\": {\"yes\": false}}"),
+                        "Not approved",
+                        "Approved",
+                        "Path flown",
+                        "All are down"),
+                of(Run.of("search-area", 2), "Target sighted", "Lanes flown", "All are down"),
+                of(Run.of("search-area", 2).in(NamedConditions.ROUGH).with(Map.of("limit", "2")), "Wind too strong"),
+                of(Run.of("search-area", 2).charged("36"), "Battery low", "All are down"),
+                of(Run.of("two-look-closer", 3), "Target sighted", "There", "Pictures taken", "It is one"),
+                of(
+                        Run.of("battery-rotation", 3)
+                                .charged("45")
+                                .with(Map.of("location", POST, "watch-time.duration", "600s")),
+                        "Battery low",
+                        "The next one flies",
+                        "Back in reserve",
+                        "Time is up"),
+                of(
+                        Run.of("follow", 2)
+                                .with(Map.of("robot", "copter1", "how-long.duration", "60s"))
+                                .answering("{\"event\": \"ChooseAircraft\", \"answer\": {\"boats\": [\"copter2\"]}}"),
+                        "Airborne",
+                        "Time is up",
+                        "All are down"),
+                of(
+                        Run.of("wind-watch", 1).with(Map.of("location", POST, "how-long.duration", "20s")),
+                        "There",
+                        "Time is up"),
+                of(
+                        Run.of("wind-watch", 1)
+                                .in(NamedConditions.ROUGH)
+                                .with(Map.of("location", POST, "wind.limit", "2")),
+                        "Wind too strong"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("runs")
+    void runsToItsEnd(Run run, List<String> fires) {
+        RunReport report = run.report();
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.firings().stream().map(FiringResult::transition)).containsAll(fires);
+    }
+
+    @Test
+    void plansHaveNoFindingsAndGoAsTheirTestCasesExpect() {
+        UavRuns.DOMAIN.projects().values().forEach(project -> {
+            assertThat(PlanChecks.check(project, UavRuns.DOMAIN.vocabulary())).isEmpty();
+            assertThat(new TestCaseRunner(project, UavRuns.DOMAIN.vocabulary()).runAll())
+                    .isEmpty();
+            assertThat(project.plans())
+                    .allMatch(plan -> !plan.testCases().isEmpty())
+                    .allMatch(plan -> !plan.layout().isEmpty());
+        });
+        assertThat(UavRuns.DOMAIN.plans()).hasSizeGreaterThanOrEqualTo(8);
+    }
+}

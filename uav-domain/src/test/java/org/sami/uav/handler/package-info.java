@@ -1,0 +1,2 @@
+/** Tests of the aircraft domain, on the simulated copters of crw-sim. */
+package org.sami.uav.handler;
