@@ -140,7 +140,7 @@ public final class SessionCommand implements Callable<Integer> {
         List<BoatAddress> addresses = new ArrayList<>();
         for (String text : connect) {
             try {
-                addresses.add(BoatAddress.parse(text));
+                addresses.addAll(BoatAddress.parseAll(text));
             } catch (IllegalArgumentException unfit) {
                 throw new UsageFault("--connect: " + unfit.getMessage());
             }

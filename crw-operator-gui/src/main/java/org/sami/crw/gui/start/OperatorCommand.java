@@ -46,7 +46,11 @@ public final class OperatorCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--connect", paramLabel = "HOST:PORT", split = ",", description = "Boats' servers to connect to.")
+    @Option(
+            names = "--connect",
+            paramLabel = "ADDRESS",
+            split = ",",
+            description = "Boats to connect to: HOST:PORT, or mavlink:... for ArduPilot boats.")
     private List<String> connect = new ArrayList<>();
 
     @Option(
@@ -146,7 +150,7 @@ public final class OperatorCommand implements Callable<Integer> {
     private StartOptions options() throws IOException {
         List<BoatAddress> addresses = new ArrayList<>();
         for (String text : connect) {
-            addresses.add(BoatAddress.parse(text));
+            addresses.addAll(BoatAddress.parseAll(text));
         }
         if (boatsFile != null) {
             addresses.addAll(addressesIn(boatsFile));

@@ -1,0 +1,106 @@
+package org.sami.crw.mavlink;
+
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Welcome;
+import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.crw.proxy.tcp.BoatAddress;
+
+/** Commands one vehicle through a gateway by messages of the boat link, each once. */
+final class LinkClient implements AutoCloseable {
+    private final List<LinkMessage> said = new CopyOnWriteArrayList<>();
+    private final MavlinkGateway gateway;
+    private final GatewayLink link;
+    private volatile boolean open;
+    private long sent;
+    private String term = "";
+
+    /** Connects, says hello as commander, and waits until the vehicle says where it is. */
+    LinkClient(Path folder, String address) {
+        gateway = new MavlinkGateway(ProcessClock::ms, new VehicleFiles(folder));
+        link = gateway.connect(BoatAddress.parse(address).toSocketAddress(), new Ears());
+        Await.until("the vehicle is reached", () -> open);
+        say(new Hello("", "client", Role.COMMANDER, 10, "", "client.0", 1));
+        Await.until("it is commanded", () -> first(Welcome.class).isPresent());
+        term = first(Welcome.class).orElseThrow().term();
+        Await.until("it says where it is", () -> first(Telemetry.class).isPresent());
+    }
+
+    private <T extends LinkMessage> Optional<T> first(Class<T> kind) {
+        return said.stream().filter(kind::isInstance).map(kind::cast).findFirst();
+    }
+
+    void say(LinkMessage message) {
+        link.send(LinkCodec.STANDARD.encode(new Frame(sent++, term, message)));
+    }
+
+    /** Gives a command and waits for its answer. */
+    LinkMessage ask(CommandMessage command) {
+        say(command);
+        Await.until(command.type() + " is answered", () -> answer(command).isPresent());
+        return answer(command).orElseThrow();
+    }
+
+    private Optional<LinkMessage> answer(CommandMessage command) {
+        String id = command.commandId();
+        return said.stream()
+                .filter(message -> (message instanceof Ack ack
+                                && ack.commandId().equals(id))
+                        || (message instanceof Nack nack && nack.commandId().equals(id))
+                        || (message instanceof HeldWaypoints held
+                                && held.commandId().equals(id)))
+                .findFirst();
+    }
+
+    @Override
+    public void close() {
+        gateway.close();
+    }
+
+    private final class Ears implements GatewayLink.Listener {
+        @Override
+        public void opened() {
+            open = true;
+        }
+
+        @Override
+        public void arrived(byte[] frame) {
+            try {
+                said.add(LinkCodec.STANDARD.decode(frame).message());
+            } catch (LinkException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+
+        @Override
+        public void alarm(String text) {
+            // read from the autopilot elsewhere
+        }
+
+        @Override
+        public void closed(String why) {
+            open = false;
+        }
+
+        @Override
+        public void found(InetSocketAddress vehicle) {
+            // it is asked for by its number
+        }
+    }
+}
