@@ -36,7 +36,7 @@ public record NearList(List<NearRow> rows, List<String> problems) {
         Map<BoatAddress, LinkReport> byAddress = new HashMap<>();
         Map<String, BoatAddress> carriers = new HashMap<>();
         for (LinkReport link : links) {
-            BoatAddress address = address(link);
+            BoatAddress address = BoatAddress.of(link.address());
             byAddress.put(address, link);
             link.boatId().ifPresent(boat -> carriers.put(boat, address));
         }
@@ -70,9 +70,5 @@ public record NearList(List<NearRow> rows, List<String> problems) {
         });
         rows.sort(IN_ORDER);
         return new NearList(rows, problems);
-    }
-
-    private static BoatAddress address(LinkReport link) {
-        return new BoatAddress(link.address().getHostString(), link.address().getPort());
     }
 }
