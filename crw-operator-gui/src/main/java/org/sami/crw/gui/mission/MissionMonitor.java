@@ -184,6 +184,9 @@ public final class MissionMonitor extends JPanel {
 
     /** Shows what changes by itself; to be called a few times a second. */
     public void refresh() {
+        if (context.whyNotAct().isEmpty()) { // a replay starts none
+            plans.refresh();
+        }
         shown().ifPresent(MissionView::refreshEnding);
         leaveEnded(context.models().missions().snapshot());
     }

@@ -51,6 +51,7 @@ public final class PlansPanel extends JPanel {
     private final RowTable<PlanTree.Line> table;
     private final OnePress begins = new OnePress();
     private final DisabledNote disabled = new DisabledNote("plans-disabled");
+    private final ReadyNote ready;
     private final Command start;
     private Optional<Project> project = Optional.empty();
     private Runnable shower = () -> {};
@@ -59,6 +60,7 @@ public final class PlansPanel extends JPanel {
         super(new BorderLayout());
         this.context = context;
         this.starter = starter;
+        ready = new ReadyNote(context);
         setName("plans");
         table = new RowTable<>(
                 "plans-table",
@@ -110,7 +112,11 @@ public final class PlansPanel extends JPanel {
         add(beside, BorderLayout.EAST);
         arrange();
         add(table);
-        add(disabled, BorderLayout.SOUTH);
+        JPanel notes = new JPanel(new BorderLayout());
+        notes.setOpaque(false);
+        notes.add(disabled, BorderLayout.NORTH);
+        notes.add(ready, BorderLayout.SOUTH);
+        add(notes, BorderLayout.SOUTH);
         reload();
     }
 
@@ -133,6 +139,7 @@ public final class PlansPanel extends JPanel {
         boolean low = getHeight() < Look.px(LOW);
         above.setVisible(!low);
         beside.setVisible(low);
+        ready.hasRoom(!low);
         int buttons = height(startInRow) + height(startWithInRow) + Look.px(ROUND_BUTTONS);
         boolean inColumn = buttons <= getHeight();
         searchInRow.setVisible(buttons + height(searchInRow) <= getHeight());
@@ -174,6 +181,11 @@ public final class PlansPanel extends JPanel {
                 : Optional.of(table.selected()
                         .map(folder -> "select a plan in " + folder.title() + " first")
                         .orElse("select a plan first"));
+    }
+
+    /** Says which boats are not ready; to be called a few times a second. */
+    void refresh() {
+        ready.refresh();
     }
 
     /** Shows the plans of the newest project, as one was loaded or the session began. */

@@ -112,6 +112,17 @@ class LaunchCheckTest {
                 .doesNotContain(Subject.BOARD);
     }
 
+    @Test
+    void boatsOfAFleetThatAreNotReadyAreCountedAndNamed() {
+        BoatSnapshot good = boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD);
+        BoatSnapshot empty = boat(NOW, 3, BatteryLevel.CRITICAL, LostLinkAction.HOLD);
+
+        assertThat(FleetCheck.of(List.of(good), List.of(), NOW).words()).isEmpty();
+        FleetCheck check = FleetCheck.of(List.of(empty), List.of(), NOW);
+        assertThat(check.words()).isEqualTo("1 of 1 boat is not ready: anna");
+        assertThat(check.reasons()).containsExactly("anna: battery 3 %: put a full one in");
+    }
+
     private static State state(LaunchCheck check, Subject subject) {
         return check.items().stream()
                 .filter(item -> item.subject() == subject)

@@ -1,0 +1,59 @@
+package org.sami.crw.gui.mission;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.alarm.FleetCheck;
+import org.sami.palette.SemanticColor;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
+import org.sami.ui.look.Spacing;
+import org.sami.ui.table.TooltipLines;
+
+/** One line that says, before a mission starts, which boats are not ready for it; its tooltip says why. It takes room only where one is not. */
+final class ReadyNote extends JLabel {
+    private final OperatorContext context;
+    private boolean room = true;
+
+    ReadyNote(OperatorContext context) {
+        this.context = context;
+        setName("plans-ready");
+        LookColors.foreground(this, SemanticColor.WARNING);
+        LookColors.border(this, () -> {
+            int inset = Look.px(Spacing.NORMAL);
+            return BorderFactory.createEmptyBorder(inset / 2, inset, inset / 2, inset);
+        });
+        setVisible(false);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setFont(Fonts.text());
+    }
+
+    /** Whether there is room for it; a low panel needs its own for plans. */
+    void hasRoom(boolean enough) {
+        if (room != enough) {
+            room = enough;
+            setVisible(room && !getText().isEmpty());
+        }
+    }
+
+    /** Says how boats are now; to be called a few times a second. */
+    void refresh() {
+        FleetCheck check = FleetCheck.of(
+                context.models().fleet().snapshot(), context.models().alarms().snapshot(), context.nowMillis());
+        String words = check.words();
+        String text = words.isEmpty() ? "" : "△ " + words + " (Ctrl+N says why)";
+        if (!text.equals(getText())) {
+            setText(text);
+            setVisible(room && !text.isEmpty());
+        }
+        List<String> lines = new ArrayList<>(check.reasons());
+        setToolTipText(lines.isEmpty() ? null : TooltipLines.of(String.join("\n", lines)));
+    }
+}
