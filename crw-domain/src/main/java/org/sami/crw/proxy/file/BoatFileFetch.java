@@ -29,6 +29,7 @@ public final class BoatFileFetch {
     private final InetSocketAddress address;
     private final LinkSecurity security;
     private final FileNews news;
+    private final boolean patient;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition cancelling = lock.newCondition();
     private Optional<Socket> socket = Optional.empty(); // this and the next are guarded by the lock
@@ -62,9 +63,19 @@ public final class BoatFileFetch {
      * @param security such as {@code BaseProtection.ofThisProcess()}
      */
     public BoatFileFetch(InetSocketAddress address, LinkSecurity security, FileNews news) {
+        this(address, security, news, false);
+    }
+
+    /**
+     * A fetch that has not begun.
+     *
+     * @param patient whether it tries again until it is cancelled, however long the boat is not reached
+     */
+    BoatFileFetch(InetSocketAddress address, LinkSecurity security, FileNews news, boolean patient) {
         this.address = Objects.requireNonNull(address, "address");
         this.security = Objects.requireNonNull(security, "security");
         this.news = Objects.requireNonNull(news, "news");
+        this.patient = patient;
     }
 
     /**
@@ -202,10 +213,12 @@ public final class BoatFileFetch {
                 throw e;
             } catch (IOException e) {
                 failures = progressed ? 1 : failures + 1;
-                if (failures > WAITS_MS.length) {
+                if (failures > WAITS_MS.length && !patient) {
                     throw e;
                 }
-                await(WAITS_MS[failures - 1]);
+                checkCancelled();
+                news.waits(address, e.getMessage() == null ? e.toString() : e.getMessage());
+                await(WAITS_MS[Math.min(failures, WAITS_MS.length) - 1]);
             }
         }
     }
@@ -239,8 +252,13 @@ public final class BoatFileFetch {
     }
 
     private void checkCancelled() throws FileFetchException {
-        if (cancelled) {
-            throw new FileFetchException("cancelled; what has come is kept");
+        lock.lock();
+        try {
+            if (cancelled) {
+                throw new FileFetchException("cancelled; what has come is kept");
+            }
+        } finally {
+            lock.unlock();
         }
     }
 

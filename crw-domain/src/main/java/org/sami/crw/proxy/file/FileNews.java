@@ -1,5 +1,7 @@
 package org.sami.crw.proxy.file;
 
+import java.net.InetSocketAddress;
+
 /** Receives how the fetching of one boat's files goes, on the thread that fetches; does not wait. */
 public interface FileNews {
     /** Nobody. */
@@ -14,4 +16,12 @@ public interface FileNews {
      * @param bytes of the whole file
      */
     void come(String boatId, String name, long here, long bytes);
+
+    /**
+     * The boat does not answer; it is tried again.
+     *
+     * @param address of the boat
+     * @param why in words
+     */
+    default void waits(InetSocketAddress address, String why) {}
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.function.Consumer;
 import org.sami.boat.link.security.LinkSecurity;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
@@ -50,9 +51,18 @@ public final class FleetFileFetch {
      * @param news called by several threads
      */
     public FleetFileFetch(List<BoatAddress> addresses, LinkSecurity security, FileNews news) {
+        this(addresses, security, news, false);
+    }
+
+    private FleetFileFetch(List<BoatAddress> addresses, LinkSecurity security, FileNews news, boolean patient) {
         for (BoatAddress address : addresses) {
-            fetches.put(address, new BoatFileFetch(address.toSocketAddress(), security, news));
+            fetches.put(address, new BoatFileFetch(address.toSocketAddress(), security, news, patient));
         }
+    }
+
+    /** A fetch that has not begun, and then tries boats again until it is cancelled, however long they are not reached. */
+    public static FleetFileFetch untilCancelled(List<BoatAddress> addresses, LinkSecurity security, FileNews news) {
+        return new FleetFileFetch(addresses, security, news, true);
     }
 
     /**
@@ -62,6 +72,17 @@ public final class FleetFileFetch {
      * @throws InterruptedException if it is to end; what has come is kept
      */
     public List<Answer> fetch(String kind, Path folder) throws InterruptedException {
+        return fetch(kind, folder, answer -> {});
+    }
+
+    /**
+     * Fetches what is new into {@code folder/BOAT} of each boat.
+     *
+     * @param ended receives each answer as soon as it is there, on several threads
+     * @return an answer for each address, in their order
+     * @throws InterruptedException if it is to end; what has come is kept
+     */
+    public List<Answer> fetch(String kind, Path folder, Consumer<Answer> ended) throws InterruptedException {
         int threads = Math.max(1, Math.min(MOST_AT_ONCE, fetches.size()));
         ExecutorService executor = Executors.newFixedThreadPool(threads, work -> {
             Thread thread = new Thread(work, "file-fetch");
@@ -70,7 +91,11 @@ public final class FleetFileFetch {
         });
         try {
             List<Future<Answer>> running = new ArrayList<>();
-            fetches.forEach((address, one) -> running.add(executor.submit(() -> answer(address, one, kind, folder))));
+            fetches.forEach((address, one) -> running.add(executor.submit(() -> {
+                Answer answer = answer(address, one, kind, folder);
+                ended.accept(answer);
+                return answer;
+            })));
             List<Answer> answers = new ArrayList<>();
             for (Future<Answer> each : running) {
                 answers.add(each.get());

@@ -1,5 +1,7 @@
 package org.sami.crw.gui.window;
 
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -7,6 +9,7 @@ import java.util.function.Supplier;
 import javax.swing.JFrame;
 import org.sami.crw.gui.boat.ConnectForm;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.file.LogsSheet;
 import org.sami.crw.gui.key.KeysForm;
 import org.sami.crw.gui.key.PairSheet;
 import org.sami.crw.gui.near.NearSheet;
@@ -45,6 +48,16 @@ final class WindowCommands {
                 .withKey("alt shift P")
                 .withIcon("link"));
         add(new Command("keys", "Keys…", this::keys).withKey("alt shift K").withIcon("variables"));
+        LogsSheet logs = new LogsSheet(context, frame.getRootPane());
+        add(new Command("logs-fetch", "Fetch logs…", logs::open)
+                .withKey("alt shift L")
+                .withIcon("file"));
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent e) {
+                logs.end();
+            }
+        });
         add(new Command("project-open", "Load a project…", this::load)
                 .withKey("ctrl O")
                 .withIcon("folder"));

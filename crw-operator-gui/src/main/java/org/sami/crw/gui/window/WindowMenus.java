@@ -58,6 +58,7 @@ public final class WindowMenus {
                 "boat-pair",
                 "keys",
                 "boat-add-simulated",
+                "logs-fetch",
                 "",
                 "boat-stop",
                 "boat-release",
