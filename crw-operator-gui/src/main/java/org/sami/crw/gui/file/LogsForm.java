@@ -41,8 +41,9 @@ final class LogsForm extends JPanel {
     private final LogFetch fetch;
     private final RowTable<LogRow> table;
     private final JTextField folder = new JTextField(40);
-    private final WrappedText hint = new WrappedText("Logs of all boats are fetched, or of those that are selected. Commands go first: a fetch"
-            + " slows none, also during a mission.");
+    private final WrappedText hint =
+            new WrappedText("Logs of all boats are fetched, or of those that are selected. Commands go first: a fetch"
+                    + " slows none, also during a mission.");
     private final WrappedText said = new WrappedText("");
     private final Command begin;
     private final Command cancel;
@@ -65,7 +66,8 @@ final class LogsForm extends JPanel {
                 LogRow::address,
                 List.of(
                         BoatTables.names(context, LogRow::boat),
-                        RowColumn.<LogRow>words("Address", 150, row -> row.address().toString())
+                        RowColumn.<LogRow>words(
+                                        "Address", 150, row -> row.address().toString())
                                 .keepingEnds()
                                 .asSpare(),
                         RowColumn.<LogRow>words("Its logs", 0, LogsForm::words).colored(LogsForm::color)));
@@ -74,9 +76,7 @@ final class LogsForm extends JPanel {
         said.setName("logs-said");
         hint.setName("logs-hint");
         hint.setColor(SemanticColor.MUTED);
-        begin = new Command("logs-begin", "Fetch", this::begin)
-                .withIcon("file")
-                .unless(this::whyNotBegin);
+        begin = new Command("logs-begin", "Fetch", this::begin).withIcon("file").unless(this::whyNotBegin);
         cancel = new Command("logs-cancel", "Cancel", fetch::cancel)
                 .withIcon("close")
                 .unless(() -> fetch.isRunning() ? Optional.empty() : Optional.of("nothing is fetched"));
@@ -105,8 +105,9 @@ final class LogsForm extends JPanel {
         row.add(label);
         row.add(folder, "growy, wmin 60");
         row.add(
-                new CommandButton(new Command("logs-choose", "Choose…", () -> choose.accept(folder().orElse(Path.of(""))))
-                        .withIcon("folder")),
+                new CommandButton(
+                        new Command("logs-choose", "Choose…", () -> choose.accept(folder().orElse(Path.of(""))))
+                                .withIcon("folder")),
                 "growy");
         return row;
     }

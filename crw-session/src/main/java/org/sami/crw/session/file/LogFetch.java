@@ -31,7 +31,8 @@ public final class LogFetch {
     private final Supplier<LinkSecurity> security;
     private final Runnable changed;
     private final Map<BoatAddress, LogRow> rows = new LinkedHashMap<>();
-    private final Map<BoatAddress, Function<LogRow, LogRow>> news = new HashMap<>(); // guarded by itself; the newest of each boat
+    private final Map<BoatAddress, Function<LogRow, LogRow>> news =
+            new HashMap<>(); // guarded by itself; the newest of each boat
     private Optional<FleetFileFetch> running = Optional.empty();
     private boolean cancelled;
     private String said = "";
@@ -59,8 +60,8 @@ public final class LogFetch {
             }
         });
         for (LinkReport link : links) {
-            BoatAddress address =
-                    new BoatAddress(link.address().getHostString(), link.address().getPort());
+            BoatAddress address = new BoatAddress(
+                    link.address().getHostString(), link.address().getPort());
             link.boatId()
                     .ifPresent(boat -> next.putIfAbsent(
                             address, Optional.ofNullable(rows.get(address)).orElse(LogRow.idle(boat, address))));
@@ -93,8 +94,7 @@ public final class LogFetch {
             say(folder + " is no folder: choose another", true);
             return;
         }
-        rows.replaceAll((address, row) ->
-                chosen.contains(address) ? row.asked() : LogRow.idle(row.boat(), address));
+        rows.replaceAll((address, row) -> chosen.contains(address) ? row.asked() : LogRow.idle(row.boat(), address));
         FleetFileFetch fetch = FleetFileFetch.untilCancelled(addresses, security.get(), new News());
         running = Optional.of(fetch);
         cancelled = false;

@@ -63,12 +63,15 @@ public record LogRow(String boat, BoatAddress address, State state, String words
         if (answer.done() && answer.files().isEmpty()) {
             return new LogRow(boat, address, State.NO_LOG, "keeps no log");
         } else if (answer.done()) {
-            String files = answer.files().size() == 1 ? "1 file" : answer.files().size() + " files";
+            String files =
+                    answer.files().size() == 1 ? "1 file" : answer.files().size() + " files";
             String fetched = answer.bytes() == 0 ? "nothing new" : size(answer.bytes()) + " fetched";
             return new LogRow(boat, address, State.HERE, files + ", " + fetched);
         }
         String faults = String.join("; ", answer.faults());
-        String kept = answer.files().isEmpty() ? "" : "; the other files are here: " + answer.files().size();
+        String kept = answer.files().isEmpty()
+                ? ""
+                : "; the other files are here: " + answer.files().size();
         return cancelled
                 ? new LogRow(boat, address, State.CANCELLED, "cancelled; what has come is kept")
                 : new LogRow(boat, address, State.FAILED, faults + kept);

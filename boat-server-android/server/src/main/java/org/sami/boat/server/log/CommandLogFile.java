@@ -118,7 +118,7 @@ public final class CommandLogFile implements ServerLog, Closeable {
         bytes += start.length();
         if (number > 0
                 && headBytes == 0) { // a disk has lost its head: the next one is whole before anything counts on it
-            LogTurn whole = new LogTurn(disk, files, number + 1);
+            LogTurn whole = new LogTurn(disk, files, number + 1, bootId);
             whole.write(state.head(bootId));
             finish(whole);
         }
@@ -165,12 +165,12 @@ public final class CommandLogFile implements ServerLog, Closeable {
             write(line);
         }
         if (turn.isPresent()) {
-            turn.get().add(line);
+            turn.get().add(line, !unwritable);
             if (turn.get().isWritten()) {
                 finish(nowMs);
             }
         } else if (nowMs >= nextTurnMs && (unwritable || bytes >= fileBytes())) {
-            LogTurn next = new LogTurn(disk, files, number + 1);
+            LogTurn next = new LogTurn(disk, files, number + 1, bootId);
             CarriedState.LogHead head = state.head(bootId);
             turn = Optional.of(next);
             aside.execute(() -> next.write(head));

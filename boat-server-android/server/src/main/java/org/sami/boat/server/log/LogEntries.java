@@ -15,9 +15,6 @@ public interface LogEntries {
     /** Changes of commander that were not recorded. */
     default void leftOut(String bootId, long timeMs, long count) {}
 
-    /** A file begins with what a restarted boat needs of the earlier files, in so many lines. */
-    default void begins(String bootId, int lines) {}
-
     /** A command of an earlier file, which is not to be executed again. */
     default void remembered(RememberedCommand command) {}
 

@@ -23,12 +23,14 @@ import org.sami.boat.server.RememberedCommand;
  * The lines of a boat's log. Their parts, divided by tabs, are a checksum of the rest of the line, the boat's time, the start of the server, the bodies of
  * the command and its answer as on the link, and the client's name in URL encoding. A line without bodies records a start, or how many lines were left
  * out; lines of earlier versions name no client. A word in place of the command's body marks the lines with which a file after the first begins:
- * {@code carries} and their count, {@code known} for each command that the boat remembers, {@code in-force} for each that is in force.
+ * {@code carries} and their count, {@code known} for each command that the boat remembers, {@code in-force} for each that is in force; and then
+ * {@code repeats} with the count of lines that stand in the file before as well.
  */
 public final class LogLines {
     private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
     private static final String LEFT_OUT = "left out: ";
     private static final String CARRIES = "carries";
+    private static final String REPEATS = "repeats";
     private static final String KNOWN = "known";
     private static final String IN_FORCE = "in-force";
     private static final int KNOWN_FIELDS = 8;
@@ -42,7 +44,16 @@ public final class LogLines {
      * @throws IOException if the file cannot be read, or is something else than a boat's log
      */
     public static LogExtent read(Path file, LogEntries entries) throws IOException {
-        return read(file, new Reading(entries), false);
+        return read(file, new Reading(entries, false), false);
+    }
+
+    /**
+     * Reads a file after the one before it, and only what does not stand there as well.
+     *
+     * @throws IOException if the file cannot be read, or is something else than a boat's log
+     */
+    static LogExtent readOn(Path file, LogEntries entries) throws IOException {
+        return read(file, new Reading(entries, true), false);
     }
 
     private static LogExtent read(Path file, Reading reading, boolean headOnly) throws IOException {
@@ -65,29 +76,35 @@ public final class LogLines {
 
     /** Whether a file begins with all that a restarted boat needs of earlier ones. */
     static boolean isHeadWhole(Path file) throws IOException {
-        return read(file, new Reading(entry -> {}), true).isHeadWhole();
+        return read(file, new Reading(entry -> {}, false), true).isHeadWhole();
     }
 
     /** How far a file has been read. */
     private static final class Reading {
         private final LogEntries entries;
+        private final boolean onlyNew;
         private long wholeBytes;
         private int lines;
         private int unread;
         private int headLines = -1; // with the line that counts the others; -1 without a head
         private long headBytes;
+        private int repeatedUntil;
 
-        Reading(LogEntries entries) {
+        Reading(LogEntries entries, boolean onlyNew) {
             this.entries = entries;
+            this.onlyNew = onlyNew;
         }
 
         void line(String text, int bytes) {
             wholeBytes += bytes;
             lines++;
-            unread += take(text, entries) ? 0 : 1;
             if (lines == 1) {
-                headLines = 1 + carried(text);
+                headLines = 1 + count(text, CARRIES);
+            } else if (onlyNew && count(text, REPEATS) > 0) {
+                repeatedUntil = lines + count(text, REPEATS);
             }
+            boolean known = onlyNew && lines <= Math.max(headLines, repeatedUntil);
+            unread += known || take(text, entries) ? 0 : 1;
             if (lines == headLines) {
                 headBytes = wholeBytes;
             }
@@ -135,6 +152,11 @@ public final class LogLines {
         return checked("0\t" + bootId + "\t" + CARRIES + "\t" + count);
     }
 
+    /** A line after the head of a file: so many lines follow that stand in the file before as well. */
+    static String repeats(String bootId, int count) {
+        return checked("0\t" + bootId + "\t" + REPEATS + "\t" + count);
+    }
+
     static String remembered(String bootId, RememberedCommand command) {
         StringBuilder digest = new StringBuilder(DIGEST_DIGITS);
         for (byte next : command.digest()) {
@@ -167,11 +189,14 @@ public final class LogLines {
         return undamaged ? parts[1].split("\t", KNOWN_FIELDS) : new String[0];
     }
 
-    /** How many lines a first line counts; -2 for another line. */
-    private static int carried(String line) {
+    /** How many lines a line of this word counts; -2 for another line. */
+    private static int count(String line, String word) {
+        if (!line.contains(word)) {
+            return -2;
+        }
         String[] fields = fields(line);
         try {
-            return fields.length == 4 && fields[2].equals(CARRIES) ? Math.max(0, Integer.parseInt(fields[3])) : -2;
+            return fields.length == 4 && fields[2].equals(word) ? Math.max(0, Integer.parseInt(fields[3])) : -2;
         } catch (NumberFormatException e) {
             return -2;
         }
@@ -189,8 +214,8 @@ public final class LogLines {
                 boolean count = fields[2].startsWith(LEFT_OUT);
                 long lines = count ? Long.parseLong(fields[2].substring(LEFT_OUT.length())) : 0;
                 entries.leftOut(fields[1], Long.parseLong(fields[0]), lines);
-            } else if (fields[2].equals(CARRIES)) {
-                entries.begins(fields[1], Integer.parseInt(fields[3]));
+            } else if (fields.length == 4 && (fields[2].equals(CARRIES) || fields[2].equals(REPEATS))) {
+                return true; // counts lines
             } else if (fields[2].equals(KNOWN) && fields.length == KNOWN_FIELDS) {
                 entries.remembered(remembered(fields));
             } else if (fields[2].equals(IN_FORCE) && fields.length == 5) {

@@ -16,14 +16,17 @@ final class LogTurn {
     private final LogDisk disk;
     private final LogFiles files;
     private final int number;
+    private final String bootId;
     private final List<String> meanwhile = new ArrayList<>(); // for the boat's thread
+    private int repeated; // for the boat's thread
     private long bytes;
     private Optional<FileChannel> channel = Optional.empty(); // this and the next are handed on by the last one
     private Optional<IOException> fault = Optional.empty();
     private volatile boolean written;
     private boolean cancelled; // guarded by this
 
-    LogTurn(LogDisk disk, LogFiles files, int number) {
+    LogTurn(LogDisk disk, LogFiles files, int number, String bootId) {
+        this.bootId = bootId;
         this.disk = disk;
         this.files = files;
         this.number = number;
@@ -55,9 +58,14 @@ final class LogTurn {
         return written;
     }
 
-    /** A line that was added after the state of the head. */
-    void add(String line) {
+    /**
+     * A line that was added after the state of the head.
+     *
+     * @param inFileBefore whether it stands in the file before as well; none does after one that does not
+     */
+    void add(String line, boolean inFileBefore) {
         meanwhile.add(line);
+        repeated += inFileBefore ? 1 : 0;
     }
 
     /**
@@ -72,6 +80,9 @@ final class LogTurn {
                 throw fault.get();
             }
             FileChannel made = channel.orElseThrow(() -> new IllegalStateException("it is not written"));
+            if (repeated > 0) {
+                meanwhile.add(0, LogLines.repeats(bootId, repeated));
+            }
             for (String line : meanwhile) {
                 disk.write(made, line.getBytes(StandardCharsets.UTF_8));
             }

@@ -248,6 +248,30 @@ class LogRotationTest {
     }
 
     @Test
+    void allFilesAreReadAsOneWithoutWhatTheyRepeat() throws IOException {
+        List<LoggedCommand> commands = commands(COMMANDS);
+        for (int lag : new int[] {0, 1, 7}) {
+            clear();
+            FailingDisk disk = new FailingDisk(Integer.MAX_VALUE, 0);
+            run(disk, lag, commands);
+            disk.close();
+            List<String> read = new ArrayList<>();
+            int unread = LogHistory.read(
+                    new LogFiles(folder.resolve("anna.log")),
+                    entry -> read.add(entry.timeMs() + " " + entry.command().commandId()));
+
+            assertThat(unread).isZero();
+            List<String> said = commands.stream()
+                    .map(entry -> entry.timeMs() + " " + entry.command().commandId())
+                    .collect(Collectors.toList());
+            assertThat(read)
+                    .as("%s commands behind, without the files that are gone", lag)
+                    .hasSizeGreaterThan(COMMANDS / 2)
+                    .isEqualTo(said.subList(said.size() - read.size(), said.size()));
+        }
+    }
+
+    @Test
     void newestFileWhoseHeadADiskHasLostIsReadWithTheOneBefore() throws IOException {
         List<LoggedCommand> commands = commands(COMMANDS);
         try (CommandLogFile log = open(new LogDisk(), Runnable::run, new CarriedState())) {
