@@ -1,6 +1,7 @@
 package org.sami.crw.operator.alarm;
 
 import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,7 +17,7 @@ public record FleetCheck(Map<String, LaunchCheck> checks) {
     private static final int MOST_NAMES = 4;
 
     public FleetCheck {
-        checks = new LinkedHashMap<>(checks);
+        checks = Collections.unmodifiableMap(new LinkedHashMap<>(checks));
     }
 
     /** Goes through all boats. */
