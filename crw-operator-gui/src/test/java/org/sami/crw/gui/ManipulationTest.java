@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.map.MapPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.spn.model.Project;
 
 /** Plans leave messages and map alone while the operator works there, where their markup says so (thesis 5.3). */
@@ -59,7 +60,7 @@ class ManipulationTest {
 
     @Test
     void messagesAreNotChangedWhileTheFocusIsThereNorJustAfterTheirUse() throws Exception {
-        MessagesPanel panel = laidOut(() -> new MessagesPanel(world.context, (boats, text) -> {}));
+        MessagesPanel panel = laidOut(() -> new MessagesPanel(world.context, (boats, text) -> {}, new ShownPictures(world.context)));
         focus(panel, "messages-table", true);
         world.start("FOCUS_SUPPRESS");
         world.start("free");

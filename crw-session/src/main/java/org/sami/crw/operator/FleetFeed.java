@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.operator.picture.TakenPictures;
 import org.sami.crw.proxy.ProxyRegistry;
 
 /** Tells the models what happens to the fleet, and samples its boats. On the fleet's thread; all of it reaches the models by one hop. */
@@ -37,7 +38,7 @@ final class FleetFeed {
             if (event instanceof FleetEvent.Measured measured) {
                 models.map().measured(measured);
             }
-            if (PictureModel.concerns(event)) {
+            if (TakenPictures.concerns(event)) {
                 long at = nowMillis.getAsLong();
                 inbox.post(() -> models.pictures().apply(event, at));
             }

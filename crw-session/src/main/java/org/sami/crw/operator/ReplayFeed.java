@@ -3,6 +3,7 @@ package org.sami.crw.operator;
 import java.util.List;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.picture.TakenPictures;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -63,7 +64,7 @@ public final class ReplayFeed {
     public void happened(FleetEvent event, long atMillis) {
         if (event instanceof FleetEvent.Measured measured) {
             models.map().measured(measured);
-        } else if (PictureModel.concerns(event)) {
+        } else if (TakenPictures.concerns(event)) {
             models.post(() -> models.pictures().apply(event, atMillis));
         } else if (CommandModel.concerns(event)) {
             models.post(() -> {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.markup.MapRelevance;
@@ -35,6 +36,7 @@ final class FleetPictures implements Closeable {
     private final SessionThreads threads;
     private final Map<String, List<FleetEvent.PictureMissed>> missed =
             new LinkedHashMap<>(); // by boat, not yet reported
+    private final Executor fleet;
     private volatile boolean closed;
 
     FleetPictures(
@@ -48,6 +50,7 @@ final class FleetPictures implements Closeable {
         this.telemetry = telemetry;
         this.messages = messages;
         this.threads = threads;
+        fleet = connector.executor();
         rows = new PictureRows(folder);
         fetcher = new PictureFetcher(
                 connector::pictures,
@@ -76,7 +79,7 @@ final class FleetPictures implements Closeable {
         }
         rows.write(telemetry, threads.nowMs(), event);
         if (event instanceof FleetEvent.PanoramaTaken taken && !taken.files().isEmpty()) {
-            tell(taken);
+            fleet.execute(() -> tell(taken)); // after the models know the pictures
         } else if (event instanceof FleetEvent.PictureMissed one) {
             missed.computeIfAbsent(one.boat(), boat -> new ArrayList<>()).add(one);
             if (!threads.isRealTime()) {

@@ -7,7 +7,7 @@ import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
 
 /** Breaks a text into lines of a width, between words or behind a hyphen where it can. */
-final class TextLines {
+public final class TextLines {
     private static final String MORE = "…";
 
     private TextLines() {}
@@ -19,7 +19,7 @@ final class TextLines {
      * @param most how many lines there are at most; where there would be more, the last one ends in dots; a
      *     single one within a word
      */
-    static List<String> of(String text, FontMetrics metrics, int width, int most) {
+    public static List<String> of(String text, FontMetrics metrics, int width, int most) {
         if (metrics.stringWidth(text) <= width && text.indexOf('\n') < 0) {
             return List.of(text);
         }

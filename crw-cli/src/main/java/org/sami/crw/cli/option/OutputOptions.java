@@ -4,12 +4,14 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.report.ReportText;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.file.ReportFolder;
 import org.sami.crw.report.file.ReportJson;
+import org.sami.crw.session.picture.SessionPictures;
 import picocli.CommandLine.Option;
 
 /** Where a run's report goes. */
@@ -64,6 +66,11 @@ public final class OutputOptions {
             throw new UsageFault("--report: nothing can be written to " + folder);
         }
         files.earlier().ifPresent(earlier -> replace(earlier, err));
+    }
+
+    /** Where a run keeps the pictures of its boats for the report; empty where there is none. */
+    public Optional<SessionPictures> pictures() {
+        return Optional.ofNullable(folder).map(path -> SessionPictures.in(path.resolve("pictures")));
     }
 
     private void replace(Path earlier, PrintWriter err) {

@@ -185,8 +185,8 @@ final class Execution {
         tell("journal " + journal + "; if this process dies: crw resume " + journal);
     }
 
-    private static Mission inProcess(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
-        InProcessRun run = new InProcessRun(plan, settings, answers, journal);
+    private Mission inProcess(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
+        InProcessRun run = new InProcessRun(plan, settings, answers, journal, output.pictures());
         run.useAllCores();
         return (observer, lines) -> run.run(WallPacer.of(settings.speed()), observer);
     }
@@ -195,7 +195,9 @@ final class Execution {
         RunProcess start = RunProcess.ofThisProcess(connectWithinMillis);
         return (observer, lines) -> {
             try {
-                return new TcpRun(plan, settings, answers, journal, start, lines).run(observer);
+                return new TcpRun(plan, settings, answers, journal, start, lines)
+                        .keepPicturesIn(output.pictures())
+                        .run(observer);
             } catch (UnknownBoatException e) {
                 throw new UsageFault("--interrupt: " + e.getMessage());
             }

@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.gui.value.JudgementView;
 import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.decision.PendingDecision;
@@ -54,6 +55,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
     private final JPanel body = new JPanel(new BorderLayout());
+    private final DecisionPictures strip;
     private final DecisionHeader header;
     private final AnswerBar bar;
     private final AttentionFrame frame = new AttentionFrame(this);
@@ -72,13 +74,15 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
             Interactions interactions,
             ComponentChoice choice,
             ValueEditors editors,
-            DecisionMap map) {
+            DecisionMap map,
+            ShownPictures pictures) {
         super(new BorderLayout());
         this.actions = actions;
         this.map = map;
         this.interactions = interactions;
         this.choice = choice;
         this.editors = editors;
+        strip = new DecisionPictures(registry, pictures);
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
         giving = new AnswerGiving(actions, shown::follow, this::refresh);
         pen = new DecisionPen(map, this::penEnded);
@@ -132,11 +136,12 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     /** What may go out of sight in a low panel, so that title, timer and buttons never do. */
     private JComponent scrolled() {
         JPanel scrolled = new JPanel(new MigLayout(
-                "novisualpadding, insets 0, gap 8 8, fillx, hidemode 3, wrap 1", "[grow,fill]", "[][grow,fill]"));
+                "novisualpadding, insets 0, gap 8 8, fillx, hidemode 3, wrap 1", "[grow,fill]", "[][grow,fill][]"));
         scrolled.setOpaque(false);
         body.setOpaque(false);
         scrolled.add(header.description(), "wmin 60");
         scrolled.add(body, "wmin 0");
+        scrolled.add(strip.component(), "wmin 0"); // below what answers, which stays in sight
         return scrolled;
     }
 
@@ -180,6 +185,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
             header.show(one, actions.nowMillis());
             frame.show(one.attention());
         });
+        strip.show(pending);
         current.ifPresent(view -> view.editor().showNow(editors.robots()));
         showQueue(other);
         current.ifPresent(view -> view.judged().look());

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.gui.value.SessionEditors;
 import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.judgement.Judgement;
@@ -25,14 +26,19 @@ public final class SessionDecisions {
      * @param components that the domain declares
      * @param map where decisions are seen
      * @param maps on which places are drawn
+     * @param pictures of the session's boats
      */
     public static DecisionsPanel panel(
-            OperatorContext context, ComponentLibrary components, DecisionMap map, MapMaker maps) {
+            OperatorContext context,
+            ComponentLibrary components,
+            DecisionMap map,
+            MapMaker maps,
+            ShownPictures pictures) {
         ComponentChoice choice =
                 new ComponentChoice(components, context.vocabulary().types());
         ValueEditors editors = SessionEditors.of(context, choice, maps);
         DecisionsPanel panel = new DecisionsPanel(
-                context.commands(), new Actions(context), new Interactions(context.vocabulary()), choice, editors, map);
+                context.commands(), new Actions(context), new Interactions(context.vocabulary()), choice, editors, map, pictures);
         context.models().decisions().addListener(panel::queue);
         panel.queue(context.models().decisions().snapshot());
         return panel;

@@ -1,6 +1,7 @@
 package org.sami.crw.gui.notice;
 
 import java.awt.BorderLayout;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -8,6 +9,9 @@ import java.util.function.LongConsumer;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.UseWatch;
+import org.sami.crw.gui.picture.PictureChoice;
+import org.sami.crw.gui.picture.ShownPictures;
+import org.sami.crw.gui.picture.ThumbnailIcon;
 import org.sami.crw.message.MessageEntry;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.MessageList;
@@ -23,16 +27,21 @@ import org.sami.ui.table.TableTools;
 public final class MessagesPanel extends JPanel {
     private final OperatorContext context;
     private final RowTable<MessageEntry> table;
+    private final ShownPictures pictures;
     private final Command acknowledge;
+    private final Command enlarge;
     private final Optional<Command> moment;
 
     /**
      * The messages of the session.
      *
+     * @param pictures of the session's boats, of which messages show some
      * @param pointing shows on the map what the selected message speaks of, by its boats and its text; none and nothing where none is selected
      */
-    public MessagesPanel(OperatorContext context, BiConsumer<List<String>, String> pointing) {
+    public MessagesPanel(
+            OperatorContext context, BiConsumer<List<String>, String> pointing, ShownPictures pictures) {
         super(new BorderLayout());
+        this.pictures = pictures;
         this.context = context;
         table = new RowTable<>(
                 "messages-table",
@@ -47,13 +56,20 @@ public final class MessagesPanel extends JPanel {
                                         "Message",
                                         0,
                                         entry -> mark(entry) + entry.message().text())
-                                .colored(MessagesPanel::color)));
+                                .colored(MessagesPanel::color)
+                                .withIcon(entry -> ThumbnailIcon.of(pictures, picturesOf(entry)))));
         acknowledge = context.commands()
                 .add(new Command("message-acknowledge", "Acknowledge messages", this::acknowledgeSelected)
                         .withKey("ctrl M")
                         .withIcon("check")
                         .unless(this::whyNotAcknowledge));
+        enlarge = context.commands()
+                .add(new Command("message-pictures", "Enlarge the message's pictures", this::openPictures)
+                        .withKey("alt M")
+                        .withIcon("picture")
+                        .unless(this::whyNoPictures));
         table.addSelectionListener(acknowledge::refresh);
+        table.addSelectionListener(enlarge::refresh);
         table.addSelectionListener(() -> {
             Optional<OperatorMessage> chosen = table.selected().map(MessageEntry::message);
             pointing.accept(
@@ -61,7 +77,13 @@ public final class MessagesPanel extends JPanel {
                     chosen.map(OperatorMessage::text).orElse(""));
         });
         moment = context.shown().moments().map(this::moment);
-        add(new TableTools(table, moment.map(one -> List.of(acknowledge, one)).orElse(List.of(acknowledge))));
+        pictures.addListener(() -> {
+            enlarge.refresh();
+            table.repaint();
+        });
+        add(new TableTools(
+                table,
+                moment.map(one -> List.of(enlarge, acknowledge, one)).orElse(List.of(enlarge, acknowledge))));
         MessageList messages = context.models().messages();
         UseWatch.on(table.table(), table, messages::touched, messages::focus);
         messages.addListener(this::show);
@@ -85,9 +107,32 @@ public final class MessagesPanel extends JPanel {
         return goes;
     }
 
+    private List<PictureChoice> picturesOf(MessageEntry entry) {
+        return pictures.with(entry.message().map(), entry.message().atMillis());
+    }
+
+    /** Those of the selected message; of the newest that has some, where none is selected. */
+    private Optional<PictureChoice> firstPicture() {
+        return table.selected().map(List::of).orElse(context.models().messages().snapshot()).stream()
+                .sorted(Comparator.comparingLong(MessageEntry::number).reversed())
+                .flatMap(entry -> picturesOf(entry).stream())
+                .findFirst();
+    }
+
+    private Optional<String> whyNoPictures() {
+        return firstPicture().isPresent()
+                ? Optional.empty()
+                : Optional.of(table.selected().isPresent() ? "this message has no pictures" : "no message has pictures");
+    }
+
+    private void openPictures() {
+        firstPicture().ifPresent(pictures::open);
+    }
+
     private void show(List<MessageEntry> entries) {
         table.show(entries);
         acknowledge.refresh();
+        enlarge.refresh();
         moment.ifPresent(Command::refresh);
     }
 

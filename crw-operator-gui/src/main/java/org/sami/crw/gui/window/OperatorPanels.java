@@ -24,6 +24,8 @@ import org.sami.crw.gui.notice.CommunicationPanel;
 import org.sami.crw.gui.notice.HealthPanel;
 import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
+import org.sami.crw.gui.picture.PicturesPanel;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.gui.value.SessionEditors;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.mission.AllocationSnapshot;
@@ -44,6 +46,7 @@ public final class OperatorPanels implements AutoCloseable {
     public static final Arrangements FIRST = new Arrangements(
             Arrangement.of("map")
                     .right("missions", "map", 0.42)
+                    .behind("pictures", "map")
                     .below("boats", "map", 0.34)
                     .behind("boat", "boats")
                     .behind("communication", "boats")
@@ -56,6 +59,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("log", "messages"),
             Arrangement.of("map")
                     .right("missions", "map", 0.48)
+                    .behind("pictures", "map")
                     .below("boats", "map", 0.4)
                     .behind("communication", "boats")
                     .behind("alarms", "boats")
@@ -69,6 +73,7 @@ public final class OperatorPanels implements AutoCloseable {
             Arrangement.of("map")
                     .right("decisions", "map", 0.5)
                     .behind("missions", "map")
+                    .behind("pictures", "map")
                     .behind("boats", "map")
                     .behind("boat", "map")
                     .behind("communication", "map")
@@ -81,6 +86,7 @@ public final class OperatorPanels implements AutoCloseable {
             new Dimension(1280, 780),
             new Dimension(720, 440));
 
+    private final ShownPictures pictures;
     private final BoatsPanel boats;
     private final BoatPanel boat;
     private final MapPanel map;
@@ -99,6 +105,7 @@ public final class OperatorPanels implements AutoCloseable {
     public OperatorPanels(OperatorContext context, WindowSettings settings, LoadedProject file) {
         Look.useFieldTargets();
         MarksOfBoats.give(context.shown(), context.marks());
+        pictures = new ShownPictures(context);
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);
         map = new MapPanel(context);
@@ -110,7 +117,7 @@ public final class OperatorPanels implements AutoCloseable {
                 context, new ComponentChoice(components, context.vocabulary().types()), maps);
         missions = new MissionMonitor(
                 context, new MissionStarter(context, settings, editors, map::preview), editors, file);
-        decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps);
+        decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps, pictures);
         communication = new CommunicationPanel(context);
         asking = new DockPanel("decisions", "Decisions", "decision", decisions);
         all = panels(context);
@@ -124,13 +131,14 @@ public final class OperatorPanels implements AutoCloseable {
                 asking,
                 new DockPanel("boats", "Boats", "fleet", boats),
                 new DockPanel("boat", "Boat", "boat", boat),
-                new DockPanel("messages", "Messages", "message", new MessagesPanel(context, map::pointAt)),
+                new DockPanel("messages", "Messages", "message", new MessagesPanel(context, map::pointAt, pictures)),
                 new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context, map::pointAt)),
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
                 new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)),
                 new DockPanel("communication", "Communication", "link", communication),
                 new DockPanel("log", "Log", "log", new LogPanel(context)),
-                new DockPanel("health", "Health", "health", new HealthPanel(context, map::pointAt)));
+                new DockPanel("health", "Health", "health", new HealthPanel(context, map::pointAt)),
+                new DockPanel("pictures", "Pictures", "picture", new PicturesPanel(context, pictures)).withUseOfRoom());
     }
 
     /** When panels have nothing in them; those that are not named here always have something. */
@@ -145,6 +153,7 @@ public final class OperatorPanels implements AutoCloseable {
         when.put(panel("health"), () -> models.health().snapshot().isWell());
         when.put(panel("interrupts"), () -> models.interrupts().snapshot().isEmpty());
         when.put(panel("allocation"), () -> isWithoutTasks(models.allocation().snapshot()));
+        when.put(panel("pictures"), () -> models.pictures().snapshot().isEmpty());
         when.put(panel("log"), () -> !panel("log").isShowing()); // nobody waits for what was done
         return Map.copyOf(when);
     }
@@ -200,5 +209,6 @@ public final class OperatorPanels implements AutoCloseable {
     @Override
     public void close() {
         map.close();
+        pictures.close();
     }
 }

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.component.ComponentChoice;
@@ -60,7 +61,11 @@ class ComponentAnswersTest {
         world = new SessionWorld(AskedValues.project(), "anna", "bert");
         panel = onEventThread(() -> {
             DecisionsPanel made = SessionDecisions.panel(
-                    world.context, SessionWorld.LIBRARY.components(), DecisionMap.NONE, MapMaker.PLAIN);
+                    world.context,
+                    SessionWorld.LIBRARY.components(),
+                    DecisionMap.NONE,
+                    MapMaker.PLAIN,
+                    new ShownPictures(world.context));
             Layout.layOut(made, 1000, 900);
             return made;
         });

@@ -14,6 +14,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
@@ -49,7 +50,8 @@ final class PanelWorld implements AutoCloseable {
                         .with(runtime));
         context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
-        panel = onEventThread(() -> SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN));
+        panel = onEventThread(() -> SessionDecisions.panel(
+                context, LIBRARY.components(), map, MapMaker.PLAIN, new ShownPictures(context)));
         session.begin();
         for (String boat : boats) {
             session.fleet()

@@ -8,6 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.report.PicturesPart;
 import org.sami.crw.report.ReportPart;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.picture.MapPicture;
@@ -16,7 +17,8 @@ import org.sami.crw.report.picture.MapPicture;
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
  * {@code approaches.csv}, {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv},
  * {@code messages.csv}, {@code phases.csv}, {@code operator.csv},
- * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}. Files of those names are replaced; each appears whole or not at all.
+ * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}; where boats took pictures also {@code pictures.csv}, the page {@code pictures.html} and the folder
+ * {@code pictures}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
     private static final List<String> FILES = List.of(
@@ -36,7 +38,9 @@ public final class ReportFolder {
             "run.gpx",
             "run.kml",
             "run.geojson",
-            "map.png");
+            "map.png",
+            "pictures.csv",
+            "pictures.html");
 
     private static final List<String> EXPORTED = List.of(
             "tracks.csv",
@@ -47,7 +51,9 @@ public final class ReportFolder {
             "tasks.csv",
             "phases.csv",
             "operator.csv",
-            "map.geojson");
+            "map.geojson",
+            "pictures.csv",
+            "pictures.html");
 
     private final Path folder;
 
@@ -107,6 +113,10 @@ public final class ReportFolder {
     }
 
     private void parts(RunReport report) throws IOException {
+        Optional<PicturesPart> pictures = report.part(PicturesPart.class);
+        if (pictures.isPresent()) {
+            text("pictures.html", PictureFiles.copy(pictures.get(), "Pictures of " + report.header().mission(), folder));
+        }
         for (ReportPart part : report.parts()) {
             text(part.name() + ".csv", ReportTables.of(part).toString());
         }

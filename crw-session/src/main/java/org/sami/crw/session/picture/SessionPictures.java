@@ -52,7 +52,7 @@ public final class SessionPictures implements Closeable {
      * @throws IOException if it cannot be made
      */
     Path folder(String boat, String panorama) throws IOException {
-        Path folder = root.resolve(fileName(boat)).resolve(fileName(panorama));
+        Path folder = Objects.requireNonNull(root.resolve(path(boat, panorama, "x")).getParent(), "folder");
         boolean posix = root.getFileSystem().supportedFileAttributeViews().contains("posix");
         FileAttribute<?>[] own = posix
                 ? new FileAttribute<?>[] {
@@ -61,6 +61,11 @@ public final class SessionPictures implements Closeable {
                 : new FileAttribute<?>[0];
         Files.createDirectories(folder, own);
         return folder;
+    }
+
+    /** The path of a picture below the folder, with slashes. */
+    public static String path(String boat, String panorama, String name) {
+        return fileName(boat) + "/" + fileName(panorama) + "/" + name;
     }
 
     /** Ids are mostly names of files already; others get one that is as distinct. */

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.handler.planning.CrwServices;
@@ -12,6 +13,8 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
+import org.sami.crw.session.fault.FaultPolicy;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.run.record.RunNotes;
 import org.sami.crw.sim.run.settings.RunInput;
@@ -48,11 +51,25 @@ public final class InProcessRun {
      * @throws IllegalArgumentException naming the parameter or the interrupt, if a given one does not fit the plan
      */
     public InProcessRun(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
+        this(plan, settings, answers, journal, Optional.empty());
+    }
+
+    /**
+     * The same with the pictures that boats take.
+     *
+     * @param pictures where they are kept; empty = none is drawn
+     */
+    public InProcessRun(
+            RunPlan plan,
+            RunSettings settings,
+            AnswersFile answers,
+            RunJournal journal,
+            Optional<SessionPictures> pictures) {
         this.settings = settings;
         this.journal = journal;
         RunInput input = RunInput.of(plan, settings, answers);
         SimulatedBoatConnector connector = new SimulatedBoatConnector(executor);
-        session = open(plan, settings, journal, new SessionRuntime.OneThread(clock, executor, connector));
+        session = open(plan, settings, journal, new SessionRuntime.OneThread(clock, executor, connector), pictures);
         RunNotes notes = new RunNotes(line -> {});
         session.addListener(notes);
         water = new SimulatedWater(clock, settings.fleet(), connector::listenerOf);
@@ -62,7 +79,12 @@ public final class InProcessRun {
         harness.connect();
     }
 
-    private static Session open(RunPlan plan, RunSettings settings, RunJournal journal, SessionRuntime world) {
+    private static Session open(
+            RunPlan plan,
+            RunSettings settings,
+            RunJournal journal,
+            SessionRuntime world,
+            Optional<SessionPictures> pictures) {
         try {
             return Session.open(new SessionSetup(
                     plan.vocabulary(),
@@ -70,7 +92,9 @@ public final class InProcessRun {
                     SessionJournal.over(journal.inputs()),
                     CrwServices.STANDARD.drivenWith(
                             settings.fleet().conditions().crossTrackError()),
-                    world));
+                    world,
+                    FaultPolicy.ATTENDED,
+                    pictures));
         } catch (IOException noFile) {
             throw new UncheckedIOException(noFile); // it reads none
         }

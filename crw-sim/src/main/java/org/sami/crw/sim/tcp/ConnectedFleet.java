@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Collectors;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.decision.DefaultAnswers;
@@ -31,6 +34,9 @@ import org.sami.spn.value.GeoPoint;
  */
 final class ConnectedFleet implements RunFleet {
     private static final long SHOW_MS = 50;
+
+    /** How long the last pictures may take when the mission is over. */
+    private static final long PICTURES_S = 20;
 
     private final RunSettings settings;
     private final Session session;
@@ -199,9 +205,21 @@ final class ConnectedFleet implements RunFleet {
 
     @Override
     public void leave(long endMillis) {
+        awaitPictures();
         session.leave().forEach(caller::later);
         noteEnd(endMillis);
         notes.leaveMessagesToNews(false);
+    }
+
+    /** Those of the last panorama still come when the mission is over. */
+    private void awaitPictures() {
+        try {
+            session.picturesFetched().toCompletableFuture().get(PICTURES_S, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException late) {
+            caller.later("not all pictures have come from the boats; they stay on board");
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** Writes down where the boats have come to lie, and why they moved or did not, so that the run can be reported again. */

@@ -21,6 +21,7 @@ import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.record.NoteFold;
 import org.sami.crw.sim.run.record.OperatorActions;
+import org.sami.crw.sim.run.record.PictureResults;
 import org.sami.crw.sim.run.record.ReportEnd;
 import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.crw.sim.run.record.RunHeaders;
@@ -46,6 +47,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 public final class JournalReport {
     private static final String TCP = "tcp";
 
+    private final Path file;
     private final List<TelemetryRow> rows;
     private final Project project;
     private final Vocabulary vocabulary;
@@ -60,6 +62,7 @@ public final class JournalReport {
 
     private JournalReport(Path file, JournalReader reader) throws IOException {
         JournalHeader header = reader.header();
+        this.file = file;
         rows = reader.telemetry().rows();
         vocabulary = JournalPlans.vocabulary(file, header);
         project = JournalPlans.project(file, header, vocabulary);
@@ -95,6 +98,7 @@ public final class JournalReport {
         InterruptScheduler interrupts = new InterruptScheduler(planned(), clock);
         folds.add(draft -> draft.interrupts(interrupts.results()));
         folds.add(draft -> draft.add(new OperatorActionsPart(OperatorActions.of(OperatorLogRows.read(rows)))));
+        folds.add(draft -> PictureResults.part(file, rows).ifPresent(draft::add));
         folds.add(draft -> draft.waits(waits));
         List<HostListener> listeners = new ArrayList<>(folds.listeners());
         listeners.add(interrupts);

@@ -17,6 +17,7 @@ import org.sami.crw.session.SessionDefaults;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.fault.FaultPolicy;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.RunHarness;
 import org.sami.crw.sim.run.RunObserver;
@@ -40,6 +41,7 @@ public final class TcpRun {
     private final Consumer<String> lines;
     private final CallerThread caller;
     private final RunNotes notes;
+    private Optional<SessionPictures> pictures = Optional.empty();
 
     /**
      * Puts a run together; nothing happens yet.
@@ -62,6 +64,12 @@ public final class TcpRun {
         this.lines = lines;
         caller = new CallerThread(lines);
         notes = new RunNotes(caller::later);
+    }
+
+    /** Pictures go there where the run has no journal, next to which they are kept otherwise. Call it before the run. */
+    public TcpRun keepPicturesIn(Optional<SessionPictures> folder) {
+        pictures = folder;
+        return this;
     }
 
     /**
@@ -158,7 +166,8 @@ public final class TcpRun {
                 journal.session(),
                 services,
                 runtime,
-                FaultPolicy.ALONE);
+                FaultPolicy.ALONE,
+                journal.session().sqlite().isPresent() ? Optional.empty() : pictures);
     }
 
     /**

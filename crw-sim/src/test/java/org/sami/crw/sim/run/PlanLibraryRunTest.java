@@ -145,6 +145,7 @@ class PlanLibraryRunTest {
                 Run.of("clv-reassign", 3, 9, 200, "Start recharge", "Share it out", "Recharged", "Division accepted")
                         .pressing("recharge:2@60"),
                 Run.of("panorama", 2, 5, 150, "Picture taken", "Task completed", "All tasks finished"),
+                Run.of("look-around", 2, 1, 100, "Pictures taken", "Target", "All are looked at"),
                 Run.of("panorama-together", 2, 5, 150, "All are ready", "Picture taken", "All tasks finished"),
                 Run.of("panorama", 2, 1, 150, "No location").answering(NO_LOCATIONS),
                 Run.of("panorama-together", 2, 1, 150, "No location").answering(NO_LOCATIONS),

@@ -1,0 +1,121 @@
+package org.sami.crw.gui;
+
+import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_EQUALS;
+import static java.awt.event.KeyEvent.VK_P;
+import static java.awt.event.KeyEvent.VK_RIGHT;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.decision.PendingDecision;
+import org.sami.crw.operator.picture.PanoramaPictures;
+import org.sami.crw.session.Session;
+import org.sami.palette.Theme;
+import org.sami.spn.protocol.Answer;
+import org.sami.ui.check.WindowRobot;
+
+/** The pictures of a panorama come by themselves; the operator looks at them before the answer, small and large. */
+@Tag("window")
+class PicturesWindowTest {
+    private static final int TURNED_WITHIN_S = 120;
+
+    @TempDir
+    private Path folder;
+
+    private final WindowRobot robot = new WindowRobot();
+
+    @Test
+    void operatorLooksAtThePicturesOfABoatAndAnswersWhatTheyShow() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        StartOptions options = new StartOptions(
+                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        try {
+            look(window.session());
+        } finally {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(60, TimeUnit.SECONDS);
+        }
+    }
+
+    private void look(Session session) throws Exception {
+        robot.untilSaid("boats-count", "5 of 5");
+        session.start("look-around", "look around", Map.of());
+        answer(session, decision(session, "OperatorSelectBoatList"), new Answer.Proxies(List.of("anna")));
+        robot.until("the pictures are asked about", TURNED_WITHIN_S, () -> decisions(session).stream()
+                .anyMatch(one -> one.decision().type().equals("OperatorApproveBoats")));
+        robot.until("all are here", () -> pictures(session).stream().anyMatch(one -> one.here() == 8));
+
+        robot.untilShown("picture-anna-000003.jpg");
+        robot.click("picture-anna-000003.jpg");
+        robot.until("the third is large", () -> caption().startsWith("anna, picture 3 of 8"));
+        robot.press(VK_RIGHT, VK_ALT);
+        robot.until("the fourth is large", () -> caption().startsWith("anna, picture 4 of 8"));
+        robot.press(VK_EQUALS, VK_ALT);
+        robot.press(VK_P, VK_ALT);
+        robot.until("the decision's first is large", () -> caption().startsWith("anna, picture 1 of 8"));
+
+        robot.click("decision-yes");
+        robot.click("decision-answer");
+        robot.until("the target is reported with the pictures", () -> session.models().messages().snapshot().stream()
+                .anyMatch(one -> one.message().text().equals("A target is in the pictures of this boat")
+                        && PanoramaPictures.shownWith(
+                                                pictures(session),
+                                                one.message().map(),
+                                                one.message().atMillis())
+                                        .size()
+                                == 1));
+        assertThat(robot.find(JComponent.class, "picture-large").isShowing()).isTrue();
+        assertThat(robot.find(AbstractButton.class, "message-pictures").isEnabled())
+                .isTrue();
+    }
+
+    private String caption() {
+        return robot.find(JTextComponent.class, "picture-caption").getText();
+    }
+
+    private static List<PanoramaPictures> pictures(Session session) {
+        return session.models().pictures().snapshot();
+    }
+
+    private static List<PendingDecision> decisions(Session session) {
+        return session.models().decisions().snapshot();
+    }
+
+    private PendingDecision decision(Session session, String type) {
+        robot.until(type + " is asked", () -> decisions(session).stream()
+                .anyMatch(one -> one.decision().type().equals(type)));
+        return decisions(session).stream()
+                .filter(one -> one.decision().type().equals(type))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static void answer(Session session, PendingDecision decision, Answer answer) throws Exception {
+        session.answer(decision.decision().id(), answer, "test")
+                .toCompletableFuture()
+                .get(60, TimeUnit.SECONDS);
+    }
+}
