@@ -36,7 +36,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private long batteryMs;
 
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
-        name = "vehicle" + first.id();
+        name = "mav" + first.id();
         vehicle = first;
         orders = new VehicleOrders(base, first, thread, this::broadcast, kept -> keep(files, kept), files.read(name));
     }

@@ -27,7 +27,7 @@ class ArduPilotBoatTest {
     private static final double BOOT_S = 300;
     private static final double MISSION_S = 300;
     private static final double RADIUS_M = 3;
-    private static final String BOAT = "vehicle" + (NUMBER + 1);
+    private static final String BOAT = "mav" + (NUMBER + 1);
 
     @TempDir
     private Path work;

@@ -35,7 +35,7 @@ class VehicleBoatTest {
     private static final GeoPoint FIRST = GeoPoint.of(45.7003, 10.72);
     private static final GeoPoint SECOND = GeoPoint.of(45.7003, 10.7204);
     private static final GeoPoint THIRD = GeoPoint.of(45.7, 10.7204);
-    private static final String BOAT = "vehicle7";
+    private static final String BOAT = "mav7";
 
     @TempDir
     private Path folder;
