@@ -1,18 +1,19 @@
 package org.sami.mavlink.base;
 
+import io.dronefleet.mavlink.Mavlink2Message;
 import io.dronefleet.mavlink.MavlinkMessage;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import java.util.HashMap;
-import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
+import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
@@ -24,18 +25,20 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.GuidedTarget;
 import org.sami.mavlink.command.HandControl;
-import org.sami.mavlink.command.PendingCommands;
 import org.sami.mavlink.command.RadioOverride;
 import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.link.LinkEnd;
 import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.mission.HeldKind;
-import org.sami.mavlink.mission.HeldLists;
 import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.vehicle.MessageOrigin;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -49,10 +52,6 @@ public final class MavlinkBase implements AutoCloseable {
     private static final long HEARTBEAT_MS = 1_000;
     private static final long TICK_MS = 20; // what an autopilot needs for an item of a list
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
-    private static final double REPORTS_EVERY_S = 0.5;
-
-    /** The messages that are asked for: the battery (1), GPS (24), position (33) and state of the filter (193). */
-    private static final List<Integer> REPORTS = List.of(1, 24, 33, 193);
 
     private final LongSupplier nowMs;
     private final List<MavlinkLink> links;
@@ -60,18 +59,26 @@ public final class MavlinkBase implements AutoCloseable {
     private final List<ScheduledFuture<?>> repeated;
     private final Semaphore room = new Semaphore(UNHANDLED);
     private final VehicleTable table = new VehicleTable();
-    private final Set<VehicleId> asked = new HashSet<>();
-    private final Map<VehicleId, HeldLists> lists = new HashMap<>();
-    private final Map<VehicleId, PendingCommands> commands = new HashMap<>();
+    private final MessageAsking asking;
+    private final MavlinkBaseOptions options;
+    private final Map<VehicleId, VehicleExchanges> exchanges = new HashMap<>();
+    private final Map<VehicleId, KeyGiving> keys = new HashMap<>();
     private final List<Consumer<VehicleEvent>> listeners = new CopyOnWriteArrayList<>();
+
+    /** A base that keeps nothing and signs nothing. */
+    public MavlinkBase(List<MavlinkAddress> addresses, LongSupplier nowMs) {
+        this(addresses, nowMs, MavlinkBaseOptions.none());
+    }
 
     /**
      * Begins to open links; returns at once.
      *
      * @param nowMs a clock of milliseconds that only goes on
      */
-    public MavlinkBase(List<MavlinkAddress> addresses, LongSupplier nowMs) {
+    public MavlinkBase(List<MavlinkAddress> addresses, LongSupplier nowMs, MavlinkBaseOptions options) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
+        this.options = Objects.requireNonNull(options, "options");
+        asking = new MessageAsking(table, options.signing().isPresent());
         ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, work -> {
             Thread thread = new Thread(work, "mavlink base");
             thread.setDaemon(true);
@@ -79,9 +86,9 @@ public final class MavlinkBase implements AutoCloseable {
         });
         executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
         owner = executor;
-        links = addresses.stream()
-                .distinct()
-                .map(address -> new MavlinkLink(address, this::received))
+        List<MavlinkAddress> each = addresses.stream().distinct().toList();
+        links = IntStream.range(0, each.size())
+                .mapToObj(i -> new MavlinkLink(each.get(i), this::received, LinkEnd.ground(i, options.signing())))
                 .toList();
         links.forEach(MavlinkLink::start);
         repeated = List.of(
@@ -106,7 +113,7 @@ public final class MavlinkBase implements AutoCloseable {
      */
     public CompletableFuture<List<MissionItem>> held(VehicleId vehicle, HeldKind kind) {
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> listsOf(vehicle).read(kind, nowMs.getAsLong(), result));
+        owner.execute(() -> exchangesOf(vehicle).lists().read(kind, nowMs.getAsLong(), result));
         return result;
     }
 
@@ -120,16 +127,77 @@ public final class MavlinkBase implements AutoCloseable {
     public CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<MissionItem> items) {
         List<MissionItem> copy = List.copyOf(items);
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> listsOf(vehicle).replace(kind, copy, nowMs.getAsLong(), result));
+        owner.execute(() -> exchangesOf(vehicle).lists().replace(kind, copy, nowMs.getAsLong(), result));
         return result;
     }
 
-    private HeldLists listsOf(VehicleId vehicle) {
-        return lists.computeIfAbsent(vehicle, id -> new HeldLists(id, message -> send(id, message)));
+    private VehicleExchanges exchangesOf(VehicleId vehicle) {
+        return exchanges.computeIfAbsent(
+                vehicle, id -> new VehicleExchanges(id, options.parameters(), message -> send(id, message)));
+    }
+
+    /** All parameters of a vehicle by their names: those that are kept, or else it is asked. Fails as {@link #held} does. */
+    public CompletableFuture<SortedMap<String, Double>> parameters(VehicleId vehicle) {
+        return on(() -> exchangesOf(vehicle).parameters().all(nowMs.getAsLong()));
+    }
+
+    /** The same, but the vehicle is asked in any case. */
+    public CompletableFuture<SortedMap<String, Double>> readParameters(VehicleId vehicle) {
+        return on(() -> exchangesOf(vehicle).parameters().readAll(nowMs.getAsLong()));
+    }
+
+    /** One parameter, as the vehicle holds it now. Fails as {@link #held} does. */
+    public CompletableFuture<Double> parameter(VehicleId vehicle, String name) {
+        return on(() -> exchangesOf(vehicle).parameters().read(name, nowMs.getAsLong()));
+    }
+
+    /** Sets a parameter; the result is what the vehicle holds then, which is equal. Fails as {@link #held} does. */
+    public CompletableFuture<Double> setParameter(VehicleId vehicle, String name, double value) {
+        return on(() -> exchangesOf(vehicle).parameters().set(name, value, nowMs.getAsLong()));
+    }
+
+    private <T> CompletableFuture<T> on(Supplier<CompletableFuture<T>> what) {
+        CompletableFuture<T> result = new CompletableFuture<>();
+        owner.execute(() -> {
+            var unused = what.get().whenComplete((value, failure) -> {
+                if (failure == null) {
+                    result.complete(value);
+                } else {
+                    result.completeExceptionally(failure);
+                }
+            });
+        });
+        return result;
     }
 
     /**
-     * Gives a vehicle a command, and again until it answers.
+     * Gives a vehicle the key with which this base signs, so that from then on it signs too and refuses those who have another. Autopilots take a key only on a
+     * link that nobody can listen to, a cable.
+     *
+     * @return completes once the vehicle has sent something that is signed with it; fails as {@link #held} does where it does not within seconds
+     */
+    public CompletableFuture<Void> giveKey(VehicleId vehicle) {
+        return on(() -> options.signing()
+                .map(signing -> keys.computeIfAbsent(
+                                vehicle, id -> new KeyGiving(id, signing, message -> send(id, message)))
+                        .begin(nowMs.getAsLong()))
+                .orElseGet(() -> CompletableFuture.failedFuture(
+                        new IllegalStateException("this base has no key that it could give"))));
+    }
+
+    /** What the vehicles on each link are asked to send, and what it costs. */
+    public CompletableFuture<Map<MavlinkAddress, MessagePlan>> plans() {
+        return CompletableFuture.supplyAsync(
+                () -> {
+                    Map<MavlinkAddress, MessagePlan> plans = new LinkedHashMap<>();
+                    links.forEach(link -> plans.put(link.address(), asking.plan(link.address())));
+                    return plans;
+                },
+                owner);
+    }
+
+    /**
+     * Gives a vehicle a command, and again until it answers. Where two vehicles have the id, none but disarming is given.
      *
      * @return how it ended; it does not fail where the vehicle refuses
      */
@@ -140,12 +208,14 @@ public final class MavlinkBase implements AutoCloseable {
     /** The same; {@code progress} receives percents while the vehicle is at it, where it says so, on the base's thread. */
     public CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command, IntConsumer progress) {
         CompletableFuture<CommandOutcome> result = new CompletableFuture<>();
-        owner.execute(() -> pendingOf(vehicle).give(command, nowMs.getAsLong(), progress, result::complete));
+        owner.execute(() -> {
+            if (table.isTwin(vehicle) && !command.isDisarming()) {
+                result.complete(CommandOutcome.ambiguous(vehicle, command));
+            } else {
+                exchangesOf(vehicle).commands().give(command, nowMs.getAsLong(), progress, result::complete);
+            }
+        });
         return result;
-    }
-
-    private PendingCommands pendingOf(VehicleId vehicle) {
-        return commands.computeIfAbsent(vehicle, id -> new PendingCommands(id, message -> send(id, message)));
     }
 
     /**
@@ -204,25 +274,17 @@ public final class MavlinkBase implements AutoCloseable {
     private void handle(MavlinkAddress from, MavlinkMessage<?> message) {
         long now = nowMs.getAsLong();
         VehicleId id = new VehicleId(message.getOriginSystemId(), message.getOriginComponentId());
-        List<VehicleEvent> events = table.heard(from, id.system(), id.component(), message.getPayload(), now);
-        Optional.ofNullable(commands.get(id)).ifPresent(pending -> {
-            events.forEach(event -> {
-                if (event instanceof VehicleEvent.Said said) {
-                    pending.heard(said.text());
-                }
-            });
-            pending.take(message.getPayload(), now);
-        });
-        if (message.getPayload() instanceof Heartbeat && table.has(id) && asked.add(id)) {
-            REPORTS.forEach(report -> pendingOf(id)
-                    .give(VehicleCommand.sendEvery(report, REPORTS_EVERY_S), now, percent -> {}, outcome -> {}));
-        }
-        Optional.ofNullable(lists.get(id)).ifPresent(held -> {
-            if (events.stream().anyMatch(VehicleEvent.Restarted.class::isInstance)) {
-                held.forget();
+        List<VehicleEvent> events = table.heard(
+                new MessageOrigin(from, id.system(), id.component(), message.getSequence()), message.getPayload(), now);
+        for (VehicleEvent event : events) {
+            if (event instanceof VehicleEvent.Appeared || event instanceof VehicleEvent.Restarted) {
+                asking.renew(id, now);
             }
-            held.take(message.getPayload(), now);
-        });
+        }
+        if (message instanceof Mavlink2Message<?> second && second.isSigned()) { // rightly, or the link had refused it
+            Optional.ofNullable(keys.get(id)).ifPresent(KeyGiving::signed);
+        }
+        Optional.ofNullable(exchanges.get(id)).ifPresent(open -> open.take(message.getPayload(), events, now));
         events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
     }
 
@@ -238,8 +300,23 @@ public final class MavlinkBase implements AutoCloseable {
 
     private void tick() {
         long now = nowMs.getAsLong();
-        commands.values().forEach(pending -> pending.tick(now));
-        lists.values().forEach(held -> held.tick(now));
+        exchanges.values().forEach(open -> open.tick(now));
+        keys.values().removeIf(giving -> giving.tick(now));
+        asking.tick(now, this::ask);
+    }
+
+    private void ask(VehicleId vehicle, MessagePlan plan) {
+        if (plan.isTight()) {
+            send(vehicle, Silence.of(vehicle)); // what it sends by itself
+        }
+        plan.messages()
+                .forEach(message -> exchangesOf(vehicle)
+                        .commands()
+                        .give(
+                                VehicleCommand.sendEvery(message.number(), message.everyS()),
+                                nowMs.getAsLong(),
+                                percent -> {},
+                                outcome -> {}));
     }
 
     /** Sends on the link on which a vehicle was heard last. */
@@ -256,12 +333,7 @@ public final class MavlinkBase implements AutoCloseable {
     public void close() {
         repeated.forEach(each -> each.cancel(false));
         links.forEach(MavlinkLink::close);
-        CompletableFuture.runAsync(
-                        () -> {
-                            commands.values().forEach(PendingCommands::close);
-                            lists.values().forEach(HeldLists::close);
-                        },
-                        owner)
+        CompletableFuture.runAsync(() -> exchanges.values().forEach(VehicleExchanges::close), owner)
                 .join();
         owner.shutdown();
     }

@@ -14,6 +14,16 @@ public record CommandOutcome(VehicleId vehicle, VehicleCommand command, CommandV
         said = List.copyOf(said);
     }
 
+    /** Two vehicles have the id: the command was not given, as both would obey. */
+    public static CommandOutcome ambiguous(VehicleId vehicle, VehicleCommand command) {
+        return new CommandOutcome(
+                vehicle,
+                command,
+                CommandVerdict.DENIED,
+                List.of("two vehicles have the id " + vehicle
+                        + "; give one of them another (ArduPilot: MAV_SYSID or SYSID_THISMAV)"));
+    }
+
     /** Whether the vehicle carries it out. */
     public boolean isAccepted() {
         return verdict == CommandVerdict.ACCEPTED;

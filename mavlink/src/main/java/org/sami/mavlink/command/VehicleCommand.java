@@ -43,6 +43,11 @@ public record VehicleCommand(
         }
     }
 
+    /** Whether it turns motors off. */
+    public boolean isDisarming() {
+        return number == ARM_DISARM && params.get(0) == 0;
+    }
+
     /** Any command that has no place, its parameters from param1 on; those left out are 0. Commands of its number are sent one after the other. */
     public static VehicleCommand of(int number, String does, double... params) {
         return made(number, does, false, params);
@@ -86,7 +91,11 @@ public record VehicleCommand(
         return made(CHANGE_SPEED, "change its speed", true, GROUND_SPEED, speedMps, -1);
     }
 
-    /** Goes to a place and stays there, in mode GUIDED, which it changes to. It is answered, which a {@link GuidedTarget} is not. */
+    /**
+     * Goes to a place and stays there, in mode GUIDED, which it changes to. It is answered, which a {@link GuidedTarget} is not.
+     *
+     * @param speedMps metres a second; ArduPilot's boats refuse the command with one while they stand: {@link #setSpeed} after it does the same
+     */
     public static VehicleCommand reposition(CommandPlace place, Optional<Double> speedMps) {
         Double speed = speedMps.orElse(-1.0);
         return new VehicleCommand(

@@ -6,6 +6,8 @@ import io.dronefleet.mavlink.MavlinkMessage;
 import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.common.RadioStatus;
 import java.io.IOException;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -33,6 +35,7 @@ public final class MavlinkLink implements AutoCloseable {
 
     private final MavlinkAddress address;
     private final MavlinkLinkListener listener;
+    private final LinkEnd end;
     private final CountDownLatch closing = new CountDownLatch(1);
     private final BlockingQueue<Object> outgoing = new ArrayBlockingQueue<>(UNSENT);
     private final Thread reader;
@@ -41,6 +44,7 @@ public final class MavlinkLink implements AutoCloseable {
     private MavlinkLinkState state = MavlinkLinkState.OPENING;
     private Optional<String> fault = Optional.empty();
     private Optional<Connected> connected = Optional.empty();
+    private final Map<SignatureFault, Long> refused = new EnumMap<>(SignatureFault.class);
     private Optional<Integer> rssi = Optional.empty();
     private Optional<Integer> remoteRssi = Optional.empty();
     private long earlierBytes;
@@ -50,8 +54,14 @@ public final class MavlinkLink implements AutoCloseable {
     /** An open way with its codec. */
     private record Connected(LinkStreams streams, CountedStream in, MavlinkConnection codec) {}
 
-    /** A link that is not begun yet. */
+    /** A link of a ground station that signs nothing, not begun yet. */
     public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener) {
+        this(address, listener, LinkEnd.ground());
+    }
+
+    /** A link that is not begun yet. */
+    public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener, LinkEnd end) {
+        this.end = Objects.requireNonNull(end, "end");
         this.address = Objects.requireNonNull(address, "address");
         this.listener = Objects.requireNonNull(listener, "listener");
         reader = new Thread(this::run, "mavlink " + address);
@@ -72,7 +82,7 @@ public final class MavlinkLink implements AutoCloseable {
     }
 
     /**
-     * Sends a message as a ground station, soon: a thread of the link's own writes, so that a vehicle that takes nothing keeps nobody waiting.
+     * Sends a message, soon: a thread of the link's own writes, so that a vehicle that takes nothing keeps nobody waiting.
      *
      * @param payload a message of the library
      * @return whether it will be sent; a link that is broken, or whose other end takes nothing, sends nothing
@@ -101,9 +111,21 @@ public final class MavlinkLink implements AutoCloseable {
         }
     }
 
-    private static void write(Connected open, Object payload) {
+    private void write(Connected open, Object payload) {
         try {
-            open.codec().send2(GROUND_SYSTEM, GROUND_COMPONENT, payload);
+            if (end.signing().isPresent()) {
+                LinkSigning signing = end.signing().get();
+                open.codec()
+                        .send2(
+                                end.system(),
+                                end.component(),
+                                payload,
+                                end.linkId(),
+                                signing.nextTime(),
+                                signing.key().secret());
+            } else {
+                open.codec().send2(end.system(), end.component(), payload);
+            }
             open.streams().out().flush();
         } catch (IOException e) {
             close(open.streams()); // the reading thread finds out, and opens it again
@@ -114,13 +136,18 @@ public final class MavlinkLink implements AutoCloseable {
     public synchronized MavlinkLinkReport report() {
         long bytes = earlierBytes + connected.map(now -> now.in().bytes()).orElse(0L);
         Optional<String> wrong = fault;
-        if (wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0 && bytes > STRANGE_BYTES) {
+        if (wrong.isEmpty()
+                && state == MavlinkLinkState.OPEN
+                && count.messages() == 0
+                && refused.isEmpty()
+                && bytes > STRANGE_BYTES) {
             wrong = Optional.of("what comes is no MAVLink: is it the right port, and the right baud rate?");
         } else if (wrong.isEmpty() && firstVersionOnly) {
             wrong = Optional.of(
                     "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2)");
         }
-        return new MavlinkLinkReport(address, state, wrong, bytes, count.messages(), count.lost(), rssi, remoteRssi);
+        return new MavlinkLinkReport(
+                address, state, wrong, bytes, count.messages(), count.lost(), refused, rssi, remoteRssi);
     }
 
     private void run() {
@@ -158,8 +185,9 @@ public final class MavlinkLink implements AutoCloseable {
                 if (message == null) {
                     return "the other end closed it";
                 }
-                counted(message);
-                listener.onMessage(address, message);
+                if (isTaken(message)) {
+                    listener.onMessage(address, message);
+                }
             }
         } catch (IOException e) {
             return "it broke: " + Objects.requireNonNullElse(e.getMessage(), e.toString());
@@ -175,7 +203,17 @@ public final class MavlinkLink implements AutoCloseable {
         }
     }
 
-    private synchronized void counted(MavlinkMessage<?> message) {
+    /** Counts a message; whether it is one to be read. */
+    private synchronized boolean isTaken(MavlinkMessage<?> message) {
+        Optional<SignatureFault> wrong = end.signing().flatMap(signing -> signing.fault(message));
+        wrong.ifPresent(why -> refused.merge(why, 1L, Long::sum));
+        if (wrong.isEmpty()) {
+            counted(message);
+        }
+        return wrong.isEmpty();
+    }
+
+    private void counted(MavlinkMessage<?> message) {
         count.came(message.getOriginSystemId(), message.getOriginComponentId(), message.getSequence());
         secondVersion |= message instanceof Mavlink2Message;
         firstVersionOnly = !secondVersion;

@@ -1,5 +1,6 @@
 package org.sami.mavlink.link;
 
+import java.util.Map;
 import java.util.Optional;
 import org.sami.mavlink.address.MavlinkAddress;
 
@@ -10,6 +11,7 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param bytes how many bytes came
  * @param messages how many messages came that could be read
  * @param lost the part of the messages that did not come, 0 to 1, by the numbers that senders give them
+ * @param refused how many messages were refused for their signatures, and why
  * @param rssi the radio's strength of signal here, 0 to 254 as the radio counts; empty where no radio reports it
  * @param remoteRssi the same at the other end
  */
@@ -20,5 +22,11 @@ public record MavlinkLinkReport(
         long bytes,
         long messages,
         double lost,
+        Map<SignatureFault, Long> refused,
         Optional<Integer> rssi,
-        Optional<Integer> remoteRssi) {}
+        Optional<Integer> remoteRssi) {
+    /** A report. */
+    public MavlinkLinkReport {
+        refused = Map.copyOf(refused);
+    }
+}

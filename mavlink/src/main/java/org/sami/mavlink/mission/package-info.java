@@ -1,7 +1,7 @@
 /**
  * The lists that vehicles hold (missions, fences, rally points), and how they are read, replaced and read back.
  *
- * <p>Not here: what lists are good for, which plans know, and the vehicle's end of these transfers, which {@code mavlink.onboard} has.
+ * <p>Not here: what lists are good for, which plans know.
  */
 @NullMarked
 package org.sami.mavlink.mission;

@@ -12,7 +12,7 @@ import java.util.Locale;
  * @param mayArm whether its own checks before arming pass, as far as it has reported
  * @param failsafe whether it carries out a failsafe: it has lost radio, ground station, position or charge
  * @param outsideFence whether it is where its fence does not let it be
- * @param failing the parts that are switched on and do not work, such as {@code gps} or {@code battery}
+ * @param failing the parts that are switched on and do not work, such as {@code gps} or {@code battery}, and that another vehicle has its id
  */
 public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFence, List<String> failing) {
     private static final String PREFIX = "MAV_SYS_STATUS_";
@@ -46,6 +46,12 @@ public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFen
         return (name.startsWith(SENSOR) ? name.substring(SENSOR.length()) : name)
                 .toLowerCase(Locale.ROOT)
                 .replace('_', ' ');
+    }
+
+    VehicleHealth with(String fault) {
+        List<String> more = new ArrayList<>(failing);
+        more.add(fault);
+        return new VehicleHealth(mayArm, failsafe, outsideFence, more);
     }
 
     VehicleHealth withFailsafe(boolean now) {

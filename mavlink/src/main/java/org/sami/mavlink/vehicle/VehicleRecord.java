@@ -15,14 +15,10 @@ import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import org.sami.mavlink.address.MavlinkAddress;
 
 /** Gathers what one vehicle reports. */
 final class VehicleRecord {
@@ -37,13 +33,15 @@ final class VehicleRecord {
     private static final int ABSOLUTE_POSITION = 16; // of the filter's flags
     private static final int NO_POSITION = 128;
 
-    private static final long REORDERED_MS =
-            5_000; // a message of so long ago was not late: the autopilot counts from 0
+    private static final int MOST_ITEMS = 10_000; // more fits into no autopilot
+    private static final double MAX_LAT = 90;
+    private static final double MAX_LON = 180;
     private static final int NO_ITEMS =
             65_535; // how an empty mission is written, as 0 is for firmwares that do not say
 
     private final VehicleId id;
-    private final Map<MavlinkAddress, Long> heardOn = new HashMap<>();
+    private final LinkChoice links = new LinkChoice();
+    private final TwinWatch twins = new TwinWatch();
     private final StatusTextParts parts = new StatusTextParts();
     private final Deque<StatusText> texts = new ArrayDeque<>();
     private MavType type = MavType.MAV_TYPE_GENERIC;
@@ -58,7 +56,6 @@ final class VehicleRecord {
     private Optional<Integer> currentItem = Optional.empty();
     private Optional<Integer> itemsHeld = Optional.empty();
     private boolean beaten;
-    private long sinceBootMs;
     private long heardMs;
 
     VehicleRecord(VehicleId id) {
@@ -66,15 +63,19 @@ final class VehicleRecord {
     }
 
     /** Takes a message; what happened by it. */
-    List<VehicleEvent> heard(MavlinkAddress on, Object payload, long nowMs) {
+    List<VehicleEvent> heard(MessageOrigin from, Object payload, long nowMs) {
         heardMs = nowMs;
-        heardOn.put(on, nowMs);
+        links.heard(from.link(), from.number(), nowMs);
         List<VehicleEvent> events = new ArrayList<>();
         if (payload instanceof Heartbeat beat) {
             beat(beat, events);
         } else if (payload instanceof GlobalPositionInt at) {
-            position = Optional.of(position(at));
-            sinceBoot(at.timeBootMs(), events);
+            position = position(at);
+            position.ifPresent(place -> twins.at(place.latDeg(), place.lonDeg(), nowMs));
+            if (twins.restarted(at.timeBootMs(), nowMs) && !isTwin()) {
+                located = false;
+                events.add(new VehicleEvent.Restarted(id));
+            }
         } else if (payload instanceof SysStatus status) {
             battery = Optional.of(battery(status));
             health = health.with(status);
@@ -85,9 +86,9 @@ final class VehicleRecord {
             located = (flags & ABSOLUTE_POSITION) != 0 && (flags & NO_POSITION) == 0;
         } else if (payload instanceof FenceStatus fence) {
             health = health.withFence(fence.breachStatus() != 0);
-        } else if (payload instanceof MissionCurrent current) {
+        } else if (payload instanceof MissionCurrent current && current.seq() < MOST_ITEMS) {
             current(current, events);
-        } else if (payload instanceof MissionItemReached reached) {
+        } else if (payload instanceof MissionItemReached reached && reached.seq() < MOST_ITEMS) {
             events.add(new VehicleEvent.ItemReached(id, reached.seq()));
         } else if (payload instanceof Statustext text) {
             parts.take(text, nowMs).forEach(whole -> said(whole, events));
@@ -95,15 +96,6 @@ final class VehicleRecord {
             VehicleReadings.of(payload).forEach(reading -> events.add(new VehicleEvent.Measured(id, reading)));
         }
         return events;
-    }
-
-    private void sinceBoot(long ms, List<VehicleEvent> events) {
-        if (ms + REORDERED_MS < sinceBootMs) {
-            events.add(new VehicleEvent.Restarted(id));
-            located = false;
-            sinceBootMs = ms;
-        }
-        sinceBootMs = Math.max(sinceBootMs, ms);
     }
 
     private void current(MissionCurrent current, List<VehicleEvent> events) {
@@ -145,15 +137,22 @@ final class VehicleRecord {
         return ModeNames.of(autopilot, VehicleKind.of(type), customMode);
     }
 
-    private static VehiclePosition position(GlobalPositionInt at) {
+    /** Whether two vehicles have this id, as far as the last seconds show. */
+    boolean isTwin() {
+        return twins.isTwin(heardMs);
+    }
+
+    /** Where it is; empty where that is no place, as 0, 0 is none before there is a fix. */
+    private static Optional<VehiclePosition> position(GlobalPositionInt at) {
+        double lat = at.lat() * DEGREES;
+        double lon = at.lon() * DEGREES;
+        if ((at.lat() == 0 && at.lon() == 0) || Math.abs(lat) > MAX_LAT || Math.abs(lon) > MAX_LON) {
+            return Optional.empty();
+        }
         Optional<Double> heading =
                 at.hdg() == HEADING_NOT_KNOWN ? Optional.empty() : Optional.of(at.hdg() * FROM_CENTI % FULL_CIRCLE_DEG);
-        return new VehiclePosition(
-                at.lat() * DEGREES,
-                at.lon() * DEGREES,
-                at.relativeAlt() * FROM_MILLI,
-                Math.hypot(at.vx(), at.vy()) * FROM_CENTI,
-                heading);
+        return Optional.of(new VehiclePosition(
+                lat, lon, at.relativeAlt() * FROM_MILLI, Math.hypot(at.vx(), at.vy()) * FROM_CENTI, heading));
     }
 
     private static VehicleBattery battery(SysStatus status) {
@@ -195,11 +194,6 @@ final class VehicleRecord {
 
     VehicleSnapshot snapshot() {
         VehicleKind kind = VehicleKind.of(type);
-        List<MavlinkAddress> links = heardOn.entrySet().stream()
-                .sorted(Map.Entry.<MavlinkAddress, Long>comparingByValue(Comparator.reverseOrder())
-                        .thenComparing(each -> each.getKey().toString()))
-                .map(Map.Entry::getKey)
-                .toList();
         return new VehicleSnapshot(
                 id,
                 kind,
@@ -210,10 +204,10 @@ final class VehicleRecord {
                 position,
                 battery,
                 gps,
-                health,
+                isTwin() ? health.with("another vehicle has the id " + id + " too") : health,
                 currentItem,
                 itemsHeld,
-                links,
+                links.links(heardMs),
                 List.copyOf(texts),
                 heardMs);
     }

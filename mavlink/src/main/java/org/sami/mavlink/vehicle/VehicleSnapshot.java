@@ -13,7 +13,7 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param located whether its filter has an absolute position that it trusts; before that it refuses to drive by itself
  * @param currentItem the item of its mission that it carries out, or would in mode AUTO; empty where it does not say
  * @param itemsHeld how many items its mission has, home included; empty where it does not say
- * @param links on which links it is heard, the one heard last first
+ * @param links on which links it is heard, the one on which it is spoken to first
  * @param texts what it has said last, oldest first
  * @param heardMs when it was heard last, on the base's clock
  */

@@ -4,8 +4,10 @@ import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavType;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.sami.mavlink.address.MavlinkAddress;
 
@@ -18,8 +20,8 @@ public final class VehicleTable {
      *
      * @return what happened to the vehicle by it
      */
-    public List<VehicleEvent> heard(MavlinkAddress on, int system, int component, Object payload, long nowMs) {
-        VehicleId id = new VehicleId(system, component);
+    public List<VehicleEvent> heard(MessageOrigin from, Object payload, long nowMs) {
+        VehicleId id = new VehicleId(from.system(), from.component());
         List<VehicleEvent> events = new ArrayList<>();
         VehicleRecord known = vehicles.get(id);
         if (known == null && payload instanceof Heartbeat beat && isVehicle(beat)) {
@@ -28,7 +30,7 @@ public final class VehicleTable {
             events.add(new VehicleEvent.Appeared(id));
         }
         if (known != null) {
-            events.addAll(known.heard(on, payload, nowMs));
+            events.addAll(known.heard(from, payload, nowMs));
         }
         return events;
     }
@@ -53,12 +55,24 @@ public final class VehicleTable {
         return Optional.ofNullable(vehicles.get(id)).flatMap(known -> known.modeNumber(mode));
     }
 
+    /** The ids of all vehicles, in order. */
+    public Set<VehicleId> ids() {
+        return Collections.unmodifiableSet(vehicles.keySet());
+    }
+
     /** Whether a vehicle of this id has been heard. */
     public boolean has(VehicleId id) {
         return vehicles.containsKey(id);
     }
 
-    /** The link on which a vehicle was heard last; empty where it was not. */
+    /** Whether two vehicles have this id, as far as the last seconds show. */
+    public boolean isTwin(VehicleId id) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(VehicleRecord::isTwin)
+                .isPresent();
+    }
+
+    /** The link on which a vehicle is spoken to; empty where it was not heard. */
     public Optional<MavlinkAddress> linkOf(VehicleId id) {
         return Optional.ofNullable(vehicles.get(id))
                 .map(known -> known.snapshot().links().get(0));

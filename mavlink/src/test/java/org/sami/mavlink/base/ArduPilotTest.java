@@ -7,7 +7,9 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,6 +17,9 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.testing.UdpFaultProxy;
+import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -22,8 +27,9 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 @Timeout(600)
 class ArduPilotTest {
     private static final Path PEERS = Path.of("../../shared/peers/ardupilot");
-    private static final int FIRST = 70; // far from where somebody tries one by hand
+    private static final int FIRST = 96; // far from where somebody tries one by hand
     private static final double BOOT_S = 180;
+    private static final int ITEMS = 100;
 
     @TempDir
     private Path work;
@@ -57,6 +63,35 @@ class ArduPilotTest {
         }
     }
 
+    @Test
+    void boatTakesAMissionOverALinkThatLosesDoublesAndReorders() throws Exception {
+        assumeTrue(
+                Files.isExecutable(PEERS.resolve("run.sh")),
+                () -> "no autopilot is here to try: " + PEERS.toAbsolutePath().normalize() + " is missing");
+        try (UdpFaultProxy proxy = new UdpFaultProxy(3)) {
+            Process boat = start("boat", FIRST + 2, Map.of("UDP", "127.0.0.1:" + proxy.vehiclePort()));
+            MavlinkAddress address = new MavlinkAddress.UdpSend("127.0.0.1", proxy.basePort());
+            try (MavlinkBase base = new MavlinkBase(List.of(address), ProcessClock::ms)) {
+                Await.until(
+                        "it knows where it is",
+                        BOOT_S,
+                        () -> vehicles(base).stream().anyMatch(VehicleSnapshot::located));
+                VehicleId id = vehicles(base).get(0).id();
+                proxy.disturb(0.05, 0.05, 10);
+                List<MissionItem> mission = IntStream.range(0, ITEMS)
+                        .mapToObj(i -> MissionItem.waypoint(i, 45.7 + i * 1e-5, 10.72, 0, 0))
+                        .toList();
+
+                List<MissionItem> back =
+                        base.replace(id, HeldKind.MISSION, mission).join();
+                assertThat(back.subList(1, ITEMS)).isEqualTo(mission.subList(1, ITEMS));
+                assertThat(base.setMode(id, "AUTO").join().inWords()).contains("accepts to change to AUTO");
+            } finally {
+                end(boat);
+            }
+        }
+    }
+
     private static MavlinkAddress address(int number) {
         return new MavlinkAddress.Tcp("127.0.0.1", 5760 + 10 * number);
     }
@@ -66,11 +101,16 @@ class ArduPilotTest {
     }
 
     private Process start(String kind, int number) throws Exception {
+        return start(kind, number, Map.of());
+    }
+
+    private Process start(String kind, int number, Map<String, String> more) throws Exception {
         ProcessBuilder builder = new ProcessBuilder("bash", "run.sh", kind, "1", "10")
                 .directory(PEERS.toFile())
                 .redirectErrorStream(true)
                 .redirectOutput(new File(work.toFile(), kind + ".txt"));
         builder.environment().put("FIRST", Integer.toString(number));
+        builder.environment().putAll(more);
         builder.environment().put("WORK", work.toAbsolutePath().toString());
         return builder.start();
     }

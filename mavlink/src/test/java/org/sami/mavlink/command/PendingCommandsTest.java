@@ -130,12 +130,12 @@ class PendingCommandsTest {
     @Test
     void placesAreSentToTheCentimetre() {
         CommandPlace place = new CommandPlace(45.1234567, -10.7654321, 12);
-        give(VehicleCommand.reposition(place, Optional.of(1.5)), 0);
+        give(VehicleCommand.reposition(place, Optional.empty()), 0);
 
         CommandInt command = (CommandInt) sent.get(0);
         assertThat(command.x()).isEqualTo(451_234_567);
         assertThat(command.y()).isEqualTo(-107_654_321);
-        assertThat(command.param1()).isEqualTo(1.5f);
+        assertThat(command.param2()).isEqualTo(1f);
 
         var target = (SetPositionTargetGlobalInt) new GuidedTarget(place).message(new VehicleId(3, 1));
         assertThat(target.latInt()).isEqualTo(451_234_567);

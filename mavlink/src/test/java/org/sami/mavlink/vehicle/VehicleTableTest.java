@@ -45,7 +45,7 @@ class VehicleTableTest {
     }
 
     private void heard(Object payload) {
-        table.heard(CABLE, 1, 1, payload, 1_000);
+        table.heard(new MessageOrigin(CABLE, 1, 1, 0), payload, 1_000);
     }
 
     private VehicleSnapshot only() {
@@ -74,8 +74,12 @@ class VehicleTableTest {
     @Test
     void groundStationsAndGimbalsAreNoVehicles() {
         heard(beat(MavType.MAV_TYPE_GCS, MavAutopilot.MAV_AUTOPILOT_INVALID, 0));
-        table.heard(CABLE, 1, 154, beat(MavType.MAV_TYPE_GIMBAL, MavAutopilot.MAV_AUTOPILOT_INVALID, 0), 0);
-        table.heard(CABLE, 1, 1, GlobalPositionInt.builder().build(), 0);
+        table.heard(
+                new MessageOrigin(CABLE, 1, 154, 0),
+                beat(MavType.MAV_TYPE_GIMBAL, MavAutopilot.MAV_AUTOPILOT_INVALID, 0),
+                0);
+        table.heard(
+                new MessageOrigin(CABLE, 1, 1, 0), GlobalPositionInt.builder().build(), 0);
 
         assertThat(table.vehicles()).isEmpty();
     }
@@ -114,14 +118,84 @@ class VehicleTableTest {
         assertThat(only().located()).isTrue();
     }
 
-    @Test
-    void vehicleOnTwoLinksIsOneAndIsAnsweredOnTheLaterOne() {
-        table.heard(CABLE, 1, 1, beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_PX4, 0), 1_000);
-        table.heard(RADIO, 1, 1, beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_PX4, 0), 2_000);
+    private void beats(MavlinkAddress link, int number, long ms) {
+        table.heard(
+                new MessageOrigin(link, 1, 1, number),
+                beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_PX4, 0),
+                ms);
+    }
 
-        assertThat(only().links()).containsExactly(RADIO, CABLE);
+    @Test
+    void vehicleOnTwoLinksIsOneAndTheBetterIsUsedWhileTheOtherStaysReady() {
+        for (int i = 0; i < 100; i++) {
+            beats(RADIO, i * 2, 1_000 + i * 100);
+            beats(CABLE, i, 1_010 + i * 100);
+        }
+        assertThat(only().links()).containsExactly(CABLE, RADIO);
+
+        for (int i = 0; i < 40; i++) { // the cable is out
+            beats(RADIO, 200 + i, 11_000 + i * 100);
+        }
         assertThat(table.linkOf(only().id())).contains(RADIO);
-        assertThat(only().heardMs()).isEqualTo(2_000);
+        assertThat(only().heardMs()).isEqualTo(14_900);
+    }
+
+    @Test
+    void linkIsNotChangedForALittle() {
+        for (int i = 0; i < 100; i++) {
+            beats(CABLE, i + i / 20, 1_000 + i * 100);
+            beats(RADIO, i, 1_010 + i * 100);
+        }
+
+        assertThat(table.linkOf(only().id())).contains(CABLE);
+    }
+
+    private void place(double latDeg, long bootMs, long ms) {
+        table.heard(
+                new MessageOrigin(CABLE, 1, 1, 0),
+                GlobalPositionInt.builder()
+                        .lat((int) (latDeg * 1e7))
+                        .lon(107_200_000)
+                        .timeBootMs(bootMs)
+                        .build(),
+                ms);
+    }
+
+    @Test
+    void twoVehiclesOfOneIdAreNoticedByTheirTimesAndPlaces() {
+        beats(CABLE, 0, 1_000);
+        for (int i = 0; i < 4; i++) {
+            place(45.7, 100_000 + i, 1_000 + i * 250);
+            place(45.7, 500_000 + i, 1_010 + i * 250);
+        }
+        assertThat(table.isTwin(only().id())).isTrue();
+        assertThat(only().health().failing()).containsExactly("another vehicle has the id 1 too");
+
+        for (int i = 0; i < 60; i++) { // one of them is switched off
+            place(45.7, 600_000 + i * 250, 3_000 + i * 250);
+        }
+        assertThat(table.isTwin(only().id())).isFalse();
+        for (int i = 0; i < 4; i++) {
+            place(45.7, 700_000 + i, 30_000 + i * 250);
+            place(45.71, 700_000 + i, 30_010 + i * 250);
+        }
+        assertThat(table.isTwin(only().id())).isTrue();
+    }
+
+    @Test
+    void whatCannotBeIsNotBelieved() {
+        beats(CABLE, 0, 1_000);
+        for (int[] lie : new int[][] {{0, 0}, {2_000_000_000, 0}, {457_000_000, 1_900_000_000}}) {
+            heard(GlobalPositionInt.builder().lat(lie[0]).lon(lie[1]).build());
+            assertThat(only().position()).isEmpty();
+        }
+        assertThat(table.heard(
+                        new MessageOrigin(CABLE, 1, 1, 0),
+                        MissionItemReached.builder().seq(65_535).build(),
+                        0))
+                .isEmpty();
+        heard(MissionCurrent.builder().seq(65_535).total(4).build());
+        assertThat(only().currentItem()).isEmpty();
     }
 
     @Test
@@ -180,7 +254,7 @@ class VehicleTableTest {
                 GlobalPositionInt.builder().timeBootMs(90_000).build(),
                 GlobalPositionInt.builder().timeBootMs(89_900).build(),
                 GlobalPositionInt.builder().timeBootMs(2_000).build())) {
-            events.addAll(table.heard(CABLE, 1, 1, message, 1_000));
+            events.addAll(table.heard(new MessageOrigin(CABLE, 1, 1, 0), message, 1_000));
         }
 
         VehicleId one = new VehicleId(1, 1);

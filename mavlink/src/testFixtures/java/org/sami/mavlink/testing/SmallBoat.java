@@ -79,7 +79,7 @@ public final class SmallBoat implements AutoCloseable {
         Thread thread = new Thread(this::serve, "small boat " + system);
         thread.setDaemon(true);
         thread.start();
-        steps.scheduleAtFixedRate(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
+        var unused = steps.scheduleAtFixedRate(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Its address for a base. */

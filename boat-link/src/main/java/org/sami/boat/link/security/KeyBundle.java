@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.SecureRandom;
 import java.util.Arrays;
+import java.util.Base64;
+import java.util.Optional;
 import javax.crypto.AEADBadTagException;
 import javax.crypto.Cipher;
 import javax.crypto.SecretKeyFactory;
@@ -25,18 +27,23 @@ public final class KeyBundle {
     private static final int TAG_BITS = 128;
     private static final int KEY_BITS = 256;
     private static final String BETWEEN = "peers\n";
+    private static final String FLEET = "fleet ";
 
     private KeyBundle() {}
 
-    /** Writes the own key, the peers and the withdrawn keys. */
-    public static void write(Path file, KeyRing keys, char[] password) throws IOException {
+    /** Writes the own key, the peers and the withdrawn keys, and the secret of a fleet where there is one. */
+    public static void write(Path file, KeyRing keys, Optional<byte[]> fleetKey, char[] password) throws IOException {
         SecureRandom random = new SecureRandom();
         byte[] salt = new byte[SALT_BYTES];
         byte[] iv = new byte[IV_BYTES];
         random.nextBytes(salt);
         random.nextBytes(iv);
-        String text =
-                KeyStoreFolder.text(keys.identity()) + BETWEEN + keys.content().text();
+        String fleet = fleetKey.map(secretOfFleet -> FLEET + Base64.getEncoder().encodeToString(secretOfFleet) + "\n")
+                .orElse("");
+        String text = fleet
+                + KeyStoreFolder.text(keys.identity())
+                + BETWEEN
+                + keys.content().text();
         byte[] secret = crypt(Cipher.ENCRYPT_MODE, salt, iv, password, text.getBytes(StandardCharsets.UTF_8), file);
         ByteBuffer whole = ByteBuffer.allocate(BEGIN.length + SALT_BYTES + IV_BYTES + secret.length);
         OwnerOnlyFile.write(file, whole.put(BEGIN).put(salt).put(iv).put(secret).array());
@@ -61,10 +68,28 @@ public final class KeyBundle {
         if (between < 0) {
             throw new IOException(file + " is damaged");
         }
-        Identity identity = KeyStoreFolder.parse(file.toString(), text.substring(0, between));
+        int begin = 0;
+        Optional<byte[]> fleetKey = Optional.empty();
+        if (text.startsWith(FLEET)) {
+            begin = text.indexOf('\n') + 1;
+            fleetKey = Optional.of(
+                    fleetKey(file, text.substring(FLEET.length(), begin).trim()));
+        }
+        Identity identity = KeyStoreFolder.parse(file.toString(), text.substring(begin, between));
         KeyRing.Content content = KeyRing.Content.parse(file.toString(), text.substring(between + BETWEEN.length()));
         into.write(identity, content);
+        if (fleetKey.isPresent()) {
+            into.writeFleetKey(fleetKey.get());
+        }
         return into.open();
+    }
+
+    private static byte[] fleetKey(Path file, String text) throws IOException {
+        try {
+            return Base64.getDecoder().decode(text);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(file + " is damaged", e);
+        }
     }
 
     private static byte[] crypt(int mode, byte[] salt, byte[] iv, char[] password, byte[] bytes, Path file)

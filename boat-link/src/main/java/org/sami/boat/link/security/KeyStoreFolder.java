@@ -11,10 +11,12 @@ import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.security.spec.PKCS8EncodedKeySpec;
 import java.util.Base64;
+import java.util.Optional;
 import org.sami.boat.link.security.KeyRing.Content;
 
 /**
- * The keys of a boat or base in a folder: its own in {@code identity}, those of its peers in {@code peers}. Only their user can read both files. A phone may
+ * The keys of a boat or base in a folder: its own in {@code identity}, those of its peers in {@code peers}, and at a base the secret with which its fleet of
+ * other makers' vehicles signs in {@code fleet}. Only their user can read these files. A phone may
  * keep its own key elsewhere and only the peers here.
  */
 public final class KeyStoreFolder {
@@ -66,6 +68,32 @@ public final class KeyStoreFolder {
 
     private static String text(Path file) throws IOException {
         return new String(OwnerOnlyFile.read(file), StandardCharsets.UTF_8);
+    }
+
+    /**
+     * The secret with which a fleet of other makers' vehicles signs its messages; empty where there is none.
+     *
+     * @throws IOException if it is damaged, cannot be read, or may be read by others
+     */
+    public Optional<byte[]> fleetKey() throws IOException {
+        if (!Files.exists(fleetFile())) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(Base64.getDecoder().decode(text(fleetFile()).trim()));
+        } catch (IllegalArgumentException e) {
+            throw new IOException(fleetFile() + " holds no key that can be read", e);
+        }
+    }
+
+    /** Keeps a secret of a fleet in place of the present one. */
+    public void writeFleetKey(byte[] secret) throws IOException {
+        OwnerOnlyFile.write(
+                fleetFile(), (Base64.getEncoder().encodeToString(secret) + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    private Path fleetFile() {
+        return folder.resolve("fleet");
     }
 
     /** Keeps an own key in place of the present one. */

@@ -7,6 +7,7 @@ import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.Peer;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.proxy.key.BaseKeys;
+import org.sami.mavlink.link.SigningKey;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,6 +39,10 @@ final class KeyListCommand implements Callable<Integer> {
         for (Fingerprint withdrawn : list.withdrawn()) {
             out.println(withdrawn + "  withdrawn");
         }
+        keys.keys()
+                .fleetKey()
+                .ifPresent(secret ->
+                        out.println(new SigningKey(secret).fingerprint() + "  fleet of vehicles that speak MAVLink"));
         return ExitCode.OK;
     }
 }

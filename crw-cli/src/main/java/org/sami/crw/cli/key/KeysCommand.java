@@ -12,6 +12,7 @@ import picocli.CommandLine.Command;
             PairCommand.class,
             KeyListCommand.class,
             WithdrawCommand.class,
+            FleetKeyCommand.class,
             ExportKeysCommand.class,
             ImportKeysCommand.class
         },
@@ -28,11 +29,13 @@ import picocli.CommandLine.Command;
             "  crw keys pair 127.0.0.1:5001 --words \"able ...\"   both show the same check code",
             "  crw keys list",
             "  crw keys withdraw 3f2a90bc11d0e5a7   the boats learn it when they are commanded next",
-            "  crw keys export fleet.keys           asks for a password; on the second laptop: crw keys import fleet.keys"
+            "  crw keys fleet --give mavlink:serial:/dev/ttyACM0:115200   an ArduPilot vehicle signs from now on",
+            "  crw keys export fleet.keys           asks for a password; on the second laptop: crw keys import"
+                    + " fleet.keys"
         })
 public final class KeysCommand implements Runnable {
     @Override
     public void run() {
-        throw new UsageFault("Which command? One of pair, list, withdraw, export, import.");
+        throw new UsageFault("Which command? One of pair, list, withdraw, fleet, export, import.");
     }
 }

@@ -82,9 +82,15 @@ final class VehicleText {
         line.append(format("%d messages, %.1f %% lost", link.messages(), link.lost() * PERCENT));
         link.rssi().ifPresent(rssi -> line.append(", radio ").append(rssi).append(" here"));
         link.remoteRssi().ifPresent(rssi -> line.append(", ").append(rssi).append(" there"));
+        link.refused()
+                .forEach((why, many) ->
+                        line.append(format("; refused %d message%s %s", many, many == 1 ? "" : "s", why.words())));
         link.fault().ifPresent(fault -> line.append("; ").append(fault));
         if (link.fault().isEmpty() && !isHeard(link, vehicles)) {
-            line.append(link.bytes() == 0 ? "; nothing came" : "; no vehicle speaks on it");
+            line.append(
+                    link.bytes() == 0
+                            ? "; nothing came"
+                            : !link.refused().isEmpty() ? "" : "; no vehicle speaks on it");
         }
         return line.toString();
     }
@@ -105,6 +111,16 @@ final class VehicleText {
                             vehicle.id(), said.severity().name().toLowerCase(Locale.ROOT), said.text())));
         }
         return text.toString();
+    }
+
+    /** What vehicles say is wrong with them. */
+    static String faults(List<VehicleSnapshot> vehicles) {
+        return vehicles.stream()
+                .filter(vehicle -> !vehicle.health().failing().isEmpty())
+                .map(vehicle -> format(
+                        "%s has a fault: %s%n",
+                        vehicle.id(), String.join(", ", vehicle.health().failing())))
+                .collect(Collectors.joining());
     }
 
     /** What a vehicle holds of a kind. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -21,6 +22,8 @@ import org.sami.boat.link.security.Peer;
 public final class BaseKeys {
     /** The fewest characters of a password. */
     public static final int SHORTEST_PASSWORD = 8;
+
+    private static final int FLEET_KEY_BYTES = 32; // as MAVLink 2 signs
 
     private final Path folder;
 
@@ -71,6 +74,32 @@ public final class BaseKeys {
             throw new IOException(folder + " is a file: the keys of a base are a folder");
         }
         return new KeyStoreFolder(folder).open();
+    }
+
+    /**
+     * The secret with which the vehicles of other makers in this base's fleet sign; empty where none was made.
+     *
+     * @throws IOException if it cannot be read
+     */
+    public Optional<byte[]> fleetKey() throws IOException {
+        return new KeyStoreFolder(folder).fleetKey();
+    }
+
+    /**
+     * The same; one is made where there is none.
+     *
+     * @throws IOException if it cannot be read or written
+     */
+    public byte[] makeFleetKey() throws IOException {
+        open(); // the folder, with the key of this base
+        Optional<byte[]> present = fleetKey();
+        if (present.isPresent()) {
+            return present.get();
+        }
+        byte[] made = new byte[FLEET_KEY_BYTES];
+        new SecureRandom().nextBytes(made);
+        new KeyStoreFolder(folder).writeFleetKey(made);
+        return made;
     }
 
     /**
@@ -133,7 +162,7 @@ public final class BaseKeys {
         try {
             checkPassword(password);
             KeyRing ring = open();
-            KeyBundle.write(file, ring, password);
+            KeyBundle.write(file, ring, new KeyStoreFolder(folder).fleetKey(), password);
             return ring;
         } finally {
             Arrays.fill(password, ' ');

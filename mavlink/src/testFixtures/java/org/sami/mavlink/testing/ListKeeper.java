@@ -1,4 +1,4 @@
-package org.sami.mavlink.onboard;
+package org.sami.mavlink.testing;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package org.sami.mavlink.onboard;
+package org.sami.mavlink.testing;
 
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
@@ -23,7 +23,7 @@ import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**
- * The vehicle's end of the mission protocol: sends its lists to whoever asks, and takes new ones, item after item, whole or not at all. One station may send at a
+ * A vehicle's end of the mission protocol: sends its lists to whoever asks, and takes new ones, item after item, whole or not at all. One station may send at a
  * time; others are refused meanwhile. Used by one thread.
  *
  * <p>Source: the mission protocol of MAVLink's documentation; times as ArduPilot has them.

@@ -1,0 +1,65 @@
+package org.sami.mavlink.base;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.vehicle.VehicleId;
+import org.sami.mavlink.vehicle.VehicleTable;
+
+/**
+ * Sees to it that each vehicle is asked for the messages of its link's plan: when it appears, when others appear on a slow link, when it starts again, and when it
+ * is reached on another link, as autopilots keep this by link. Used by one thread.
+ */
+final class MessageAsking {
+    private static final long SETTLED_MS =
+            2_000; // a slow link is planned once no further vehicle has appeared for so long
+
+    private final VehicleTable table;
+    private final boolean signed;
+    private final Map<VehicleId, Asked> asked = new HashMap<>();
+    private final Map<MavlinkAddress, Long> changedMs = new HashMap<>();
+
+    /** What a vehicle was asked for, and where. */
+    private record Asked(MavlinkAddress link, MessagePlan plan) {}
+
+    MessageAsking(VehicleTable table, boolean signed) {
+        this.table = table;
+        this.signed = signed;
+    }
+
+    /** A vehicle has appeared or started again. */
+    void renew(VehicleId vehicle, long nowMs) {
+        asked.remove(vehicle);
+        table.linkOf(vehicle).ifPresent(link -> changedMs.put(link, nowMs));
+    }
+
+    /** The plan of a link for the vehicles that are reached on it now. */
+    MessagePlan plan(MavlinkAddress link) {
+        int vehicles = (int) table.ids().stream()
+                .filter(id -> table.linkOf(id).equals(Optional.of(link)))
+                .count();
+        return MessagePlan.of(link, vehicles, signed);
+    }
+
+    /** Asks those that were not asked for what holds now. */
+    void tick(long nowMs, BiConsumer<VehicleId, MessagePlan> ask) {
+        Map<MavlinkAddress, MessagePlan> plans = new HashMap<>();
+        for (VehicleId vehicle : List.copyOf(table.ids())) {
+            table.linkOf(vehicle).ifPresent(link -> {
+                MessagePlan plan = plans.computeIfAbsent(link, this::plan);
+                Asked before = asked.get(vehicle);
+                boolean settled = !plan.isTight() || nowMs >= changedMs.getOrDefault(link, nowMs) + SETTLED_MS;
+                boolean other = before == null
+                        || !before.link().equals(link)
+                        || !before.plan().messages().equals(plan.messages());
+                if (other && settled) {
+                    asked.put(vehicle, new Asked(link, plan));
+                    ask.accept(vehicle, plan);
+                }
+            });
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package org.sami.mavlink.base;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.sami.mavlink.address.MavlinkAddress;
+
+/**
+ * What each vehicle on a link is asked to send, so that all of it fits: on a slow link everything is asked for less often, by one factor. Heartbeats come once a
+ * second unasked and are counted; the other direction, texts and lists get what is left over.
+ *
+ * @param messages what each vehicle is asked for
+ * @param bytesPerSecond what the link carries in one direction; empty where it does not matter (networks)
+ */
+public record MessagePlan(List<AskedMessage> messages, int vehicles, boolean signed, OptionalDouble bytesPerSecond) {
+    /** The part of a slow link that reports may fill. */
+    public static final double FILLED_PART = 0.7;
+
+    private static final AskedMessage HEARTBEAT = new AskedMessage(0, "HEARTBEAT", 9, 1);
+    private static final double BITS = 10; // of a byte on a serial line, with start and stop
+    private static final double SLOWEST = 1e4;
+
+    /** What is asked for where there is room. */
+    private static final List<AskedMessage> WANTED = List.of(
+            new AskedMessage(33, "GLOBAL_POSITION_INT", 28, 0.25),
+            new AskedMessage(1, "SYS_STATUS", 43, 1),
+            new AskedMessage(24, "GPS_RAW_INT", 52, 1),
+            new AskedMessage(193, "EKF_STATUS_REPORT", 26, 1),
+            new AskedMessage(42, "MISSION_CURRENT", 18, 1),
+            new AskedMessage(162, "FENCE_STATUS", 9, 2),
+            new AskedMessage(173, "RANGEFINDER", 8, 1),
+            new AskedMessage(11038, "WATER_DEPTH", 38, 1));
+
+    /** A plan. */
+    public MessagePlan {
+        messages = List.copyOf(messages);
+    }
+
+    /** The plan for so many vehicles that share a link. */
+    public static MessagePlan of(MavlinkAddress address, int vehicles, boolean signed) {
+        OptionalDouble carried = address instanceof MavlinkAddress.Serial serial
+                ? OptionalDouble.of(serial.baud() / BITS)
+                : OptionalDouble.empty();
+        double each = WANTED.stream()
+                .mapToDouble(message -> message.bytesPerSecond(signed))
+                .sum();
+        double free = carried.orElse(Double.POSITIVE_INFINITY) * FILLED_PART / Math.max(1, vehicles)
+                - HEARTBEAT.bytesPerSecond(signed);
+        double factor = free <= 0 ? SLOWEST : Math.min(SLOWEST, Math.max(1, each / free));
+        return new MessagePlan(
+                WANTED.stream().map(message -> message.slower(factor)).toList(), vehicles, signed, carried);
+    }
+
+    /** What one vehicle sends, its heartbeat included, bytes a second. */
+    public double bytesPerVehicle() {
+        return HEARTBEAT.bytesPerSecond(signed)
+                + messages.stream()
+                        .mapToDouble(message -> message.bytesPerSecond(signed))
+                        .sum();
+    }
+
+    /** The part of the link that all vehicles together fill, 0 to 1 and more; empty where it does not matter. */
+    public OptionalDouble filledPart() {
+        return bytesPerSecond.isEmpty()
+                ? OptionalDouble.empty()
+                : OptionalDouble.of(vehicles * bytesPerVehicle() / bytesPerSecond.getAsDouble());
+    }
+
+    /** Whether vehicles would fill the link with what they send by themselves, and must be asked not to. */
+    boolean isTight() {
+        return bytesPerSecond.isPresent();
+    }
+}

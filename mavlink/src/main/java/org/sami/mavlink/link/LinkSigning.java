@@ -1,0 +1,80 @@
+package org.sami.mavlink.link;
+
+import io.dronefleet.mavlink.Mavlink2Message;
+import io.dronefleet.mavlink.MavlinkMessage;
+import io.dronefleet.mavlink.common.RadioStatus;
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/**
+ * Signs what a base or boat sends, and refuses what is not signed as it must be. One for all links of a base, so that a recording of one link is refused on
+ * another. Safe for use by several threads.
+ *
+ * <p>Source: "Message Signing" of MAVLink's documentation. A message that was sent within the last minute and is repeated to a base that has just started is not
+ * known as repeated, as in the protocol.
+ */
+public final class LinkSigning {
+    private static final long A_MINUTE = 6_000_000; // of signatures' time
+
+    private final SigningKey key;
+    private final boolean alsoUnsigned;
+    private final SigningClock clock;
+    private final Map<Stream, Long> last = new HashMap<>();
+
+    /** Messages of one component on one link of it. */
+    private record Stream(int link, int system, int component) {}
+
+    /**
+     * Signing with a key.
+     *
+     * @param now the time of day
+     * @param alsoUnsigned whether messages without a signature are taken: while vehicles are given the key
+     */
+    public LinkSigning(SigningKey key, Supplier<Instant> now, boolean alsoUnsigned) {
+        this.key = Objects.requireNonNull(key, "key");
+        this.alsoUnsigned = alsoUnsigned;
+        clock = new SigningClock(now);
+    }
+
+    /** The key. */
+    public SigningKey key() {
+        return key;
+    }
+
+    /** A time for a message that is signed now, in tens of microseconds since 2015. */
+    public long nextTime() {
+        return clock.next();
+    }
+
+    /** Why a message is refused; empty where it is taken. A radio's own report, which radios cannot sign, is taken: nothing but strengths is read from it. */
+    Optional<SignatureFault> fault(MavlinkMessage<?> message) {
+        if (!(message instanceof Mavlink2Message<?> second) || !second.isSigned()) {
+            return alsoUnsigned || message.getPayload() instanceof RadioStatus
+                    ? Optional.empty()
+                    : Optional.of(SignatureFault.UNSIGNED);
+        }
+        if (!second.validateSignature(key.secret())) {
+            return Optional.of(SignatureFault.WRONG);
+        }
+        return faultOfTime(
+                new Stream(second.getSignatureLinkId(), second.getOriginSystemId(), second.getOriginComponentId()),
+                second.getSignatureTimestamp());
+    }
+
+    private synchronized Optional<SignatureFault> faultOfTime(Stream stream, long time) {
+        Long before = last.get(stream);
+        if (before == null && time + A_MINUTE < clock.present()) {
+            return Optional.of(SignatureFault.OLD);
+        }
+        if (before != null && time <= before) {
+            return Optional.of(time + A_MINUTE < before ? SignatureFault.OLD : SignatureFault.REPLAYED);
+        }
+        last.put(stream, time);
+        clock.heard(time);
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,54 @@
+package org.sami.mavlink.vehicle;
+
+/**
+ * Notices that two vehicles have one id: what comes under it jumps to and fro, in time since the autopilot's start or in place, as no vehicle can. Used by one
+ * thread.
+ */
+final class TwinWatch {
+    private static final long WITHIN_MS = 10_000;
+    private static final long REORDERED_MS =
+            5_000; // a message of so long ago was not late: the autopilot counts from 0
+    private static final double FASTEST_MPS = 100;
+    private static final double A_JUMP_M = 200;
+    private static final double M_PER_DEG = 111_195;
+
+    private long sinceBootMs;
+    private double latDeg = Double.NaN;
+    private double lonDeg = Double.NaN;
+    private long atMs;
+    private long lastMs = Long.MIN_VALUE / 2;
+    private long lastButOneMs = Long.MIN_VALUE / 2;
+
+    /** Takes the time since its start; whether it has started again, or another vehicle spoke. */
+    boolean restarted(long bootMs, long nowMs) {
+        boolean back = bootMs + REORDERED_MS < sinceBootMs;
+        sinceBootMs = back ? bootMs : Math.max(sinceBootMs, bootMs);
+        if (back) {
+            jumped(nowMs);
+        }
+        return back;
+    }
+
+    /** Takes a position. */
+    void at(double lat, double lon, long nowMs) {
+        double north = (lat - latDeg) * M_PER_DEG;
+        double east = (lon - lonDeg) * M_PER_DEG * Math.cos(Math.toRadians(lat));
+        double reach = A_JUMP_M + FASTEST_MPS * (nowMs - atMs) / 1_000;
+        if (Math.hypot(north, east) > reach) { // not for the first, which is no number
+            jumped(nowMs);
+        }
+        latDeg = lat;
+        lonDeg = lon;
+        atMs = nowMs;
+    }
+
+    private void jumped(long nowMs) {
+        lastButOneMs = lastMs;
+        lastMs = nowMs;
+    }
+
+    /** Whether two vehicles have the id, as far as the last seconds show. */
+    boolean isTwin(long nowMs) {
+        return nowMs - lastButOneMs < WITHIN_MS;
+    }
+}

@@ -1,0 +1,153 @@
+package org.sami.mavlink.param;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.dronefleet.mavlink.common.ParamRequestList;
+import io.dronefleet.mavlink.common.ParamRequestRead;
+import io.dronefleet.mavlink.common.ParamSet;
+import io.dronefleet.mavlink.common.ParamValue;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.mavlink.testing.BadRadio;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/** Parameters of a vehicle that has 300, on a clock of the test's own. */
+class VehicleParametersTest {
+    private static final VehicleId VEHICLE = new VehicleId(3, 1);
+    private static final int MANY = 300;
+    private static final String FIXED = "P007";
+
+    private final TreeMap<String, Float> held = new TreeMap<>();
+    private final List<Object> sent = new ArrayList<>();
+    private final List<SortedMap<String, Double>> kept = new ArrayList<>();
+    private BadRadio<Object> up = new BadRadio<>(1, 0, 0, 5, 0);
+    private BadRadio<Object> down = new BadRadio<>(2, 0, 0, 5, 0);
+    private long nowMs;
+
+    VehicleParametersTest() {
+        IntStream.range(0, MANY).forEach(i -> held.put(String.format("P%03d", i), i * 0.5f));
+    }
+
+    private VehicleParameters parameters(Optional<SortedMap<String, Double>> known) {
+        return new VehicleParameters(VEHICLE, known, kept::add, message -> {
+            sent.add(message);
+            up.send(message, nowMs);
+        });
+    }
+
+    private void vehicle(Object message, Consumer<Object> send) {
+        List<String> names = List.copyOf(held.keySet());
+        if (message instanceof ParamRequestList) {
+            names.forEach(name -> send.accept(value(name)));
+        } else if (message instanceof ParamRequestRead one) {
+            String name = one.paramIndex() < 0 ? one.paramId() : names.get(one.paramIndex());
+            if (held.containsKey(name)) {
+                send.accept(value(name));
+            }
+        } else if (message instanceof ParamSet set) {
+            if (!set.paramId().equals(FIXED)) {
+                held.put(set.paramId(), set.paramValue());
+            }
+            send.accept(value(set.paramId()));
+        }
+    }
+
+    private ParamValue value(String name) {
+        return ParamValue.builder()
+                .paramId(name)
+                .paramValue(held.get(name))
+                .paramCount(held.size())
+                .paramIndex(List.copyOf(held.keySet()).indexOf(name))
+                .build();
+    }
+
+    private void passUntilDone(VehicleParameters parameters, CompletableFuture<?> result) {
+        long began = nowMs;
+        while (!result.isDone() && nowMs < began + 300_000) {
+            nowMs += 5;
+            up.arrived(nowMs).forEach(message -> vehicle(message, answer -> down.send(answer, nowMs)));
+            down.arrived(nowMs).forEach(message -> parameters.take(message, nowMs));
+            parameters.tick(nowMs);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.2})
+    void allAreReadAndKept(double loss) {
+        up = new BadRadio<>(1, loss, loss, 5, 20);
+        down = new BadRadio<>(2, loss, loss, 5, 20);
+        VehicleParameters parameters = parameters(Optional.empty());
+        var result = parameters.all(nowMs);
+        passUntilDone(parameters, result);
+
+        assertThat(result.join()).hasSize(MANY).containsEntry("P299", 149.5);
+        assertThat(kept).containsExactly(result.join());
+        sent.clear();
+        assertThat(parameters.all(nowMs)).isCompletedWithValue(result.join());
+        assertThat(sent).isEmpty();
+    }
+
+    @Test
+    void oneIsSetReadBackAndKept() {
+        VehicleParameters parameters = parameters(Optional.of(new TreeMap<>(Map.of("P001", 0.5))));
+        up = new BadRadio<>(7, 0.4, 0, 5, 20);
+        var result = parameters.set("P001", 0.1, nowMs);
+        passUntilDone(parameters, result);
+
+        assertThat(result).isCompletedWithValue((double) 0.1f);
+        assertThat(held.get("P001")).isEqualTo(0.1f);
+        assertThat(kept.get(kept.size() - 1)).containsEntry("P001", (double) 0.1f);
+    }
+
+    @Test
+    void valueThatTheVehicleDoesNotTakeIsNamed() {
+        VehicleParameters parameters = parameters(Optional.empty());
+        var result = parameters.set(FIXED, 9, nowMs);
+        passUntilDone(parameters, result);
+
+        assertThat(result)
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("vehicle 3 keeps P007 at 3.5 when it is set to 9.0");
+    }
+
+    @Test
+    void parameterThatItDoesNotHaveIsNamed() {
+        VehicleParameters parameters = parameters(Optional.empty());
+        var result = parameters.read("NOTHING", nowMs);
+        passUntilDone(parameters, result);
+
+        assertThat(result)
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("vehicle 3 has no parameter NOTHING");
+    }
+
+    @Test
+    void filesKeepThemByVehicle(@TempDir Path folder) throws Exception {
+        ParameterFiles files = new ParameterFiles(folder.resolve("parameters"));
+        SortedMap<String, Double> values = new TreeMap<>(Map.of("WP_SPEED", 1.5, "FS_GCS_ENABLE", 0.0));
+        files.keep(VEHICLE, values);
+
+        assertThat(files.load(VEHICLE)).contains(values);
+        assertThat(files.load(new VehicleId(4, 1))).isEmpty();
+        assertThat(Files.readString(folder.resolve("parameters/vehicle-3.parm")))
+                .isEqualTo(String.format("FS_GCS_ENABLE 0%nWP_SPEED 1.5%n"));
+        Files.writeString(folder.resolve("parameters/vehicle-3.parm"), "WP_SPEED 1.5\nFS_GCS");
+        assertThat(files.load(VEHICLE)).isEmpty();
+    }
+}

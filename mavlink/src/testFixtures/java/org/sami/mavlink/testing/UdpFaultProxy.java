@@ -1,0 +1,124 @@
+package org.sami.mavlink.testing;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+
+/** Stands between two that speak UDP on loopback: loses datagrams, doubles them, delays each for a time of its own so that they overtake each other, and cuts all. */
+public final class UdpFaultProxy implements AutoCloseable {
+    private static final int MAX_DATAGRAM = 2_048;
+
+    private final DatagramSocket vehicleSide;
+    private final DatagramSocket baseSide;
+    private final SplittableRandom random;
+    private final ScheduledExecutorService later = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread made = new Thread(work, "udp proxy sends");
+        made.setDaemon(true);
+        return made;
+    });
+    private Optional<SocketAddress> vehicle = Optional.empty();
+    private Optional<SocketAddress> base = Optional.empty();
+    private double loss;
+    private double doubled;
+    private int mostDelayMs;
+    private boolean cut;
+
+    /** A proxy that passes everything on at once. */
+    public UdpFaultProxy(long seed) throws IOException {
+        random = new SplittableRandom(seed);
+        vehicleSide = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+        baseSide = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+        start("udp proxy of the vehicle", vehicleSide, true);
+        start("udp proxy of the base", baseSide, false);
+    }
+
+    private void start(String name, DatagramSocket from, boolean ofVehicle) {
+        Thread thread = new Thread(() -> run(from, ofVehicle), name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /** Where the vehicle sends to. */
+    public int vehiclePort() {
+        return vehicleSide.getLocalPort();
+    }
+
+    /** Where the base sends to. */
+    public int basePort() {
+        return baseSide.getLocalPort();
+    }
+
+    /** From now on loses and doubles these parts (0 to 1) in both directions, and delays each datagram by a time of its own up to so many milliseconds. */
+    public synchronized void disturb(double lost, double twice, int delayMs) {
+        loss = lost;
+        doubled = twice;
+        mostDelayMs = delayMs;
+    }
+
+    /** Passes nothing on from now on, or does again. */
+    public synchronized void cut(boolean now) {
+        cut = now;
+    }
+
+    private void run(DatagramSocket from, boolean ofVehicle) {
+        byte[] buffer = new byte[MAX_DATAGRAM];
+        while (!from.isClosed()) {
+            DatagramPacket packet = new DatagramPacket(buffer, buffer.length);
+            try {
+                from.receive(packet);
+                came(packet, ofVehicle);
+            } catch (IOException e) {
+                // closed, or nobody listens at the other end yet
+            }
+        }
+    }
+
+    private synchronized void came(DatagramPacket packet, boolean ofVehicle) {
+        if (ofVehicle) {
+            vehicle = Optional.of(packet.getSocketAddress());
+        } else {
+            base = Optional.of(packet.getSocketAddress());
+        }
+        byte[] content = Arrays.copyOf(packet.getData(), packet.getLength());
+        if (!cut && random.nextDouble() >= loss) {
+            pass(content, ofVehicle);
+            if (random.nextDouble() < doubled) {
+                pass(content, ofVehicle);
+            }
+        }
+    }
+
+    private void pass(byte[] content, boolean ofVehicle) {
+        int delayMs = mostDelayMs == 0 ? 0 : random.nextInt(mostDelayMs + 1);
+        Optional<SocketAddress> to = ofVehicle ? base : vehicle;
+        DatagramSocket by = ofVehicle ? baseSide : vehicleSide;
+        try {
+            to.ifPresent(address -> later.schedule(
+                    () -> {
+                        by.send(new DatagramPacket(content, content.length, address));
+                        return content.length;
+                    },
+                    delayMs,
+                    TimeUnit.MILLISECONDS));
+        } catch (RejectedExecutionException e) {
+            // it is being closed
+        }
+    }
+
+    @Override
+    public void close() {
+        vehicleSide.close();
+        baseSide.close();
+        later.shutdownNow();
+    }
+}
