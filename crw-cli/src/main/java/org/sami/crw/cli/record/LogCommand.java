@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.sami.boat.server.log.LogHistory;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
@@ -19,14 +20,15 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code crw log}: what an old boat's log holds, with a picture of its track. */
+/** {@code crw log}: what a boat's log holds, of an old one with a picture of its track. */
 @Command(
         name = "log",
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
                 "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and prints what it holds: the "
-                        + "track, sensor readings, commands, and every line that could not be read.",
+                        + "track, sensor readings, commands, and every line that could not be read. Of a boat's log of today "
+                        + "(crw boat --log, crw logs), any file of it: the commands of all of its files.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:read; unreadable lines are counted and named",
@@ -35,7 +37,11 @@ import picocli.CommandLine.Spec;
             "4:the file cannot be read, or the report cannot be written"
         },
         footerHeading = "%nExamples:%n",
-        footer = {"  crw log airboat_20130807_063622.txt", "  crw log airboat_20130807_063622.txt --report out"})
+        footer = {
+            "  crw log airboat_20130807_063622.txt",
+            "  crw log airboat_20130807_063622.txt --report out",
+            "  crw log logs/anna/anna.log"
+        })
 public final class LogCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
@@ -59,6 +65,9 @@ public final class LogCommand implements Callable<Integer> {
             throw new UsageFault("there is no log " + file);
         }
         PrintWriter err = spec.commandLine().getErr();
+        if (LogHistory.isOne(file)) {
+            return commands(err);
+        }
         LogSummary summary;
         try {
             summary = folder == null ? LogConversion.summary(file) : LogConversion.report(file, reportFolder());
@@ -76,6 +85,22 @@ public final class LogCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         out.print(json ? LogSummaryJson.text(summary) : LogSummaryText.text(summary));
         out.flush();
+        return ExitCode.OK;
+    }
+
+    /** A log of commands, as boats keep it today. */
+    private int commands(PrintWriter err) throws IOException {
+        if (json) {
+            throw new UsageFault(
+                    "--json is for logs of 2013 to 2016; of a boat's log of commands --report makes a table");
+        }
+        CommandLogText log = new CommandLogText(file);
+        if (folder != null) {
+            log.write(reportFolder());
+            err.println("commands written to " + folder.resolve("commands.csv"));
+            err.flush();
+        }
+        log.print(spec.commandLine().getOut());
         return ExitCode.OK;
     }
 

@@ -189,6 +189,10 @@ public final class LogLines {
         return undamaged ? parts[1].split("\t", KNOWN_FIELDS) : new String[0];
     }
 
+    static boolean isUndamaged(String line) {
+        return fields(line).length > 1;
+    }
+
     /** How many lines a line of this word counts; -2 for another line. */
     private static int count(String line, String word) {
         if (!line.contains(word)) {
