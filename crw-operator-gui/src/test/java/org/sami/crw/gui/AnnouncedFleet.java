@@ -59,9 +59,10 @@ final class AnnouncedFleet implements AutoCloseable {
     }
 
     private BoatOnTcp launch(String name, KeyRing keys) throws IOException {
+        int row = boats.size() / IN_A_ROW;
         GeoPoint at = GeoPoint.of(
                 LoopbackFleet.QUAY.latDeg() - boats.size() % IN_A_ROW * APART_DEG,
-                LoopbackFleet.QUAY.lonDeg() + boats.size() / IN_A_ROW * APART_DEG);
+                LoopbackFleet.QUAY.lonDeg() + row * APART_DEG);
         BoatOnTcp boat = new BoatOnTcp(
                 BoatSettings.of(name, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), at, boats.size()),
                 new SteadyClock(ProcessClock::ms),
@@ -81,7 +82,10 @@ final class AnnouncedFleet implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        announcers.forEach(one -> CompletableFuture.runAsync(one::close)); // each takes seconds
+        CompletableFuture.allOf(announcers.stream()
+                        .map(one -> CompletableFuture.runAsync(one::close)) // each takes seconds
+                        .toArray(CompletableFuture[]::new))
+                .join();
         for (BoatOnTcp boat : boats) {
             boat.close();
         }

@@ -50,8 +50,9 @@ public record FleetCheck(Map<String, LaunchCheck> checks) {
 
     /** A line for each boat that is not ready, with the reasons. */
     public List<String> reasons() {
-        return notReady().stream()
-                .map(boat -> boat + ": " + checks.get(boat).words())
+        return checks.entrySet().stream()
+                .filter(check -> !check.getValue().isReady())
+                .map(check -> check.getKey() + ": " + check.getValue().words())
                 .toList();
     }
 }
