@@ -193,6 +193,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
                         Key.of(Kind.STALE_POSE, boat.boat()),
                         BoatAlarms.stale(boat, nowMillis, sampledEveryMillis),
                         nowMillis));
+        boatAlarms.phonesSilent(nowMillis, (kind, boat) -> set(Key.of(kind, boat), Optional.empty(), nowMillis));
     }
 
     void apply(FleetEvent event, long atMillis) {
@@ -202,6 +203,10 @@ public final class AlarmModel extends Model<List<Alarm>> {
                             set(Key.of(kind, e.boat()), Optional.of(e.alarm().text()), atMillis));
         } else if (event instanceof FleetEvent.TooMuchSent e) {
             tooMuchSent(e, atMillis);
+        } else if (event instanceof FleetEvent.Measured e) {
+            boatAlarms
+                    .measured(e.boat(), e.reading(), atMillis)
+                    .forEach((kind, text) -> set(Key.of(kind, e.boat()), text, atMillis));
         } else if (event instanceof FleetEvent.Moved) {
             set(Key.of(Kind.DUPLICATE_ID, event.boat()), Optional.empty(), atMillis);
         } else if (event instanceof FleetEvent.QueueChanged || event instanceof FleetEvent.UploadAdvanced) {

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.sami.boat.link.PhoneReadings;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.picture.TakenPictures;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -37,6 +38,7 @@ final class FleetFeed {
             made.happened(event);
             if (event instanceof FleetEvent.Measured measured) {
                 models.map().measured(measured);
+                ofPhone(measured);
             }
             if (TakenPictures.concerns(event)) {
                 long at = nowMillis.getAsLong();
@@ -56,6 +58,14 @@ final class FleetFeed {
                 });
             }
         };
+    }
+
+    /** Other readings raise no alarm, and come too often for a hop each. */
+    private void ofPhone(FleetEvent.Measured measured) {
+        if (measured.reading().sensor().equals(PhoneReadings.SENSOR)) {
+            long at = nowMillis.getAsLong();
+            inbox.post(() -> models.alarms().apply(measured, at));
+        }
     }
 
     /** Looks at all boats, as ages and reasons change by themselves. To be called ten times a second on the fleet's thread. */

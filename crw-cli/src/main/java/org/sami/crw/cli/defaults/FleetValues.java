@@ -7,6 +7,7 @@ import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.MotionDefaults;
+import org.sami.boat.link.PhoneReadings;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.handler.subscription.MeasurementHandler;
@@ -115,7 +116,8 @@ final class FleetValues {
                 .millis(
                         "link lost",
                         LinkDefaults.LINK_LOST_AFTER_MS,
-                        "A link is lost after this time without a frame, on both sides; what is known of a boat is stale then.")
+                        "A link is lost after this time without a frame, on both sides; what is known of a boat is"
+                                + " stale then.")
                 .millis("heartbeat", LinkDefaults.HEARTBEAT_MS, "Each side sends a frame at least this often.")
                 .millis(
                         "teleoperation stop",
@@ -218,6 +220,16 @@ final class FleetValues {
                         "m",
                         "A boat drifts when it is farther than this outside the circle of its station.")
                 .millis("drift time", AlarmDefaults.DRIFT_AFTER_MS, "It has to be out there for this time.")
+                .number(
+                        "phone hot",
+                        PhoneReadings.HOT_C,
+                        "°C",
+                        "A boat's phone that is as hot may soon switch itself off.")
+                .number(
+                        "phone storage",
+                        PhoneReadings.LITTLE_STORAGE_MB,
+                        "MB",
+                        "A boat's phone with less free storage will soon write no log.")
                 .number(
                         "approach",
                         AlarmDefaults.APPROACH_M,

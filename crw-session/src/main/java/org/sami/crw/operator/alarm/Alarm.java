@@ -54,6 +54,14 @@ public record Alarm(
         POSITION_DOUBTFUL(Priority.HIGH, "Hold the boat until its position is sound"),
         /** The boat does not go where it says that it heads. */
         COMPASS_DOUBTFUL(Priority.HIGH, "Hold the boat; look at its compass and its motor"),
+        /** The boat's phone is so hot that it slows down, and may switch itself off. */
+        PHONE_HOT(Priority.HIGH, "Shade the boat or fetch it: a phone that gets hotter switches itself off"),
+        /** The boat's phone has little room left for logs and pictures. */
+        PHONE_STORAGE(Priority.MEDIUM, "Fetch its logs, then delete something on the phone"),
+        /** The boat's log cannot be written. */
+        PHONE_LOG(Priority.HIGH, "Fetch the boat before its phone restarts; look at the phone's storage"),
+        /** The boat's phone has lost its date, or its date was set. Nothing that the boat does follows its date. */
+        PHONE_DATE(Priority.MEDIUM, "Set the phone's date; compare the times of its logs with care"),
         /** Two boats have one id, or one boat answers at two addresses. */
         DUPLICATE_ID(Priority.HIGH, "Give one of the boats another id, or disconnect one address"),
         /** A boat sends more than the base takes in; the text says how much was left out. */

@@ -4,12 +4,14 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.BiConsumer;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.LinkState;
 
 /** Finds the alarms of one boat from its known state. For one thread. */
@@ -17,6 +19,7 @@ public final class BoatAlarms {
     private final PoseCheck poses = new PoseCheck();
     private final RangeCheck ranges = new RangeCheck();
     private final DriftCheck drifts = new DriftCheck();
+    private final PhoneCheck phones = new PhoneCheck();
     private final FenceCheck fence;
 
     public BoatAlarms(FenceCheck fence) {
@@ -27,7 +30,18 @@ public final class BoatAlarms {
         poses.remove(boat);
         ranges.remove(boat);
         drifts.remove(boat);
+        phones.remove(boat);
         fence.remove(boat);
+    }
+
+    /** What a reading of a boat's phone says of alarms: for each kind that it decides on its text, or none where nothing is wrong. */
+    public Map<Kind, Optional<String>> measured(String boat, BoatReading reading, long atMillis) {
+        return phones.measured(boat, reading, atMillis);
+    }
+
+    /** Gives kind and boat of each alarm that has ended because the phone repeats it no longer. */
+    public void phonesSilent(long nowMillis, BiConsumer<Kind, String> ended) {
+        phones.over(nowMillis).forEach(subject -> ended.accept(subject.kind(), subject.boat()));
     }
 
     /** What is wrong with a boat that was just seen, for each kind that can be; empty where nothing is. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleSupplier;
+import org.sami.boat.link.PhoneReadings;
 import org.sami.boat.server.log.LogFaults;
 import org.sami.boat.server.vehicle.Sensor;
 
@@ -13,17 +14,8 @@ import org.sami.boat.server.vehicle.Sensor;
  * by several threads.
  */
 public final class PhoneHealth {
-    /** Hotter than this in °C, phones slow down or switch off. */
-    public static final double HOT_C = 45;
-
-    /** Less free storage than this in MB, and logs will soon fail. */
-    public static final double LITTLE_STORAGE_MB = 100;
-
     /** Charge in percent below which a phone has little. */
     public static final double LITTLE_CHARGE_PERCENT = 15;
-
-    private static final String NAME = "phone";
-    private static final long PERIOD_MS = 5000;
 
     private volatile double batteryPercent = Double.NaN;
     private volatile double temperatureC = Double.NaN;
@@ -91,10 +83,10 @@ public final class PhoneHealth {
         if (batteryPercent < LITTLE_CHARGE_PERCENT) {
             troubles.add("phone battery " + Math.round(batteryPercent) + " %: charge it");
         }
-        if (temperatureC >= HOT_C) {
+        if (temperatureC >= PhoneReadings.HOT_C) {
             troubles.add("phone is hot, " + Math.round(temperatureC) + " °C: shade it");
         }
-        if (freeMegabytes < LITTLE_STORAGE_MB) {
+        if (freeMegabytes < PhoneReadings.LITTLE_STORAGE_MB) {
             troubles.add("phone storage is nearly full, " + Math.round(freeMegabytes) + " MB left: delete something");
         }
         if (dateLost) {
@@ -112,13 +104,13 @@ public final class PhoneHealth {
     /** What the base is told. */
     public List<Sensor> sensors() {
         List<Sensor> sensors = new ArrayList<>();
-        sensors.add(new Channel("battery", "%", () -> batteryPercent));
-        sensors.add(new Channel("temperature", "°C", () -> temperatureC));
-        sensors.add(new Channel("free storage", "MB", () -> freeMegabytes));
-        sensors.add(new Channel("log broken", "", () -> logBroken ? 1 : Double.NaN));
-        sensors.add(new Channel("log too large", "", () -> logOversized ? 1 : Double.NaN));
-        sensors.add(new Channel("date lost", "", () -> dateLost ? 1 : Double.NaN));
-        sensors.add(new Channel("date set by", "s", this::takeClockSet));
+        sensors.add(new Channel(PhoneReadings.BATTERY, "%", () -> batteryPercent));
+        sensors.add(new Channel(PhoneReadings.TEMPERATURE, "°C", () -> temperatureC));
+        sensors.add(new Channel(PhoneReadings.FREE_STORAGE, "MB", () -> freeMegabytes));
+        sensors.add(new Channel(PhoneReadings.LOG_BROKEN, "", () -> logBroken ? 1 : Double.NaN));
+        sensors.add(new Channel(PhoneReadings.LOG_TOO_LARGE, "", () -> logOversized ? 1 : Double.NaN));
+        sensors.add(new Channel(PhoneReadings.DATE_LOST, "", () -> dateLost ? 1 : Double.NaN));
+        sensors.add(new Channel(PhoneReadings.DATE_SET_BY, "s", this::takeClockSet));
         return sensors;
     }
 
@@ -142,7 +134,7 @@ public final class PhoneHealth {
 
         @Override
         public String name() {
-            return NAME;
+            return PhoneReadings.SENSOR;
         }
 
         @Override
@@ -157,7 +149,7 @@ public final class PhoneHealth {
 
         @Override
         public long periodMs() {
-            return PERIOD_MS;
+            return PhoneReadings.PERIOD_MS;
         }
 
         @Override
