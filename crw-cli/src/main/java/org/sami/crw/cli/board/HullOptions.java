@@ -1,12 +1,17 @@
 package org.sami.crw.cli.board;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.hull.settings.HullFile;
 import org.sami.boat.hull.settings.HullKind;
 import org.sami.boat.hull.settings.HullSettings;
+import org.sami.boat.link.SteadyClock;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -33,8 +38,8 @@ public final class HullOptions {
             names = "--gps",
             paramLabel = "PORT|HOST:PORT|gpsd[:HOST:PORT]",
             description = "Its GPS receiver: NMEA 0183 on a serial port (@BAUD, " + GPS_BAUD
-                    + " if not given) or TCP, or a gpsd. Its HDT, HDG or HDM sentences are the compass; without any, the"
-                    + " heading is the course over ground.")
+                    + " if not given) or TCP, or a gpsd. Its HDT, HDG or HDM sentences are the compass; without any,"
+                    + " the heading is the course over ground.")
     private @Nullable String gps;
 
     @Option(
@@ -52,6 +57,34 @@ public final class HullOptions {
                     + "otherwise what the receiver says.")
     private @Nullable Double declinationDeg;
 
+    @Option(
+            names = "--check-motors",
+            description =
+                    "Go through the guided check of the motors instead of serving: it drives each one, asks what was "
+                            + "seen, and writes reversal, most thrust and trim to the file of --hull. Needs no --gps.")
+    private boolean checkMotors;
+
+    /** Whether the motors are to be checked instead of serving. */
+    public boolean checksMotors() {
+        return checkMotors;
+    }
+
+    /**
+     * Goes through the guided check of the motors.
+     *
+     * @param in what the person types
+     * @return whether it came to its end
+     * @throws IOException that says why the board cannot be had, or the settings not be read or written
+     */
+    public boolean checkMotors(String name, BufferedReader in, PrintWriter out) throws IOException {
+        Path file = Optional.ofNullable(hull)
+                .orElseThrow(() -> unfit("--check-motors needs --hull FILE, into which it writes what was found"));
+        HullSettings before = Files.exists(file)
+                ? HullFile.read(file)
+                : HullSettings.of(HullKind.DIFFERENTIAL).build();
+        return new MotorCheckRun(name, in, out).run(board(), before, file, SteadyClock.ofThisMachine());
+    }
+
     /** Whether a real boat is meant. */
     public boolean isReal() {
         return board != null;
@@ -59,8 +92,8 @@ public final class HullOptions {
 
     /** Refuses what only a real boat has where none is meant. */
     public void refuseWithoutBoard() {
-        if (gps != null || hull != null || declinationDeg != null) {
-            throw unfit("--gps, --hull and --declination are for a real boat: give its --board too");
+        if (gps != null || hull != null || declinationDeg != null || checkMotors) {
+            throw unfit("--gps, --hull, --declination and --check-motors are for a real boat: give its --board too");
         }
     }
 

@@ -99,11 +99,14 @@ public record RealBoatRun(
         UnaryOperator<TcpServerConfig> make() throws IOException;
     }
 
-    private interface Opening {
+    /** Opens a port. */
+    interface Opening {
+        /** Opens it. */
         void open() throws IOException;
     }
 
-    private static void open(String option, DevicePort device, Opening opening) throws IOException {
+    /** Opens a port; a failure names the option and says what to do. */
+    static void open(String option, DevicePort device, Opening opening) throws IOException {
         try {
             opening.open();
         } catch (IOException e) {

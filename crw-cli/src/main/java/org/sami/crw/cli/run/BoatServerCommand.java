@@ -1,11 +1,14 @@
 package org.sami.crw.cli.run;
 
+import java.io.BufferedReader;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -39,14 +42,13 @@ import picocli.CommandLine.Spec;
         name = "boat",
         mixinStandardHelpOptions = true,
         description =
-                "Runs one boat: its server listens on a TCP port of this machine. Its hull is simulated and moves in real time, "
-                        + "or, with --board and --gps, a real one. "
-                        + "Runs until Ctrl-C or a signal ends it.",
+                "Runs one boat: its server listens on a TCP port of this machine. Its hull is simulated and moves in"
+                        + " real time, or, with --board and --gps, a real one. Runs until Ctrl-C or a signal ends it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:its standard input has ended (--while-input)",
+            "0:its standard input has ended (--while-input), or its motors are checked (--check-motors)",
             "2:wrong usage",
-            "4:its port, its log, its board or its GPS is not available",
+            "4:its port, its log, its board or its GPS is not available, or the check of its motors was left",
             "130:stopped by Ctrl-C",
             "143:stopped by a signal"
         },
@@ -55,7 +57,8 @@ import picocli.CommandLine.Spec;
             "  crw boat --port 5001 --name anna --at 45.4,10.9",
             "  crw boat --port 5001 --name anna --at 45.4,10.9 --log boats   go on with its log after a restart",
             "  crw boat --port 5001 --name anna --at 45.4,10.9 --gps-noise 1 --current 0.3@90 --sensor temperature",
-            "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --gps gpsd --hull anna.json   a real boat"
+            "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --gps gpsd --hull anna.json   a real boat",
+            "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --hull anna.json --check-motors"
         })
 public final class BoatServerCommand implements Callable<Integer> {
     private static final Set<String> OF_REAL_BOATS = Set.of(
@@ -74,6 +77,7 @@ public final class BoatServerCommand implements Callable<Integer> {
             "--board",
             "--gps",
             "--hull",
+            "--check-motors",
             "--declination");
     private static final int MAX_PORT = 65_535;
     private static final double MOST_TOP_SPEED_MPS = 20;
@@ -207,6 +211,12 @@ public final class BoatServerCommand implements Callable<Integer> {
             BoatSettings.checkName(name);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+        if (hullOptions.checksMotors()) {
+            BufferedReader answers = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+            boolean done =
+                    hullOptions.checkMotors(name, answers, spec.commandLine().getOut());
+            return done ? ExitCode.OK : ExitCode.FAILED;
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             RealBoatRun run =

@@ -183,7 +183,10 @@ public class BoatActivityTest {
                             .getText()
                             .toString())
                     .startsWith("Nothing is driven");
-            assertThat(check.get().findViewById(R.id.yes).isEnabled()).isFalse();
+            assertThat(((ViewGroup) check.get().findViewById(R.id.answers))
+                            .getChildAt(0)
+                            .isEnabled())
+                    .isFalse();
         }
     }
 }
