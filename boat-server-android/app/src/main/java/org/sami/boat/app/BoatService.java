@@ -18,6 +18,7 @@ import org.sami.boat.app.boat.AppFiles;
 import org.sami.boat.app.boat.BoatOnPhone;
 import org.sami.boat.app.boat.PhoneHealth;
 import org.sami.boat.app.boat.PhoneSettings;
+import org.sami.boat.app.phone.BackCamera;
 import org.sami.boat.app.phone.PhoneAnnouncer;
 import org.sami.boat.app.phone.PhonePosition;
 import org.sami.boat.app.phone.PhoneWatch;
@@ -137,6 +138,7 @@ public final class BoatService extends Service {
                     PhoneSettings.readOrMake(files, new Random()),
                     new InetSocketAddress(0).getAddress(), // all networks of the phone
                     new UsbBoardPort(BoatService.this),
+                    new BackCamera(BoatService.this),
                     new PhoneHealth(),
                     clock,
                     BoatService.this::said);

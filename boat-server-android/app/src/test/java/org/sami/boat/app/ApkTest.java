@@ -32,6 +32,7 @@ class ApkTest {
                         "REQUEST_IGNORE_BATTERY_OPTIMIZATIONS", // network in doze
                         "RECEIVE_BOOT_COMPLETED",
                         "ACCESS_FINE_LOCATION",
+                        "CAMERA",
                         "ACCESS_BACKGROUND_LOCATION"); // the service was begun at boot
     }
 

@@ -153,7 +153,7 @@ final class CommandExecutor {
             return fleetStopped(command);
         }
         if (!modes.hasCamera()) {
-            return nack(command, NackReason.NO_CAMERA, "there is no camera on board");
+            return nack(command, NackReason.NO_CAMERA, modes.cameraTrouble());
         }
         modes.takePanorama(command);
         return ack(command);

@@ -87,6 +87,10 @@ final class ModeControl {
         return vehicle.board();
     }
 
+    String cameraTrouble() {
+        return vehicle.cameraTrouble();
+    }
+
     /** Whether the boat refuses a command in its present mode. */
     boolean denies(ModeEvent event) {
         return ModeTable.action(mode, event) == ModeAction.DENY;

@@ -38,6 +38,11 @@ public final class AppFiles {
         return folder.resolve("home.txt");
     }
 
+    /** Folder of the pictures. */
+    Path pictures() {
+        return folder.resolve("pictures");
+    }
+
     /** Is there while the boat was stopped on its screen. */
     Path stopped() {
         return folder.resolve("stopped");

@@ -29,6 +29,7 @@ import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.TrackingError;
@@ -39,6 +40,7 @@ import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LogEntries;
 import org.sami.boat.server.log.LogPlace;
+import org.sami.boat.server.picture.PictureFolder;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
@@ -68,6 +70,7 @@ public final class BoatOnPhone implements Closeable {
     private final PositionFilter position = new PositionFilter();
     private final BoardVehicle board;
     private final PhoneVehicle vehicle;
+    private final PhoneCamera camera;
     private final String bootId = UUID.randomUUID().toString();
     private final ScheduledExecutorService starter;
     private long locatedMs = Long.MIN_VALUE; // these two for the starter's thread
@@ -82,13 +85,15 @@ public final class BoatOnPhone implements Closeable {
      *
      * @param address where it listens; the wildcard address is all networks of the phone
      * @param boardPort where the control board is, or will be
-     * @throws IOException if the hull's settings cannot be read, for a wrong kind of hull would be driven wrongly, or the keys
+     * @param pictures takes pictures of what is ahead
+     * @throws IOException if the hull's settings cannot be read, for a wrong kind of hull would be driven wrongly, or the keys, or the folder of the pictures
      */
     public BoatOnPhone(
             AppFiles files,
             PhoneSettings settings,
             InetAddress address,
             StreamPort boardPort,
+            PictureSource pictures,
             PhoneHealth health,
             SteadyClock clock,
             PhoneNews listener)
@@ -102,7 +107,8 @@ public final class BoatOnPhone implements Closeable {
         stop = new PhoneStop(files);
         keys = new PhoneKeys(files, settings.name());
         board = new BoardVehicle(hullSettings(), position, boardPort, clock, new Board());
-        vehicle = new PhoneVehicle(board, health, stop);
+        camera = new PhoneCamera(pictures, PictureFolder.open(files.pictures(), settings.name()), listener);
+        vehicle = new PhoneVehicle(board, health, stop, camera);
         starter = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread thread = new Thread(work, "boat-starter");
             thread.setDaemon(true);
@@ -269,6 +275,11 @@ public final class BoatOnPhone implements Closeable {
         if (!fault.isEmpty()) {
             troubles.add(0, fault);
         }
+        if (!camera.trouble().isEmpty()) {
+            troubles.add("no pictures: " + camera.trouble());
+        } else if (!camera.failure().isEmpty()) {
+            troubles.add("the last picture was not taken: " + camera.failure());
+        }
         return troubles;
     }
 
@@ -287,6 +298,7 @@ public final class BoatOnPhone implements Closeable {
             Thread.currentThread().interrupt();
         } finally {
             starter.shutdownNow();
+            camera.close();
             board.close();
         }
     }
@@ -327,7 +339,7 @@ public final class BoatOnPhone implements Closeable {
 
         private TcpServerConfig links() {
             TcpServerConfig links = TcpServerConfig.on(new InetSocketAddress(address, settings.port()))
-                    .withFiles(CommandLogFile.files(files.commandLog()));
+                    .withFiles(CommandLogFile.files(files.commandLog()).with(KeptFile.PICTURE, files.pictures()));
             return keys.areLinksOpen() ? links : links.withKeys(keys.ring(), keys.responder());
         }
 

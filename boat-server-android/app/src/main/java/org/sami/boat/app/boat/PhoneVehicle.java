@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.BoardCondition;
+import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 
@@ -15,11 +16,13 @@ final class PhoneVehicle implements Vehicle {
     private final Vehicle hull;
     private final PhoneHealth phone;
     private final PhoneStop stop;
+    private final PhoneCamera camera;
 
-    PhoneVehicle(Vehicle hull, PhoneHealth phone, PhoneStop stop) {
+    PhoneVehicle(Vehicle hull, PhoneHealth phone, PhoneStop stop, PhoneCamera camera) {
         this.hull = hull;
         this.phone = phone;
         this.stop = stop;
+        this.camera = camera;
     }
 
     @Override
@@ -53,6 +56,17 @@ final class PhoneVehicle implements Vehicle {
         List<Sensor> all = new ArrayList<>(hull.sensors());
         all.addAll(phone.sensors());
         return all;
+    }
+
+    /** There is none while the phone has none, or does not let the app use it. */
+    @Override
+    public Optional<Camera> camera() {
+        return camera.trouble().isEmpty() ? Optional.of(camera) : Optional.empty();
+    }
+
+    @Override
+    public String cameraTrouble() {
+        return camera.trouble();
     }
 
     @Override

@@ -63,6 +63,10 @@ public final class BoatActivity extends Activity {
                 && checkSelfPermission(BACKGROUND_LOCATION) != PackageManager.PERMISSION_GRANTED) {
             wanted.add(BACKGROUND_LOCATION);
         }
+        if (getPackageManager().hasSystemFeature(PackageManager.FEATURE_CAMERA_ANY)
+                && checkSelfPermission(Manifest.permission.CAMERA) != PackageManager.PERMISSION_GRANTED) {
+            wanted.add(Manifest.permission.CAMERA);
+        }
         if (!wanted.isEmpty()) {
             requestPermissions(wanted.toArray(new String[0]), ASKED);
         }

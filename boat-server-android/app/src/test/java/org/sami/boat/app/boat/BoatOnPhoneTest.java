@@ -19,15 +19,23 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.hull.board.BoardState;
 import org.sami.boat.hull.position.GpsFix;
+import org.sami.boat.hull.position.PositionDoubt;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.FileList;
 import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.KeptFile;
+import org.sami.boat.link.ListFiles;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
@@ -44,6 +52,7 @@ class BoatOnPhoneTest {
 
     private final SteadyClock clock = SteadyClock.ofThisMachine();
     private final List<String> said = new CopyOnWriteArrayList<>();
+    private final TestPictures pictures = new TestPictures();
     private LoopbackBoard board;
     private PhoneHealth health = new PhoneHealth();
 
@@ -72,6 +81,7 @@ class BoatOnPhoneTest {
                 PhoneSettings.readOrMake(files(), new Random(1)),
                 InetAddress.getLoopbackAddress(),
                 board.port(),
+                pictures,
                 health,
                 clock,
                 said::add);
@@ -194,6 +204,86 @@ class BoatOnPhoneTest {
             }
             assertThat(boat.status().troubles())
                     .containsExactly("phone battery 12 %: charge it", "phone is hot, 47 °C: shade it");
+        }
+    }
+
+    @Test
+    void panoramaIsTakenAndItsPicturesAreFilesForTheBase() throws Exception {
+        try (BoatOnPhone boat = begin()) {
+            awaitServing(boat, LAT, LON);
+            try (LoopbackBase base = new LoopbackBase(boat.status().port(), "anna")) {
+                base.command(new TakePanorama("p", 1), Ack.class);
+                PanoramaReport report = base.await(PanoramaReport.class);
+                assertThat(report.files()).containsExactly("anna-000001.jpg");
+
+                base.say(new ListFiles("f", KeptFile.PICTURE, ""));
+                assertThat(base.await(FileList.class).files())
+                        .extracting(KeptFile::name)
+                        .containsExactly("anna-000001.jpg");
+            }
+        }
+    }
+
+    @Test
+    void panoramaIsRefusedInWordsUntilThePhoneLetsTheAppUseItsCamera() throws Exception {
+        pictures.setTrouble("the phone does not let the app use its camera");
+        try (BoatOnPhone boat = begin()) {
+            awaitServing(boat, LAT, LON);
+            try (LoopbackBase base = new LoopbackBase(boat.status().port(), "anna")) {
+                Nack refused = base.command(new TakePanorama("p", 1), Nack.class);
+                assertThat(refused.reason()).isEqualTo(NackReason.NO_CAMERA);
+                assertThat(refused.detail()).isEqualTo("the phone does not let the app use its camera");
+                assertThat(boat.status().troubles())
+                        .containsExactly("no pictures: the phone does not let the app use its camera");
+
+                pictures.setTrouble("");
+                base.command(new TakePanorama("q", 1), Ack.class);
+            }
+        }
+    }
+
+    @Test
+    void fixesAtNoughtDegreesAreNotTakenForAPlaceAndTheBoatDoesNotServeThere() throws Exception {
+        try (BoatOnPhone boat = begin()) {
+            for (int i = 0; i < 30; i++) {
+                fix(boat, 0, 0);
+            }
+            assertThat(boat.status().pose().isLocated()).isFalse();
+            assertThat(boat.status().doubts()).contains(PositionDoubt.GPS_IMPLAUSIBLE);
+            assertThat(boat.status().serving()).isEqualTo(PhoneStatus.Serving.WAITS_FOR_POSITION);
+
+            awaitServing(boat, LAT, LON);
+            for (int i = 0; i < 30; i++) {
+                fix(boat, 0, 0);
+            }
+            assertThat(boat.status().pose().latDeg())
+                    .as("its place is the one it had")
+                    .isBetween(LAT - 0.001, LAT + 0.001);
+        }
+    }
+
+    @Test
+    void boardThatSaysAMegabyteWithoutALineEndStopsTheMotorsAndIsTakenBackAfterIt() throws Exception {
+        try (BoatOnPhone boat = begin()) {
+            awaitServing(boat, LAT, LON);
+            Await.until("board", () -> boat.status().board() == BoardState.CONNECTED);
+            try (LoopbackBase base = new LoopbackBase(boat.status().port(), "anna")) {
+                drive(
+                        base,
+                        () -> !board.newest().equals(MOTORS_OFF)
+                                && !board.newest().isEmpty());
+                board.babble(true);
+                drive(base, () -> boat.status().board() == BoardState.SILENT);
+                assertThat(boat.status().boardTrouble()).contains("nothing that can be read");
+                drive(base, () -> board.newest().equals(MOTORS_OFF));
+                Await.until("a megabyte", () -> board.babbled() > 1_000_000);
+
+                board.babble(false);
+                drive(
+                        base,
+                        () -> boat.status().board() == BoardState.CONNECTED
+                                && !board.newest().equals(MOTORS_OFF));
+            }
         }
     }
 

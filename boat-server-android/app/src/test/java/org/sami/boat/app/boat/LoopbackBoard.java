@@ -14,8 +14,12 @@ import org.sami.boat.hull.stream.TcpPort;
 
 /** A control board on loopback: it says its battery's voltage for each command that it gets, and keeps the newest command. */
 public final class LoopbackBoard implements AutoCloseable {
+    private static final byte[] BABBLE = new byte[20_000];
+
     private final ServerSocket server;
     private volatile String newest = "";
+    private volatile boolean babbles;
+    private volatile long babbled;
 
     /** A board that waits for its phone. */
     public LoopbackBoard() throws IOException {
@@ -48,6 +52,19 @@ public final class LoopbackBoard implements AutoCloseable {
         return newest;
     }
 
+    /** From now on it says 20 kB without a line end for each command that it gets, or speaks plainly again. */
+    public void babble(boolean on) {
+        if (!on) {
+            newest = "";
+        }
+        babbles = on;
+    }
+
+    /** How many bytes without a line end it has said. */
+    public long babbled() {
+        return babbled;
+    }
+
     private void serve() {
         while (!server.isClosed()) {
             try (Socket phone = server.accept()) {
@@ -65,7 +82,16 @@ public final class LoopbackBoard implements AutoCloseable {
         String line = lines.readLine();
         while (line != null) {
             newest = line;
-            say(phone, "{\"s4\":{\"type\":\"battery\",\"data\":\"16.4 0 0\"}}");
+            if (babbles) {
+                phone.getOutputStream().write(BABBLE);
+                babbled += BABBLE.length;
+            } else if (babbled > 0) {
+                babbled = 0;
+                say(phone, "");
+            }
+            if (!babbles) {
+                say(phone, "{\"s4\":{\"type\":\"battery\",\"data\":\"16.4 0 0\"}}");
+            }
             line = lines.readLine();
         }
     }

@@ -50,6 +50,7 @@ class PhoneKeysTest {
                 PhoneSettings.readOrMake(files(), new Random(1)),
                 InetAddress.getLoopbackAddress(),
                 new LoopbackBoard.Absent(),
+                PictureSource.NONE,
                 new PhoneHealth(),
                 clock,
                 text -> {});

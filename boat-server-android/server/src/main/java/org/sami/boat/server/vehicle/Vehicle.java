@@ -56,6 +56,11 @@ public interface Vehicle {
         return true;
     }
 
+    /** Why there is no camera now, in words for people. */
+    default String cameraTrouble() {
+        return "there is no camera on board";
+    }
+
     /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */
     void setMotors(double port, double starboard);
 }
