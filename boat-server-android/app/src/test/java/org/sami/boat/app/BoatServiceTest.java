@@ -91,23 +91,6 @@ public class BoatServiceTest {
         assertThat(boat().status().isStopped()).isTrue();
     }
 
-    /** Files of version 0.1.0, in its format. */
-    @Test
-    public void upgradeKeepsNamePortAndHull() throws Exception {
-        Path files = RuntimeEnvironment.getApplication().getFilesDir().toPath();
-        Files.write(files.resolve("boat.txt"), "name=anna\nport=12000\n".getBytes(StandardCharsets.UTF_8));
-        Files.write(
-                files.resolve("hull.json"),
-                "{\"format\":\"sami-hull-1\",\"kind\":\"rudder\",\"safeMaximum\":0.6}"
-                        .getBytes(StandardCharsets.UTF_8));
-
-        controller.create().startCommand(0, 1);
-
-        assertThat(boat().settings().name()).isEqualTo("anna");
-        assertThat(boat().settings().port()).isEqualTo(12_000);
-        assertThat(boat().board().hull().safeMaximum()).isEqualTo(0.6);
-    }
-
     @Test
     public void damagedFileIsSaidAndTriedAgainUntilItIsMended() throws Exception {
         Path file = RuntimeEnvironment.getApplication().getFilesDir().toPath().resolve("boat.txt");

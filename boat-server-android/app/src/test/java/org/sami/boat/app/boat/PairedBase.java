@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.util.Optional;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameReader;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.LinkCodec;
@@ -11,6 +13,7 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Pair;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.Welcome;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.Identity;
 import org.sami.boat.link.security.SecureLink;
@@ -21,12 +24,18 @@ import org.sami.boat.link.security.WordSecret;
 public final class PairedBase {
     private static final int PATIENCE_MS = 50_000;
 
-    private final Identity identity = Identity.generate();
+    private final Identity identity;
     private final int port;
     private final String boat;
 
     /** A base that no boat knows yet. */
     public PairedBase(int port, String boat) {
+        this(Identity.generate(), port, boat);
+    }
+
+    /** A base with a key that the boat may know. */
+    public PairedBase(Identity identity, int port, String boat) {
+        this.identity = identity;
         this.port = port;
         this.boat = boat;
     }
@@ -47,6 +56,38 @@ public final class PairedBase {
                 link -> new Pair("laptop", words.proofOfBase(key(), link.peer().orElseThrow())));
     }
 
+    /** Takes the boat, gives a command, and waits for what the boat answers with, of a kind. */
+    public <M extends LinkMessage> M command(CommandMessage command, Class<M> answer)
+            throws IOException, LinkException {
+        try (Socket socket = connected()) {
+            SecureLink link = TlsLinks.toPair(identity).connect(socket);
+            LinkCodec codec = new LinkCodec();
+            FrameReader frames = new FrameReader(link.in(), codec);
+            link.out().write(codec.encode(0, new Hello(boat, "base", Role.COMMANDER, 10, "")));
+            String term = await(frames, codec, Welcome.class).term();
+            link.out().write(codec.encode(new Frame(1, term, command)));
+            return await(frames, codec, answer);
+        }
+    }
+
+    private static <M extends LinkMessage> M await(FrameReader frames, LinkCodec codec, Class<M> kind)
+            throws IOException, LinkException {
+        while (true) {
+            LinkMessage message = codec.decode(
+                            frames.next().orElseThrow(() -> new IOException("the boat has closed the link")))
+                    .message();
+            if (kind.isInstance(message)) {
+                return kind.cast(message);
+            }
+        }
+    }
+
+    private Socket connected() throws IOException {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        socket.setSoTimeout(PATIENCE_MS);
+        return socket;
+    }
+
     /** The check code that it shows. */
     public String checkCode(Fingerprint ofBoat) {
         return WordSecret.checkCode(key(), ofBoat);
@@ -58,8 +99,7 @@ public final class PairedBase {
     }
 
     private LinkMessage ask(Saying saying) throws IOException, LinkException {
-        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
-            socket.setSoTimeout(PATIENCE_MS);
+        try (Socket socket = connected()) {
             SecureLink link = TlsLinks.toPair(identity).connect(socket);
             LinkCodec codec = new LinkCodec();
             link.out().write(codec.encode(0, saying.over(link)));

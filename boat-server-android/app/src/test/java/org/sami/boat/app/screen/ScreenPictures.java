@@ -6,6 +6,7 @@ import android.content.ComponentName;
 import android.content.Intent;
 import android.graphics.Bitmap;
 import android.graphics.Canvas;
+import android.net.Uri;
 import android.os.SystemClock;
 import android.view.View;
 import java.io.IOException;
@@ -33,15 +34,16 @@ import org.sami.boat.app.boat.PairedBase;
 import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.hull.position.GpsFix;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.security.Fingerprint;
+import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.testing.Await;
 
-/** Draws the screens for docs/boat-app.md: {@code ./gradlew :boat-server-android:app:screenshots}. */
+/** Draws the screens that docs/boat-guide.md shows, and no others: {@code ./gradlew :boat-server-android:app:screenshots}. */
 @RunWith(RobolectricTestRunner.class)
 @GraphicsMode(GraphicsMode.Mode.NATIVE)
 @Config(qualifiers = "w411dp-h823dp-hdpi", shadows = PictureAddress.class)
 public class ScreenPictures {
-    private static final float LARGE = 1.5f;
-
     private final Path folder = Path.of(System.getProperty("pictures"));
     private final Application phone = RuntimeEnvironment.getApplication();
     private final ServiceController<BoatService> service = Robolectric.buildService(BoatService.class);
@@ -74,7 +76,11 @@ public class ScreenPictures {
     }
 
     private <A extends Activity> void screen(Class<A> kind, String name, Steps steps) throws IOException {
-        try (ActivityController<A> screen = Robolectric.buildActivity(kind)) {
+        screen(Robolectric.buildActivity(kind), name, steps);
+    }
+
+    private <A extends Activity> void screen(ActivityController<A> built, String name, Steps steps) throws IOException {
+        try (ActivityController<A> screen = built) {
             A shown = screen.setup().get();
             ShadowLooper.idleMainLooper();
             steps.on(shown);
@@ -119,39 +125,9 @@ public class ScreenPictures {
     }
 
     @Test
-    @Config(qualifiers = "+night")
-    public void dark() throws Exception {
-        BoatOnPhone boat = begin();
-        paired(boat);
-        boat.stopNow();
-        screen(BoatActivity.class, "app-stopped-dark", screen -> {});
-    }
-
-    @Test
-    public void large() throws IOException {
-        RuntimeEnvironment.setFontScale(LARGE);
-        begin();
-        screen(BoatActivity.class, "app-large", ScreenPictures::unlock);
-    }
-
-    @Test
-    public void settings() throws IOException {
-        begin();
-        screen(SettingsActivity.class, "app-settings", screen -> {});
-    }
-
-    @Test
     public void motors() throws IOException {
         begin();
         screen(MotorCheckActivity.class, "app-motors", screen -> {});
-    }
-
-    @Test
-    public void pairing() throws Exception {
-        BoatOnPhone boat = begin();
-        paired(boat);
-        boat.keys().confirm();
-        screen(PairActivity.class, "app-pair", screen -> {});
     }
 
     @Test
@@ -164,19 +140,20 @@ public class ScreenPictures {
     }
 
     @Test
-    @Config(qualifiers = "+night")
-    public void wordsInTheDarkInLargeType() throws IOException {
-        RuntimeEnvironment.setFontScale(LARGE);
-        begin();
-        screen(
-                PairActivity.class,
-                "app-pair-large-dark",
-                screen -> screen.findViewById(R.id.begin).performClick());
-    }
-
-    @Test
     public void checkCode() throws Exception {
         paired(begin());
         screen(PairActivity.class, "app-pair-check", screen -> {});
+    }
+
+    @Test
+    public void codeOfABase() throws IOException {
+        begin();
+        PairingCode code = new PairingCode(
+                "192.168.43.2:34005",
+                "ann at laptop",
+                Fingerprint.parse("9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"),
+                WordSecret.random());
+        Intent link = new Intent(Intent.ACTION_VIEW, Uri.parse("sami-boat://pair/" + Uri.encode(code.toString())));
+        screen(Robolectric.buildActivity(BaseCodeActivity.class, link), "app-base-code", screen -> {});
     }
 }
