@@ -4,6 +4,7 @@ import java.util.Map;
 import org.sami.crw.cli.board.BoardCommand;
 import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.key.KeysCommand;
+import org.sami.crw.cli.key.PhoneCommand;
 import org.sami.crw.cli.lesson.GradeCommand;
 import org.sami.crw.cli.lesson.LessonsCommand;
 import org.sami.crw.cli.option.Converters;
@@ -79,6 +80,7 @@ import picocli.CommandLine.Spec;
             StopCommand.class,
             LogsCommand.class,
             KeysCommand.class,
+            PhoneCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,
             ImportLocationsCommand.class,

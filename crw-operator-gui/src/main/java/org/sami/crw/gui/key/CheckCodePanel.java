@@ -49,11 +49,17 @@ final class CheckCodePanel extends JPanel {
     }
 
     void show(Optional<PairingAttempt> attempt) {
-        Optional<PairingAttempt.State> now = attempt.map(PairingAttempt::state);
+        show(
+                attempt.map(PairingAttempt::state),
+                attempt.flatMap(PairingAttempt::checkCode).orElse(""));
+    }
+
+    /** Asks what a state needs; nothing for none. */
+    void show(Optional<PairingAttempt.State> now, String checkCode) {
         boolean checking = now.filter(PairingAttempt.State.CHECKING::equals).isPresent();
         boolean paired = now.filter(PairingAttempt.State.PAIRED::equals).isPresent();
         boolean asking = now.filter(PairingAttempt.State.ASKING::equals).isPresent();
-        code.setText(attempt.flatMap(PairingAttempt::checkCode).orElse(""));
+        code.setText(checkCode);
         code.setVisible(checking);
         same.setVisible(checking);
         other.setVisible(checking);

@@ -10,7 +10,7 @@ import org.sami.ui.sheet.FileSheet;
 import org.sami.ui.sheet.Sheet;
 import org.sami.ui.sheet.WindowSheet;
 
-/** The sheet with which a boat is paired, for every place of the window that offers it. On the event thread. */
+/** The sheets with which boats are paired, for every place of the window that offers it. On the event thread. */
 public final class PairSheet {
     private static final String PAIRING = "pair-sheet";
     private static final String PICTURE = "pair-picture-file";
@@ -74,5 +74,11 @@ public final class PairSheet {
                 then.run();
             }
         });
+    }
+
+    /** Opens the one with the code for phones, which is served as long as it is open. */
+    public void addPhone() {
+        PhoneForm form = new PhoneForm(context);
+        WindowSheet.in(inside).open(new Sheet("phone-sheet", "Add a phone", form).whenClosed(form::close));
     }
 }

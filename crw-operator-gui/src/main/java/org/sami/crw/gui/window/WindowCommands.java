@@ -47,6 +47,9 @@ final class WindowCommands {
         add(new Command("boat-pair", "Pair a boat…", () -> new PairSheet(context, frame.getRootPane()).open())
                 .withKey("alt shift P")
                 .withIcon("link"));
+        add(new Command("phone-add", "Add a phone…", () -> new PairSheet(context, frame.getRootPane()).addPhone())
+                .withKey("alt shift A")
+                .withIcon("plus"));
         add(new Command("keys", "Keys…", this::keys).withKey("alt shift K").withIcon("variables"));
         LogsSheet logs = new LogsSheet(context, frame.getRootPane());
         add(new Command("logs-fetch", "Fetch logs…", logs::open)

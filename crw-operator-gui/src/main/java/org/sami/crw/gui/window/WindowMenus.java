@@ -56,6 +56,7 @@ public final class WindowMenus {
                 "boats-near",
                 "boat-connect",
                 "boat-pair",
+                "phone-add",
                 "keys",
                 "boat-add-simulated",
                 "logs-fetch",

@@ -29,14 +29,16 @@ public final class PhoneKeys {
     private volatile long untilMs;
     private volatile Optional<NewBase> newBase = Optional.empty();
 
-    /** A base that has just been paired. Immutable. */
+    /** A base that has just proved itself. Immutable. */
     public static final class NewBase {
         private final Peer base;
         private final String checkCode;
+        private final boolean kept;
 
-        NewBase(Peer base, String checkCode) {
+        NewBase(Peer base, String checkCode, boolean kept) {
             this.base = base;
             this.checkCode = checkCode;
+            this.kept = kept;
         }
 
         /** The base. */
@@ -147,17 +149,37 @@ public final class PhoneKeys {
     }
 
     private void paired(Peer base, String checkCode) {
-        newBase = Optional.of(new NewBase(base, checkCode));
+        newBase = Optional.of(new NewBase(base, checkCode, true));
         words = Optional.empty();
     }
 
-    /** The base that was paired last and whose check code nobody has looked at yet. */
+    /**
+     * Calls the base whose code was read ({@link PairingCode}, shown by {@code crw phone}), and has both sides prove that they know its words. Its key is kept once
+     * its check code is confirmed. Blocks for some seconds.
+     *
+     * @param granted the most that the base may do
+     * @throws IOException with the reason as one sentence; nothing has changed then
+     */
+    public void call(PairingCode code, Role granted) throws IOException {
+        Peer base = new BaseCall(code, ring.identity(), boatName).prove(granted);
+        newBase = Optional.of(new NewBase(base, WordSecret.checkCode(base.fingerprint(), own()), false));
+    }
+
+    /** The base that has proved itself last and whose check code nobody has looked at yet. */
     public Optional<NewBase> newBase() {
         return newBase;
     }
 
-    /** The base shows the same check code: it is the one. */
-    public void confirm() {
+    /**
+     * The base shows the same check code: it is the one.
+     *
+     * @throws IOException if its key cannot be kept; it waits on then
+     */
+    public void confirm() throws IOException {
+        Optional<NewBase> right = newBase;
+        if (right.isPresent() && !right.get().kept) {
+            ring.add(right.get().base());
+        }
         newBase = Optional.empty();
     }
 
@@ -168,9 +190,10 @@ public final class PhoneKeys {
      */
     public void refuse() throws IOException {
         Optional<NewBase> wrong = newBase;
-        if (wrong.isPresent()) {
+        if (wrong.isPresent() && wrong.get().kept) {
             withdraw(wrong.get().base());
         }
+        newBase = Optional.empty();
     }
 
     /**

@@ -107,9 +107,10 @@ public final class PairActivity extends Activity {
         waits = false;
     }
 
-    private void confirm(BoatOnPhone boat) {
-        boat.keys().newBase().ifPresent(base -> said = getString(R.string.pair_done, name(base), may(base.base())));
+    private void confirm(BoatOnPhone boat) throws IOException {
+        Optional<PhoneKeys.NewBase> right = boat.keys().newBase();
         boat.keys().confirm();
+        right.ifPresent(base -> said = getString(R.string.pair_done, name(base), may(base.base())));
     }
 
     private void refuse(BoatOnPhone boat) throws IOException {

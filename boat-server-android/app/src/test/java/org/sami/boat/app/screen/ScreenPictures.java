@@ -6,7 +6,6 @@ import android.content.ComponentName;
 import android.content.Intent;
 import android.graphics.Bitmap;
 import android.graphics.Canvas;
-import android.net.Uri;
 import android.os.SystemClock;
 import android.view.View;
 import java.io.IOException;
@@ -34,9 +33,6 @@ import org.sami.boat.app.boat.PairedBase;
 import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.hull.position.GpsFix;
 import org.sami.boat.link.Role;
-import org.sami.boat.link.security.Fingerprint;
-import org.sami.boat.link.security.PairingCode;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.testing.Await;
 
 /** Draws the screens that docs/boat-guide.md shows, and no others: {@code ./gradlew :boat-server-android:app:screenshots}. */
@@ -76,11 +72,7 @@ public class ScreenPictures {
     }
 
     private <A extends Activity> void screen(Class<A> kind, String name, Steps steps) throws IOException {
-        screen(Robolectric.buildActivity(kind), name, steps);
-    }
-
-    private <A extends Activity> void screen(ActivityController<A> built, String name, Steps steps) throws IOException {
-        try (ActivityController<A> screen = built) {
+        try (ActivityController<A> screen = Robolectric.buildActivity(kind)) {
             A shown = screen.setup().get();
             ShadowLooper.idleMainLooper();
             steps.on(shown);
@@ -143,17 +135,5 @@ public class ScreenPictures {
     public void checkCode() throws Exception {
         paired(begin());
         screen(PairActivity.class, "app-pair-check", screen -> {});
-    }
-
-    @Test
-    public void codeOfABase() throws IOException {
-        begin();
-        PairingCode code = new PairingCode(
-                "192.168.43.2:34005",
-                "ann at laptop",
-                Fingerprint.parse("9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"),
-                WordSecret.random());
-        Intent link = new Intent(Intent.ACTION_VIEW, Uri.parse("sami-boat://pair/" + Uri.encode(code.toString())));
-        screen(Robolectric.buildActivity(BaseCodeActivity.class, link), "app-base-code", screen -> {});
     }
 }
