@@ -58,11 +58,7 @@ public final class MavlinkGateway implements BoatGateway {
     @Override
     public GatewayLink connect(InetSocketAddress address, GatewayLink.Listener listener) {
         VehicleConnection connection = new VehicleConnection(address, listener, executor());
-        executor().execute(() -> {
-            if (!closed) {
-                add(address.getHostString(), connection);
-            }
-        });
+        executor().execute(() -> add(address.getHostString(), connection));
         return connection;
     }
 
@@ -82,7 +78,11 @@ public final class MavlinkGateway implements BoatGateway {
     private Executor executor() {
         return work -> {
             try {
-                thread.execute(() -> guarded(work));
+                thread.execute(() -> {
+                    if (!closed) { // else links are closed already that it would need
+                        guarded(work);
+                    }
+                });
             } catch (RejectedExecutionException e) {
                 // the gateway has ended; nothing of this matters any longer
             }

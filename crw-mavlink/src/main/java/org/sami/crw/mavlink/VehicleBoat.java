@@ -2,7 +2,6 @@ package org.sami.crw.mavlink;
 
 import java.io.IOException;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryReport;
@@ -25,9 +24,9 @@ final class VehicleBoat implements BaseSession.Boat {
 
     private final String name;
     private final VehicleOrders orders;
+    private final VehicleSettings settings;
     private final OtherHands others = new OtherHands();
     private Optional<BaseSession> session = Optional.empty();
-    private String bootId = UUID.randomUUID().toString();
     private VehicleSnapshot vehicle;
     private long saidMs; // of the base was told where the boat is
     private long heardMs; // of what was told
@@ -38,7 +37,9 @@ final class VehicleBoat implements BaseSession.Boat {
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
         name = "mav" + first.id();
         vehicle = first;
-        orders = new VehicleOrders(base, first, thread, this::broadcast, kept -> keep(files, kept), files.read(name));
+        settings = new VehicleSettings(base, first.id(), thread, this::reportSettings);
+        orders = new VehicleOrders(
+                base, first, thread, settings, this::broadcast, kept -> keep(files, kept), files.read(name));
     }
 
     private void keep(VehicleFiles files, VehicleFiles.Kept kept) {
@@ -53,6 +54,15 @@ final class VehicleBoat implements BaseSession.Boat {
 
     private void broadcast(LinkMessage message) {
         session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(message));
+    }
+
+    private void reportSettings() {
+        broadcast(orders.settings());
+    }
+
+    /** Whether it is known which start of its autopilot this is, so that a base can be told. */
+    boolean isKnown() {
+        return settings.bootId().isPresent();
     }
 
     /** The base has a connection to it, in place of one that it had. */
@@ -78,7 +88,7 @@ final class VehicleBoat implements BaseSession.Boat {
     /** Something happened to it. */
     void happened(VehicleEvent event, long atMs) {
         if (event instanceof VehicleEvent.Restarted) {
-            bootId = UUID.randomUUID().toString();
+            settings.read();
             orders.restarted();
             session.ifPresent(told -> told.end("its autopilot has started again"));
         } else if (event instanceof VehicleEvent.Said said) {
@@ -135,7 +145,7 @@ final class VehicleBoat implements BaseSession.Boat {
 
     @Override
     public String bootId() {
-        return bootId;
+        return settings.bootId().orElseThrow(); // before it is known the base is not connected
     }
 
     @Override

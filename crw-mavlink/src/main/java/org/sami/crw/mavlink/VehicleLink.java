@@ -104,7 +104,7 @@ final class VehicleLink {
         }
         Optional<VehicleSnapshot> heard = heard(one.connection.address().getPort(), atMs);
         Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(vehicle.id().system()));
-        if (boat.isPresent()) {
+        if (boat.filter(VehicleBoat::isKnown).isPresent()) {
             waiting.remove(one);
             boat.get().connect(one.connection);
         } else if (heard.filter(vehicle -> !isBoat(vehicle)).isPresent()) {

@@ -18,6 +18,7 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
@@ -43,20 +44,22 @@ final class VehicleOrders {
 
     private final VehicleMotion motion;
     private final MissionStore store;
+    private final VehicleSettings settings;
     private final Consumer<LinkMessage> broadcast;
     private final Consumer<VehicleFiles.Kept> keep;
     private Optional<DrivenList> list = Optional.empty();
     private String stoppedBy; // who has latched the fleet stop; empty while it is not latched
     private double multiplier = 1;
-    private LostLinkAction lostLink = LostLinkAction.CONTINUE; // of a firmware whose parameters are not known yet
 
     VehicleOrders(
             MavlinkBase base,
             VehicleSnapshot first,
             Executor thread,
+            VehicleSettings settings,
             Consumer<LinkMessage> broadcast,
             Consumer<VehicleFiles.Kept> keep,
             VehicleFiles.Kept kept) {
+        this.settings = settings;
         this.broadcast = broadcast;
         this.keep = keep;
         motion = new VehicleMotion(base, first, thread);
@@ -91,6 +94,8 @@ final class VehicleOrders {
     /** The settings in force. The autopilot's own gains are no concern of the base. */
     SettingsReport settings() {
         Gains own = new Gains(0, 0, 0);
+        LostLinkAction lostLink =
+                settings.lostLink().orElse(LostLinkAction.CONTINUE); // it goes on unless it says otherwise
         return new SettingsReport(own, own, multiplier, lostLink, Optional.empty(), Optional.empty(), stoppedBy);
     }
 
@@ -191,6 +196,8 @@ final class VehicleOrders {
             multiply(set);
             answer.accept(new Ack(command.commandId()));
             broadcast.accept(settings());
+        } else if (command instanceof SetLostLinkAction set) {
+            settings.setLostLink(set.action(), ended);
         } else if (command instanceof TakePanorama) {
             answer.accept(new Nack(
                     command.commandId(),

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
@@ -248,5 +249,34 @@ class VehicleBoatTest {
         world.tell(BOAT, proxy -> proxy.handOver().observe());
 
         Await.until("it keeps its place", GatewayWorld.WAIT_S, () -> boat.mode() == LOITER);
+    }
+
+    @Test
+    void whatItDoesWithoutALinkIsReadAndSetInItsParameters() {
+        world.until(
+                "it says what it does",
+                BOAT,
+                proxy -> proxy.settings().inForce().orElseThrow().lostLinkAction() == LostLinkAction.CONTINUE);
+
+        world.tell(BOAT, proxy -> proxy.settings().setLostLinkAction(LostLinkAction.RETURN));
+
+        world.until(
+                "it returns from now on",
+                BOAT,
+                proxy -> proxy.settings().inForce().orElseThrow().lostLinkAction() == LostLinkAction.RETURN);
+        assertThat(boat.parameter("FS_GCS_ENABLE")).isEqualTo(1);
+        assertThat(boat.parameter("FS_ACTION")).isEqualTo(1);
+    }
+
+    @Test
+    void baseThatComesAfterOneThatDiedKnowsThatItHasNotStartedAgain() {
+        String before = world.ask(BOAT, proxy -> proxy.status().bootId());
+        world.close();
+
+        world = new GatewayWorld(folder, "base-2");
+        world.connect(boat.address() + "/7");
+        world.untilReady(BOAT);
+
+        assertThat(world.<String>ask(BOAT, proxy -> proxy.status().bootId())).isEqualTo(before);
     }
 }

@@ -9,10 +9,14 @@ import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.ManualControl;
 import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavParamType;
 import io.dronefleet.mavlink.common.MavResult;
 import io.dronefleet.mavlink.common.MavSeverity;
 import io.dronefleet.mavlink.common.MissionCurrent;
 import io.dronefleet.mavlink.common.MissionItemReached;
+import io.dronefleet.mavlink.common.ParamRequestRead;
+import io.dronefleet.mavlink.common.ParamSet;
+import io.dronefleet.mavlink.common.ParamValue;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -26,6 +30,9 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -54,6 +61,8 @@ public final class SmallBoat implements AutoCloseable {
         made.setDaemon(true);
         return made;
     });
+    private final Map<String, Float> parameters =
+            new HashMap<>(Map.of("STAT_BOOTCNT", 41f, "FS_GCS_ENABLE", 0f, "FS_ACTION", 2f));
     private Socket client = new Socket();
     private MavlinkConnection codec;
     private int mode = SmallBoatMotion.HOLD;
@@ -117,6 +126,11 @@ public final class SmallBoat implements AutoCloseable {
         return motion.movedM();
     }
 
+    /** One of its parameters. */
+    public synchronized double parameter(String name) {
+        return parameters.get(name);
+    }
+
     /** Somebody with a radio changes its mode, and maybe arms it. */
     public synchronized void takenByPilot(int newMode, boolean nowArmed) {
         mode = newMode;
@@ -150,6 +164,7 @@ public final class SmallBoat implements AutoCloseable {
         armed = false;
         mode = SmallBoatMotion.HOLD;
         bootMs = 0;
+        parameters.merge("STAT_BOOTCNT", 1f, Float::sum);
         failsafe = false;
     }
 
@@ -182,9 +197,24 @@ public final class SmallBoat implements AutoCloseable {
             ack(REPOSITION, true);
         } else if (message instanceof ManualControl sticks) {
             motion.sticks(sticks.z(), sticks.y());
+        } else if (message instanceof ParamRequestRead asked) {
+            report(asked.paramId());
+        } else if (message instanceof ParamSet set) {
+            parameters.put(set.paramId(), set.paramValue());
+            report(set.paramId());
         } else {
             mission.answers(message).forEach(this::send);
         }
+    }
+
+    private void report(String name) {
+        Optional.ofNullable(parameters.get(name))
+                .ifPresent(value -> send(ParamValue.builder()
+                        .paramId(name)
+                        .paramValue(value)
+                        .paramType(MavParamType.MAV_PARAM_TYPE_REAL32)
+                        .paramCount(parameters.size())
+                        .build()));
     }
 
     private boolean command(int number, double first, double second) {
