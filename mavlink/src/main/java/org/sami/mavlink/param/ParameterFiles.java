@@ -3,7 +3,6 @@ package org.sami.mavlink.param;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Locale;
@@ -39,14 +38,16 @@ public record ParameterFiles(Path folder) {
                 values.put(words[0], Double.valueOf(words[1]));
             }
             return values.isEmpty() ? Optional.empty() : Optional.of(values);
-        } catch (NoSuchFileException | NumberFormatException e) {
+        } catch (IOException | NumberFormatException e) {
             return Optional.empty();
-        } catch (IOException e) {
-            throw new UncheckedIOException(file(vehicle) + " cannot be read", e);
         }
     }
 
-    /** Keeps the parameters of a vehicle, in place of those that were kept before. */
+    /**
+     * Keeps the parameters of a vehicle, in place of those that were kept before.
+     *
+     * @throws UncheckedIOException if the file cannot be written; it is as before then
+     */
     public void keep(VehicleId vehicle, SortedMap<String, Double> values) {
         StringBuilder text = new StringBuilder();
         values.forEach((name, value) -> text.append(String.format(Locale.ROOT, "%s %s%n", name, written(value))));

@@ -1,12 +1,14 @@
 package org.sami.mavlink.param;
 
 import io.dronefleet.mavlink.common.ParamValue;
+import java.io.UncheckedIOException;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** The parameters of one vehicle: those that were read or kept, and what is being read or set. Used by one thread. */
@@ -92,7 +94,7 @@ public final class VehicleParameters {
                         values.put(value.paramId(), (double) value.paramValue()), (double) value.paramValue()))
                 .isPresent();
         if (changed) { // by us or by another ground station
-            known.ifPresent(keep);
+            known.flatMap(this::whyNotKept).ifPresent(why -> fail(open, why));
         }
         goOn();
     }
@@ -125,8 +127,27 @@ public final class VehicleParameters {
     private void whole(Reading now) {
         SortedMap<String, Double> values = now.read().values();
         known = Optional.of(values);
-        keep.accept(values);
-        now.result().complete(new TreeMap<>(values));
+        whyNotKept(values)
+                .ifPresentOrElse(
+                        why -> now.result().completeExceptionally(new IllegalStateException(why)),
+                        () -> now.result().complete(new TreeMap<>(values)));
+    }
+
+    /** Keeps values; why that failed, where it did. */
+    private Optional<String> whyNotKept(SortedMap<String, Double> values) {
+        try {
+            keep.accept(values);
+            return Optional.empty();
+        } catch (UncheckedIOException e) {
+            return Optional.of(
+                    "the parameters of vehicle " + vehicle + " are known, but cannot be kept: " + e.getMessage());
+        }
+    }
+
+    private static void fail(@Nullable Exchange open, String why) {
+        if (open != null) {
+            open.result().completeExceptionally(new IllegalStateException(why));
+        }
     }
 
     /** Ends all that is open. */

@@ -138,6 +138,23 @@ class VehicleParametersTest {
     }
 
     @Test
+    void valuesThatCannotBeKeptAreSaidAndStopNothing(@TempDir Path folder) throws Exception {
+        ParameterFiles files = new ParameterFiles(Files.writeString(folder.resolve("file"), ""));
+        VehicleParameters parameters = new VehicleParameters(
+                VEHICLE,
+                files.load(VEHICLE),
+                values -> files.keep(VEHICLE, values),
+                message -> up.send(message, nowMs));
+        var result = parameters.all(nowMs);
+        passUntilDone(parameters, result);
+
+        assertThat(result).failsWithin(Duration.ZERO).withThrowableThat().withMessageContaining("cannot be kept");
+        var one = parameters.read("P001", nowMs);
+        passUntilDone(parameters, one);
+        assertThat(one).isCompletedWithValue(0.5);
+    }
+
+    @Test
     void filesKeepThemByVehicle(@TempDir Path folder) throws Exception {
         ParameterFiles files = new ParameterFiles(folder.resolve("parameters"));
         SortedMap<String, Double> values = new TreeMap<>(Map.of("WP_SPEED", 1.5, "FS_GCS_ENABLE", 0.0));

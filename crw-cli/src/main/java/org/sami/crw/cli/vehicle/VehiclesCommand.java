@@ -122,7 +122,8 @@ public final class VehiclesCommand implements Callable<Integer> {
             spec.commandLine().getOut().flush();
             return ExitCode.OK;
         }
-        MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing());
+        MavlinkBaseOptions options =
+                new MavlinkBaseOptions(Optional.ofNullable(parameters).map(ParameterFiles::new), signing());
         SteadyClock clock = SteadyClock.ofThisMachine();
         PrintWriter out = spec.commandLine().getOut();
         try (StopOnInterrupt stop = new StopOnInterrupt();
@@ -140,7 +141,7 @@ public final class VehiclesCommand implements Callable<Integer> {
             }
             boolean whole = !held || printHeld(base, vehicles, out);
             if (parameters != null) {
-                whole &= keepParameters(base, vehicles, new ParameterFiles(parameters), out);
+                whole &= keepParameters(base, vehicles, parameters, out);
             }
             out.flush();
             return whole && links.stream().allMatch(link -> VehicleText.isHeard(link, vehicles))
@@ -160,15 +161,13 @@ public final class VehiclesCommand implements Callable<Integer> {
         return Optional.of(new LinkSigning(new SigningKey(secret), Instant::now, false));
     }
 
-    private boolean keepParameters(
-            MavlinkBase base, List<VehicleSnapshot> vehicles, ParameterFiles files, PrintWriter out) {
+    private boolean keepParameters(MavlinkBase base, List<VehicleSnapshot> vehicles, Path folder, PrintWriter out) {
         boolean whole = true;
         for (VehicleSnapshot vehicle : vehicles) {
             try {
                 SortedMap<String, Double> values =
                         base.readParameters(vehicle.id()).join();
-                files.keep(vehicle.id(), values);
-                out.println(vehicle.id() + " has " + values.size() + " parameters, kept in " + files.folder());
+                out.println(vehicle.id() + " has " + values.size() + " parameters, kept in " + folder);
             } catch (CompletionException e) {
                 Throwable cause = e.getCause();
                 err(cause == null ? e.toString() : String.valueOf(cause.getMessage()));
