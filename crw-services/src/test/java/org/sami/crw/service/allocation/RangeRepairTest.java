@@ -26,7 +26,7 @@ class RangeRepairTest {
     @ParameterizedTest
     @MethodSource("algorithms")
     void boatWithLittleChargeGetsAPathThatItLastsFor(AllocationAlgorithm algorithm) {
-        int shortened = 0;
+        boolean shortened = false; // in one problem at least, of which further ones are not asked
         for (long seed = 1; seed <= 40; seed++) {
             Random random = new Random(seed);
             List<WorkItem> work = new ArrayList<>();
@@ -51,11 +51,15 @@ class RangeRepairTest {
             }
             assertThat(division.boatOf()).hasSize(work.size());
             assertThat(division.shortfall()).isEmpty();
-            List<Candidate> unknown = List.of(boat("full", 290), boat("weak", 300), boat("other", 310));
-            Division free = algorithm.divide(new AllocationProblem(unknown, work));
-            shortened += lengthM(unknown.get(1), free) > 320 ? 1 : 0;
+            shortened = shortened || isLongerWithoutItsCharge(algorithm, work);
         }
-        assertThat(shortened).as("problems in which it would have got more").isPositive();
+        assertThat(shortened).as("it would have got more in a problem").isTrue();
+    }
+
+    private static boolean isLongerWithoutItsCharge(AllocationAlgorithm algorithm, List<WorkItem> work) {
+        List<Candidate> unknown = List.of(boat("full", 290), boat("weak", 300), boat("other", 310));
+        Division free = algorithm.divide(new AllocationProblem(unknown, work));
+        return lengthM(unknown.get(1), free) > 320;
     }
 
     @Test
