@@ -72,7 +72,7 @@ final class DiskWatch implements AutoCloseable {
             file.take(file.read(path));
             context.notices().show(path.getFileName() + " is loaded as it is on disk");
         } catch (IOException unfit) {
-            context.notices().refused(unfit.getMessage());
+            context.notices().refused(String.valueOf(unfit.getMessage()));
         }
     }
 

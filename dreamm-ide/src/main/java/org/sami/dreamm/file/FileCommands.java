@@ -141,7 +141,7 @@ public final class FileCommands implements AutoCloseable {
                             try {
                                 return Outcome.of(file.read(path));
                             } catch (IOException unfit) {
-                                return Outcome.refused(unfit.getMessage());
+                                return Outcome.refused(String.valueOf(unfit.getMessage()));
                             }
                         },
                         outcome -> outcome.show(context, this::opened));

@@ -41,8 +41,8 @@ public final class ProjectFile {
         boolean ofFolder = Files.isRegularFile(path)
                 && !DiskVersion.planFiles(path).isEmpty()
                 && path.getFileName().toString().equals("project.json");
-        Path home = ofFolder ? path.toAbsolutePath().getParent() : path;
-        return home.toAbsolutePath().normalize();
+        Path whole = path.toAbsolutePath();
+        return (ofFolder ? whole.resolveSibling("") : whole).normalize();
     }
 
     /**

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.profile.ProfileFile;
 import org.sami.ui.window.LookOptions;
@@ -33,25 +34,26 @@ public final class DreammCommand implements Callable<Integer> {
     private final Opening opening;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(
             arity = "0..1",
             paramLabel = "PLAN|PROJECT",
             description = "A plan of the library by its id, or the file or folder of a project; else the library.")
-    private String open;
+    private @Nullable String open;
 
     @Option(
             names = "--domain",
             paramLabel = "FOLDER",
             description = "The words that plans are made of: a folder with a domain.json; else those of the boats.")
-    private Path domain;
+    private @Nullable Path domain;
 
     @Option(
             names = "--profile",
             paramLabel = "FILE",
             description = "Hides and locks what the file says, as for a lesson.")
-    private Path profile;
+    private @Nullable Path profile;
 
     @Option(names = "--learn", description = "Opens the course, where you left it.")
     private boolean learn;
@@ -60,17 +62,17 @@ public final class DreammCommand implements Callable<Integer> {
             names = "--learner",
             paramLabel = "NAME",
             description = "Opens the course where NAME left it; several can learn on one machine.")
-    private String learner;
+    private @Nullable String learner;
 
     @Option(
             names = "--data",
             paramLabel = "DIR",
             description =
                     "Where settings, the arrangement of panels and unsaved work are kept; else the user's data directory.")
-    private Path data;
+    private @Nullable Path data;
 
     @Mixin
-    private LookOptions look;
+    private LookOptions look = new LookOptions();
 
     /** What opens the window, once the command line is understood. */
     @FunctionalInterface

@@ -1,6 +1,7 @@
 package org.sami.ui.window;
 
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
 import picocli.CommandLine.Option;
@@ -8,13 +9,13 @@ import picocli.CommandLine.Option;
 /** The options of a command line that choose how a window looks; a command takes them as a mixin. */
 public final class LookOptions {
     @Option(names = "--theme", paramLabel = "light|dark|sun", description = "The theme, from now on.")
-    private String theme;
+    private @Nullable String theme;
 
     @Option(
             names = "--scale",
             paramLabel = "80..200",
             description = "The scale of all text and marks in percent, from now on.")
-    private Integer scale;
+    private @Nullable Integer scale;
 
     /**
      * The theme; empty = as it was.

@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
         footer = {"  crw defaults", "  crw defaults battery", "  crw defaults --json"})
 public final class DefaultsCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(
@@ -35,7 +36,7 @@ public final class DefaultsCommand implements Callable<Integer> {
             arity = "0..1",
             defaultValue = "",
             description = "Only those with this word in their name or in what they do.")
-    private String wanted;
+    private String wanted = "";
 
     @Option(names = "--json", description = "Print one JSON array.")
     private boolean json;

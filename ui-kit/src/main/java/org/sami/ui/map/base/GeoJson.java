@@ -58,7 +58,7 @@ final class GeoJson {
             } catch (JsonProcessingException | CharConversionException | GeoJsonFault e) {
                 String said = e instanceof JsonProcessingException json ? json.getOriginalMessage() : e.getMessage();
                 String kind = e instanceof GeoJsonFault ? " is no GeoJSON, " : " is no JSON, ";
-                throw new IOException(file + kind + place(in) + ": " + MapFileLimits.cut(said, 200), e);
+                throw new IOException(file + kind + place(in) + ": " + MapFileLimits.cut(String.valueOf(said), 200), e);
             }
         }
         if (found.isEmpty()) {

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.sqlite.SqliteLibrary;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
@@ -110,7 +111,7 @@ public final class MbTiles implements BaseSource {
         }
     }
 
-    private static void close(Connection connection) {
+    private static void close(@Nullable Connection connection) {
         try {
             if (connection != null) {
                 connection.close();
