@@ -32,6 +32,15 @@ public enum RobotKind {
         throw new IllegalArgumentException("there are no robots of the kind '" + word + "'");
     }
 
+    /** A text about boats as it reads about these: boat, boats, Boat and Boats are replaced. */
+    public String say(String text) {
+        if (this == BOAT) {
+            return text;
+        }
+        String capital = Character.toUpperCase(word.charAt(0)) + word.substring(1);
+        return text.replaceAll("\\bboat(?=s?\\b)", word).replaceAll("\\bBoat(?=s?\\b)", capital);
+    }
+
     /** The name of a simulated one, counted from 0. */
     public String nameOf(int index) {
         return word + (index + 1);

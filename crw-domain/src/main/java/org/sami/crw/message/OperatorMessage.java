@@ -70,6 +70,11 @@ public record OperatorMessage(
         DOMAIN
     }
 
+    /** The same in other words. */
+    public OperatorMessage withText(String other) {
+        return new OperatorMessage(atMillis, mission, source, priority, other, boats, keyword, map, manipulation);
+    }
+
     public OperatorMessage {
         Objects.requireNonNull(source, "source");
         Objects.requireNonNull(priority, "priority");

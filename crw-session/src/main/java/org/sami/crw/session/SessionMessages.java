@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.function.Consumer;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.session.archive.SessionNote;
@@ -14,9 +15,16 @@ final class SessionMessages implements MessageSink {
     private final SessionTelemetry telemetry;
     private final MessageSink models;
     private final ListenerList<SessionListener> listeners = new ListenerList<>();
+    private final RobotKind robots;
     private boolean closed;
 
     SessionMessages(SessionTelemetry telemetry, MessageSink models) {
+        this(telemetry, models, RobotKind.BOAT);
+    }
+
+    /** Messages of handlers and proxies, with the word for the session's robots. */
+    SessionMessages(SessionTelemetry telemetry, MessageSink models, RobotKind robots) {
+        this.robots = robots;
         this.telemetry = telemetry;
         this.models = models;
     }
@@ -36,7 +44,9 @@ final class SessionMessages implements MessageSink {
     }
 
     @Override
-    public void tell(OperatorMessage message) {
+    public void tell(OperatorMessage given) {
+        OperatorMessage message =
+                given.source() == OperatorMessage.Source.DOMAIN ? given.withText(robots.say(given.text())) : given;
         if (note(() -> telemetry.message(message), SessionNote.of(message))) {
             models.tell(message);
         }
@@ -44,7 +54,7 @@ final class SessionMessages implements MessageSink {
 
     /** Tells something about a link. */
     void ofLink(long atMillis, String text) {
-        SessionNote note = new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, text);
+        SessionNote note = new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, robots.say(text));
         note(() -> telemetry.message(note), note);
     }
 
@@ -59,6 +69,6 @@ final class SessionMessages implements MessageSink {
 
     /** Shows something that need not be kept. */
     void notice(String text) {
-        listeners.each(listener -> listener.onNotice(text));
+        listeners.each(listener -> listener.onNotice(robots.say(text)));
     }
 }

@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.archive.MapHistory;
 import org.sami.crw.session.archive.OperatorLogRows;
@@ -45,7 +46,8 @@ final class SessionParts {
         if (!threads.isRealTime()) {
             models.showBoatsWhenAsked();
         }
-        messages = new SessionMessages(telemetry, models);
+        messages = new SessionMessages(
+                telemetry, models, HandlerModules.robotsOf(setup.vocabulary().domain()));
         fleet = toClose(new SessionFleet(setup, threads, engine, telemetry, models, messages, guard));
         if (threads
                 .isRealTime()) { // a run in process is resumed by running its world again, with all that was done in it

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.JComponent;
@@ -27,6 +28,7 @@ public final class Command extends AbstractAction {
     private Optional<KeyStroke> key = Optional.empty();
     private transient List<KeyStroke> focusKeys = List.of();
     private Optional<String> locked = Optional.empty();
+    private UnaryOperator<String> words = UnaryOperator.identity();
     private boolean hidden;
     private boolean always;
     private boolean once;
@@ -65,8 +67,8 @@ public final class Command extends AbstractAction {
 
     /** Calls it something else from now on, as what it acts on has changed. */
     public void retitle(String next) {
-        title = Objects.requireNonNull(next, "next");
-        putValue(NAME, next);
+        title = words.apply(Objects.requireNonNull(next, "next"));
+        putValue(NAME, title);
         refresh();
     }
 
@@ -174,13 +176,19 @@ public final class Command extends AbstractAction {
         return once;
     }
 
+    /** From now on its title and its reasons are said in other words. */
+    void sayIn(UnaryOperator<String> other) {
+        words = other;
+        retitle(title);
+    }
+
     boolean isAlways() {
         return always;
     }
 
     /** Why it cannot be run now, in one sentence; empty where it can. */
     public Optional<String> whyNot() {
-        return locked.or(whyNot);
+        return locked.or(whyNot).map(words);
     }
 
     /** Asks again whether it can be run. */

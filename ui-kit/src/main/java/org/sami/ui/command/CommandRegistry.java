@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import javax.swing.KeyStroke;
 
 /** The commands of a window, in order of registration. On the event thread. */
@@ -14,6 +15,7 @@ public final class CommandRegistry {
     private final Map<String, Command> commands = new LinkedHashMap<>();
     private final Map<KeyStroke, Command> keys = new LinkedHashMap<>();
     private final CommandPolicy policy;
+    private final UnaryOperator<String> words;
 
     /** Commands that are all there. */
     public CommandRegistry() {
@@ -22,7 +24,13 @@ public final class CommandRegistry {
 
     /** Commands of which some may be hidden or locked. */
     public CommandRegistry(CommandPolicy policy) {
+        this(policy, UnaryOperator.identity());
+    }
+
+    /** Commands whose titles and reasons are said in a domain's words. */
+    public CommandRegistry(CommandPolicy policy, UnaryOperator<String> words) {
         this.policy = Objects.requireNonNull(policy, "policy");
+        this.words = Objects.requireNonNull(words, "words");
     }
 
     /**
@@ -43,6 +51,7 @@ public final class CommandRegistry {
             }
         });
         commands.put(command.id(), command);
+        command.sayIn(words);
         if (!policy.shows(command.id())) {
             command.hide();
         } else {

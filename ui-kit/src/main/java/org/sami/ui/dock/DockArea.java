@@ -49,7 +49,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private final JFrame frame;
     private final Path remembered;
     private final Map<String, String> keys = new HashMap<>();
-    private final Arrangements offered;
+    private Arrangements offered;
     private final Runnable adapting = this::adapt;
     private final RootDockingPanel root;
     private final FoldedPanels folded;
@@ -352,6 +352,12 @@ public final class DockArea extends JPanel implements AutoCloseable {
     @Override
     public Dimension getMinimumSize() {
         return root.getMinimumSize();
+    }
+
+    /** Arranges the panels as another of the program's arrangements has it; that one fits itself to the window and is put back from now on. */
+    public void arrange(Arrangements other) {
+        offered = other.of(panels.keySet());
+        reset();
     }
 
     /** Arranges the panels as the program wants it. */

@@ -8,11 +8,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
-import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.ScenarioOptions;
 import org.sami.crw.cli.option.SeedsConverter;
 import org.sami.crw.cli.output.ErrorMessages;
@@ -29,6 +30,7 @@ import org.sami.crw.sim.experiment.ExperimentRow;
 import org.sami.crw.sim.experiment.ExperimentTable;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.json.DomainLibrary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -112,6 +114,9 @@ public final class ExperimentCommand implements Callable<Integer> {
     private boolean overwrite;
 
     @Mixin
+    private DomainOption domain = new DomainOption();
+
+    @Mixin
     private PlanOption planOption = new PlanOption();
 
     @Mixin
@@ -121,9 +126,13 @@ public final class ExperimentCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         PrintWriter err = spec.commandLine().getErr();
         int threads = threads();
+        Optional<DomainLibrary> words = domain.library(err);
+        if (words.isEmpty()) {
+            return ExitCode.FINDINGS;
+        }
         List<ExperimentCase> cases;
         try {
-            cases = cases();
+            cases = cases(words.get());
         } catch (ExperimentRuns.FaultyFile faulty) {
             FindingsText.print(err, faulty.source(), faulty.findings());
             err.flush();
@@ -148,8 +157,8 @@ public final class ExperimentCommand implements Callable<Integer> {
         return jobs;
     }
 
-    private List<ExperimentCase> cases() throws ExperimentRuns.FaultyFile {
-        ExperimentRuns read = new ExperimentRuns(PlanSource.library());
+    private List<ExperimentCase> cases(DomainLibrary library) throws ExperimentRuns.FaultyFile {
+        ExperimentRuns read = new ExperimentRuns(library);
         if (runs == null && name == null && !options.hasScript()) {
             throw new UsageFault("which missions? Name a plan (PLAN|FILE), or a file with a mission a line (--runs)");
         }

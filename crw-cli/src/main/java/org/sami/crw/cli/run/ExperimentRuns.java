@@ -14,6 +14,7 @@ import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.console.CommandLineText;
 import org.sami.crw.console.ConsoleFault;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.sim.experiment.ExperimentCase;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.RunPlan;
@@ -152,7 +153,9 @@ public final class ExperimentRuns {
             throw new FaultyFile(source.source(), concerning);
         }
         ScenarioOptions.Rest rest = new ScenarioOptions.Rest(1, Conditions.CALM, Speed.MAX, List.of());
-        RunSettings settings = options.settings(plan.id(), plan.title(), rest, folder);
+        RunSettings given = options.settings(plan.id(), plan.title(), rest, folder);
+        RunSettings settings = given.withFleet(
+                given.fleet().of(HandlerModules.robotsOf(library.vocabulary().domain())));
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {
             throw new FaultyFile(options.answersFile(), answers.findings());

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.PlanSource;
@@ -26,6 +27,7 @@ import org.sami.crw.console.Console;
 import org.sami.crw.console.LineSource;
 import org.sami.crw.console.PlainLines;
 import org.sami.crw.console.TerminalLines;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
@@ -77,6 +79,9 @@ public final class SessionCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec spec;
+
+    @Mixin
+    private DomainOption domain = new DomainOption();
 
     @Mixin
     private LinkOptions links = new LinkOptions();
@@ -171,7 +176,11 @@ public final class SessionCommand implements Callable<Integer> {
                     addresses,
                     true);
         }
-        DomainLibrary library = PlanSource.library();
+        Optional<DomainLibrary> words = domain.library(spec.commandLine().getErr());
+        if (words.isEmpty()) {
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = words.get();
         Project project = library.combined();
         if (name != null) {
             PlanSource source = PlanSource.find(name, library);
@@ -218,8 +227,11 @@ public final class SessionCommand implements Callable<Integer> {
             boolean goesOn)
             throws IOException {
         Conditions ofSimulated = water.map(NamedConditions::conditions).orElse(Conditions.CALM);
-        SessionRuntime runtime =
-                SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(new SimulatedBoatsOnTcp(1, ofSimulated));
+        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
+                .withSimulatedBoats(new SimulatedBoatsOnTcp(
+                        1,
+                        ofSimulated,
+                        HandlerModules.robotsOf(setup.vocabulary().domain())));
         boolean attended = script == null && Terminal.onStandardInputAndOutput();
         FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
         try (Session session =

@@ -116,7 +116,7 @@ public final class BoatPanel extends FoldingPanel {
         byHand.refresh();
         name.setFont(Fonts.heading());
         if (boat.isEmpty()) {
-            name.setText("No boat is selected");
+            name.setText(context.say("No boat is selected"));
             name.setIcon(null);
             why.setText("Select one in the list or on the map.");
             why.setToolTipText(why.getText());

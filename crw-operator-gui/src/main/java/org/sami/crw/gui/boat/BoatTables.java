@@ -19,7 +19,7 @@ public final class BoatTables {
      * @param boat the boat of a row
      */
     public static <R> RowColumn<R> names(OperatorContext context, Function<R, String> boat) {
-        return RowColumn.words("Boat", NAME_WIDTH, boat)
+        return RowColumn.words(context.say("Boat"), NAME_WIDTH, boat)
                 .keepingEnds() // addresses of one network differ there
                 .withIcon(row -> context.models()
                         .fleet()

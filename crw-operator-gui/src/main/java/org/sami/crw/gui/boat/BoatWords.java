@@ -74,6 +74,14 @@ public final class BoatWords {
         return boat.speedWords().isEmpty() ? UNKNOWN : boat.speedWords();
     }
 
+    /** How high it is above the place of its take-off, in m. */
+    public static String altitude(BoatSnapshot boat) {
+        return boat.pose()
+                .map(pose ->
+                        String.format(Locale.ROOT, "%.0f m", pose.position().altM()))
+                .orElse(UNKNOWN);
+    }
+
     /** A speed in m/s; one that is rounded to nothing has no sign. */
     public static String speed(double mps) {
         return String.format(Locale.ROOT, "%.1f m/s", Math.round(mps * 10) / 10.0);

@@ -1,11 +1,13 @@
 package org.sami.crw.gui.boat;
 
 import java.awt.BorderLayout;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.JPanel;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetRows;
@@ -19,6 +21,8 @@ import org.sami.ui.table.RowTable;
 
 /** The boats, worst first: what each does or why it stands, charge, speed, path, age of the link. Shows each in its own mark. */
 public final class BoatsPanel extends JPanel {
+    private static final int ALTITUDE_COLUMN = 3; // behind the battery
+
     private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
                     (Shown shown) -> BoatWords.trouble(shown.boat()))
             .reversed()
@@ -40,22 +44,11 @@ public final class BoatsPanel extends JPanel {
         this.context = context;
         table = new RowTable<>(
                 "boats-table",
-                "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears here with"
-                        + " what it does.",
+                context.say(
+                        "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears"
+                                + " here with what it does."),
                 Shown::name,
-                List.of(
-                        BoatTables.names(context, Shown::name),
-                        RowColumn.<Shown>words("What it does", 0, shown -> BoatWords.brief(shown.boat()))
-                                .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
-                        number("Battery", 68, shown -> BoatWords.battery(shown.boat()))
-                                .colored(shown -> batteryColor(shown)),
-                        number("Speed", 72, shown -> BoatWords.speed(shown.boat()))
-                                .asSpare(),
-                        number("Path", 72, shown -> BoatWords.path(shown.boat()))
-                                .asSpare(),
-                        RowColumn.<Shown>number("Link", 90, Shown::link)
-                                .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)
-                                .asLastSpare())); // what it does says when the link is lost
+                columns(context));
         table.showOneLine();
         BoatTables.shareSelection(context, table, Shown::name);
         Command giveUp = context.commands()
@@ -72,6 +65,23 @@ public final class BoatsPanel extends JPanel {
                         .retain(boats.stream().map(BoatSnapshot::boat).toList()));
         add(table);
         refresh();
+    }
+
+    private List<RowColumn<Shown>> columns(OperatorContext of) {
+        List<RowColumn<Shown>> columns = new ArrayList<>(List.of(
+                BoatTables.names(of, Shown::name),
+                RowColumn.<Shown>words("What it does", 0, shown -> of.say(BoatWords.brief(shown.boat())))
+                        .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
+                number("Battery", 68, shown -> BoatWords.battery(shown.boat())).colored(shown -> batteryColor(shown)),
+                number("Speed", 72, shown -> BoatWords.speed(shown.boat())).asSpare(),
+                number("Path", 72, shown -> BoatWords.path(shown.boat())).asSpare(),
+                RowColumn.<Shown>number("Link", 90, Shown::link)
+                        .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)
+                        .asLastSpare())); // what it does says when the link is lost
+        if (of.robots() == RobotKind.COPTER) {
+            columns.add(ALTITUDE_COLUMN, number("Altitude", 76, shown -> BoatWords.altitude(shown.boat())));
+        }
+        return columns;
     }
 
     private static RowColumn<Shown> number(String title, int width, Function<Shown, String> text) {

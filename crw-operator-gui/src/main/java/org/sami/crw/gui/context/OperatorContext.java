@@ -3,6 +3,8 @@ package org.sami.crw.gui.context;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
+import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.session.RefusedException;
@@ -53,6 +55,16 @@ public record OperatorContext(
     /** Why nothing can act on boats or missions; empty where it can. */
     public Optional<String> whyNotAct() {
         return shown.session().isPresent() ? Optional.empty() : Optional.of(REPLAY);
+    }
+
+    /** What the session's plans command: what they are called. */
+    public RobotKind robots() {
+        return HandlerModules.robotsOf(vocabulary().domain());
+    }
+
+    /** A text about boats, with the word for the session's robots. */
+    public String say(String text) {
+        return robots().say(text);
     }
 
     /** The session's models. */

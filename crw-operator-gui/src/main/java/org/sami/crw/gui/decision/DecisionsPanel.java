@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -75,7 +76,8 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
             ComponentChoice choice,
             ValueEditors editors,
             DecisionMap map,
-            ShownPictures pictures) {
+            ShownPictures pictures,
+            UnaryOperator<String> words) {
         super(new BorderLayout());
         this.actions = actions;
         this.map = map;
@@ -92,7 +94,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         waiting = new WaitingList(this::select);
         settle.setRepeats(false);
         setName("decisions");
-        deck.add(empty(), NONE);
+        deck.add(empty(words), NONE);
         deck.add(one(), ONE);
         add(deck);
         DecisionKeys.bind(this, this);
@@ -103,12 +105,12 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         refresh();
     }
 
-    private static JComponent empty() {
+    private static JComponent empty(UnaryOperator<String> words) {
         JPanel empty = new JPanel(new MigLayout("insets 16, fill", "[grow,fill]", "[center]"));
         empty.setOpaque(false);
-        WrappedText text = new WrappedText(
+        WrappedText text = new WrappedText(words.apply(
                 "Nothing waits for you. When a mission asks for boats, an area, a choice between allocations or a "
-                        + "yes, the most urgent question appears here, and the others in a list below it.");
+                        + "yes, the most urgent question appears here, and the others in a list below it."));
         text.setName("decisions-empty");
         text.setColor(SemanticColor.MUTED);
         empty.add(text, "wmin 60");

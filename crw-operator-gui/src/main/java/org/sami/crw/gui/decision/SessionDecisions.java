@@ -38,7 +38,14 @@ public final class SessionDecisions {
                 new ComponentChoice(components, context.vocabulary().types());
         ValueEditors editors = SessionEditors.of(context, choice, maps);
         DecisionsPanel panel = new DecisionsPanel(
-                context.commands(), new Actions(context), new Interactions(context.vocabulary()), choice, editors, map, pictures);
+                context.commands(),
+                new Actions(context),
+                new Interactions(context.vocabulary()),
+                choice,
+                editors,
+                map,
+                pictures,
+                context::say);
         context.models().decisions().addListener(panel::queue);
         panel.queue(context.models().decisions().snapshot());
         return panel;

@@ -281,8 +281,8 @@ public final class MapPanel extends JPanel {
     private void tellConsequence() {
         boolean none = context.boats().boats().isEmpty();
         String text = none
-                ? "Select boats to send them without a plan: a click, or a box with Shift held."
-                : guided.consequence();
+                ? context.say("Select boats to send them without a plan: a click, or a box with Shift held.")
+                : context.say(guided.consequence());
         consequence.setVisible(
                 !none || getHeight() >= Look.px(LOW)); // a hint that costs a fifth of a low map helps nobody
         consequence.setText(text);

@@ -59,10 +59,13 @@ public final class AllocationPanel extends FoldingPanel {
         this.context = context;
         table = new RowTable<>(
                 "allocation-table",
-                "No task. Plans of tasks divide them here among the boats, each with its own queue.",
+                context.say("No task. Plans of tasks divide them here among the boats, each with its own queue."),
                 row -> row.task().<Object>map(task -> task).orElse(row.boat()),
                 List.of(
-                        RowColumn.<Row>words("Boat", 96, row -> row.boat().isEmpty() ? "nobody" : row.boat())
+                        RowColumn.<Row>words(
+                                        context.say("Boat"),
+                                        96,
+                                        row -> row.boat().isEmpty() ? "nobody" : row.boat())
                                 .withIcon(this::mark),
                         RowColumn.number("Turn", 56, row -> row.place() == 0 ? "–" : row.place() + "."),
                         RowColumn.<Row>words("Task", 0, this::words)

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
 import org.sami.spn.value.GeoPoint;
@@ -13,10 +15,17 @@ import org.sami.spn.value.GeoPoint;
 final class BuiltInFleet {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
     private static final double SPACING_DEG = 0.0002; // 22 m
-    /** The boats, by their ids. */
+    /** Boats, by their ids. */
     static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
 
     private BuiltInFleet() {}
+
+    /** The names of those of a kind. */
+    static List<String> names(RobotKind robots) {
+        return robots == RobotKind.BOAT
+                ? NAMES
+                : IntStream.range(0, NAMES.size()).mapToObj(robots::nameOf).toList();
+    }
 
     /**
      * Launches them.
@@ -25,9 +34,10 @@ final class BuiltInFleet {
      * @return their addresses
      * @throws IOException if they cannot have ports
      */
-    static List<BoatAddress> launch(SimulatedBoats boats, Map<String, GeoPoint> at) throws IOException {
+    static List<BoatAddress> launch(SimulatedBoats boats, RobotKind robots, Map<String, GeoPoint> at)
+            throws IOException {
         Map<String, GeoPoint> places = new LinkedHashMap<>();
-        for (String name : NAMES) {
+        for (String name : names(robots)) {
             places.put(name, GeoPoint.of(QUAY.latDeg() - places.size() * SPACING_DEG, QUAY.lonDeg()));
         }
         places.replaceAll((name, quay) -> at.getOrDefault(name, quay));

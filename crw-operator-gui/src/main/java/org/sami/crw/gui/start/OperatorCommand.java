@@ -11,6 +11,7 @@ import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.json.BoundedFile;
@@ -21,6 +22,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The command line of the operator's window. */
@@ -67,6 +69,13 @@ public final class OperatorCommand implements Callable<Integer> {
 
     @Mixin
     private NetworkOption network;
+
+    @Option(
+            names = "--domain",
+            paramLabel = "NAME",
+            defaultValue = StartOptions.BOATS,
+            description = "Whose plans are run: uav opens the window on five simulated copters (default: the boats').")
+    private String domain;
 
     @Option(names = "--project", paramLabel = "FILE", description = "A project's file or folder; else Katara Beach.")
     private Path project;
@@ -164,7 +173,18 @@ public final class OperatorCommand implements Callable<Integer> {
                 Optional.ofNullable(replay),
                 Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)),
                 Optional.ofNullable(conditions),
-                new StartOptions.Near(near, network.address()));
+                new StartOptions.Near(near, network.address()),
+                domain.equals(StartOptions.BOATS) ? domain : shipped());
+    }
+
+    private String shipped() {
+        if (!domain.matches("[a-z][a-z0-9-]*")
+                || OperatorCommand.class.getResource("/org/sami/domain/" + domain + "/domain.json") == null
+                || !HandlerModules.isHandled(domain)) {
+            throw new ParameterException(
+                    spec.commandLine(), "--domain: '" + domain + "' does not come with this program; uav does");
+        }
+        return domain;
     }
 
     private static List<BoatAddress> addressesIn(Path file) throws IOException {

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
@@ -29,8 +31,8 @@ import org.sami.ui.EventThread;
 
 /** Opens the session of a window: with the built-in fleet or with real boats, again or where an earlier window's ended. */
 public final class SessionOpener {
-    private static final String DOMAIN = "/org/sami/domain/crw";
-    private static final String BEACH = DOMAIN + "/deployments/katara-beach.json";
+    private static final String DOMAINS = "/org/sami/domain/";
+    private static final String BEACH = DOMAINS + StartOptions.BOATS + "/deployments/katara-beach.json";
     /** The plan that is offered first, where the project has it. */
     public static final String OFFERED_PLAN = "explore-team";
 
@@ -42,6 +44,7 @@ public final class SessionOpener {
     private final Optional<Path> projectFile;
     private final Optional<NamedConditions> conditions;
     private final boolean beginsBuiltIn;
+    private final String domain;
     private Optional<NamedConditions> named = Optional.empty();
 
     /** An opener that states nothing about boats. */
@@ -51,7 +54,13 @@ public final class SessionOpener {
 
     /** An opener of what the window's options say. */
     public SessionOpener(DataDirectory data, StartOptions options) {
-        this(data, options.boats(), options.project(), options.conditions(), options.hasBuiltInFleet());
+        this(
+                data,
+                options.boats(),
+                options.project(),
+                options.conditions(),
+                options.hasBuiltInFleet(),
+                options.domain());
     }
 
     /**
@@ -67,7 +76,7 @@ public final class SessionOpener {
             List<BoatAddress> boats,
             Optional<Path> projectFile,
             Optional<NamedConditions> conditions) {
-        this(data, boats, projectFile, conditions, boats.isEmpty());
+        this(data, boats, projectFile, conditions, boats.isEmpty(), StartOptions.BOATS);
     }
 
     private SessionOpener(
@@ -75,7 +84,9 @@ public final class SessionOpener {
             List<BoatAddress> boats,
             Optional<Path> projectFile,
             Optional<NamedConditions> conditions,
-            boolean beginsBuiltIn) {
+            boolean beginsBuiltIn,
+            String domain) {
+        this.domain = domain;
         this.beginsBuiltIn = beginsBuiltIn;
         this.data = data;
         this.boats = List.copyOf(boats);
@@ -89,7 +100,7 @@ public final class SessionOpener {
      * @throws IOException if the project has errors, which the message names, or the journal cannot be made
      */
     public Session openNew() throws IOException {
-        DomainLibrary library = DomainLibrary.fromClassPath(DOMAIN).orThrow();
+        DomainLibrary library = DomainLibrary.fromClassPath(DOMAINS + domain).orThrow();
         Project project = project(library);
         NamedConditions stated = conditions.orElse(NamedConditions.FIELD);
         Map<String, String> settings = new HashMap<>(stated.settings());
@@ -111,6 +122,8 @@ public final class SessionOpener {
         if (projectFile.isPresent()) {
             Path file = projectFile.get();
             reading = BoundedFile.making(file, () -> reader.readAndCheck(file));
+        } else if (!domain.equals(StartOptions.BOATS)) {
+            return library.combined();
         } else {
             reading = reader.readAndCheck(beach());
         }
@@ -162,18 +175,20 @@ public final class SessionOpener {
 
     private Session opened(SessionSetup setup, boolean builtIn, Optional<NamedConditions> water) throws IOException {
         named = water;
+        RobotKind robots = HandlerModules.robotsOf(setup.vocabulary().domain());
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
-                1, water.map(NamedConditions::conditions).orElse(Conditions.CALM));
+                1, water.map(NamedConditions::conditions).orElse(Conditions.CALM), robots);
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
                 .withFront(EventThread.executor())
                 .withSimulatedBoats(simulated);
         Session session = Session.open(setup.with(runtime));
         List<BoatAddress> addresses = boats;
         if (builtIn) {
-            addresses = BuiltInFleet.launch(simulated, session.earlierBoats().lastPositions());
+            addresses = BuiltInFleet.launch(
+                    simulated, robots, session.earlierBoats().lastPositions());
         }
         if (setup.journal().resumedFrom().isPresent()) {
-            session.earlierBoats().reconnectWithout(builtIn ? Set.copyOf(BuiltInFleet.NAMES) : Set.of());
+            session.earlierBoats().reconnectWithout(builtIn ? Set.copyOf(BuiltInFleet.names(robots)) : Set.of());
         }
         addresses.forEach(session.fleet()::connect);
         return session;

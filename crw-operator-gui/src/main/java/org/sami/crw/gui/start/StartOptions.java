@@ -20,6 +20,7 @@ import org.sami.palette.Theme;
  * @param atMillis the moment of the replay at which it begins
  * @param conditions how simulated boats fare, and boats that do not say it; empty = calm and field, or as the session that is gone on with had it
  * @param near how boats are found on the network
+ * @param domain whose plans are run, by the name of its folder
  */
 public record StartOptions(
         List<BoatAddress> boats,
@@ -30,7 +31,11 @@ public record StartOptions(
         Optional<Path> replay,
         Optional<Long> atMillis,
         Optional<NamedConditions> conditions,
-        Near near) {
+        Near near,
+        String domain) {
+    /** The domain of the boats. */
+    public static final String BOATS = "crw";
+
     /**
      * How boats are found on the network.
      *
@@ -62,6 +67,20 @@ public record StartOptions(
             Optional<Path> replay,
             Optional<Long> atMillis) {
         this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty(), Near.WHEN_ASKED);
+    }
+
+    /** A session or a replay of boats. */
+    public StartOptions(
+            List<BoatAddress> boats,
+            Optional<Path> project,
+            Optional<Theme> theme,
+            Optional<Integer> scale,
+            Optional<Boolean> resume,
+            Optional<Path> replay,
+            Optional<Long> atMillis,
+            Optional<NamedConditions> conditions,
+            Near near) {
+        this(boats, project, theme, scale, resume, replay, atMillis, conditions, near, BOATS);
     }
 
     public StartOptions {

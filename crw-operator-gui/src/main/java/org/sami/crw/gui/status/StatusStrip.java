@@ -183,7 +183,7 @@ public final class StatusStrip extends FoldingPanel {
         ink(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
         FleetCount count = FleetCount.of(fleet, context.models().unreached().snapshot());
-        say(boats, count.words(), brief ? count.linked() + " / " + count.all() : "");
+        say(boats, context.say(count.words()), brief ? count.linked() + " / " + count.all() : "");
         ink(boats, count.linked() < count.all() ? SemanticColor.WARNING : SemanticColor.TEXT);
         showLinks(fleet, count);
         clock.setFont(brief ? Fonts.strong() : Fonts.heading());

@@ -86,6 +86,41 @@ public final class OperatorPanels implements AutoCloseable {
             new Dimension(1280, 780),
             new Dimension(720, 440));
 
+    /**
+     * The other arrangement: thesis, Figure 5.6. The robots with their status on the left, one large map on which decisions draw, below it the mission
+     * manager, whose tabs are plans, phases and nets, interrupts and decisions, and the messages at the bottom right.
+     */
+    public static final Arrangements AIMS = new Arrangements(
+            Arrangement.of("map")
+                    .left("boats", "map", 0.26)
+                    .below("pictures", "boats", 0.6)
+                    .behind("boat", "pictures")
+                    .behind("communication", "pictures")
+                    .below("missions", "map", 0.42)
+                    .right("messages", "missions", 0.36)
+                    .behind("interrupts", "missions")
+                    .behind("decisions", "missions")
+                    .behind("alarms", "messages")
+                    .behind("health", "messages")
+                    .behind("allocation", "messages")
+                    .behind("log", "messages"),
+            Arrangement.of("map")
+                    .left("boats", "map", 0.3)
+                    .behind("boat", "boats")
+                    .behind("pictures", "boats")
+                    .behind("communication", "boats")
+                    .below("missions", "map", 0.5)
+                    .right("messages", "missions", 0.36)
+                    .behind("interrupts", "missions")
+                    .behind("decisions", "missions")
+                    .behind("alarms", "messages")
+                    .behind("health", "messages")
+                    .behind("allocation", "messages")
+                    .behind("log", "messages"),
+            FIRST.tight(),
+            FIRST.leastRoomy(),
+            FIRST.leastCompact());
+
     private final ShownPictures pictures;
     private final BoatsPanel boats;
     private final BoatPanel boat;
@@ -129,8 +164,8 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("map", "Map", "map", map).withUseOfRoom(),
                 new DockPanel("missions", "Missions", "net", missions).withUseOfRoom(),
                 asking,
-                new DockPanel("boats", "Boats", "fleet", boats),
-                new DockPanel("boat", "Boat", "boat", boat),
+                new DockPanel("boats", context.say("Boats"), "fleet", boats),
+                new DockPanel("boat", context.say("Boat"), "boat", boat),
                 new DockPanel("messages", "Messages", "message", new MessagesPanel(context, map::pointAt, pictures)),
                 new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context, map::pointAt)),
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),

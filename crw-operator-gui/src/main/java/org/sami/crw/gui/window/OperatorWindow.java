@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
@@ -20,6 +21,7 @@ import org.sami.crw.gui.status.FaultCommands;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.near.BoatFinder;
@@ -29,6 +31,7 @@ import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.palette.IdentityMarks;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.CommandKeys;
+import org.sami.ui.command.CommandPolicy;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.sheet.Sheet;
@@ -67,8 +70,13 @@ public final class OperatorWindow {
         this.ended = ended;
         this.session = session;
         this.data = data;
+        RobotKind robots = HandlerModules.robotsOf(session.setup().vocabulary().domain());
         context = new OperatorContext(
-                session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
+                session,
+                new CommandRegistry(CommandPolicy.ALL, robots::say),
+                new IdentityMarks(),
+                new BoatSelection(),
+                new Notices(robots::say));
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         new FaultCommands(context, settings);
         LoadedProject file = new LoadedProject(project);
@@ -90,7 +98,7 @@ public final class OperatorWindow {
                 panels::decisionUnseen);
         frame.setName("operator-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
-        frame.setJMenuBar(new WindowMenus(context.commands(), panels.all()).bar());
+        frame.setJMenuBar(new WindowMenus(context.commands(), panels.all(), robots).bar());
         JPanel top = new JPanel(new BorderLayout());
         top.add(strip);
         top.add(new HealthRow(context, context.commands().get("panel-health")), BorderLayout.SOUTH);

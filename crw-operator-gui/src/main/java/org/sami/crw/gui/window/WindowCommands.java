@@ -73,6 +73,10 @@ final class WindowCommands {
 
     void addPanels(DockArea dock) {
         view.addPanels(dock);
+        add(new Command(
+                "arrangement-first", "Panels as in the boats' trials", () -> dock.arrange(OperatorPanels.FIRST)));
+        add(new Command(
+                "arrangement-aims", "Robots left, one large map (AIMS)", () -> dock.arrange(OperatorPanels.AIMS)));
     }
 
     /** The command that opens a journal in a window of its own. */

@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.util.List;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
@@ -14,11 +15,18 @@ import org.sami.ui.window.CommandMenus;
 public final class WindowMenus {
     private static final int BORDER = 2; // above and below the menus
 
+    private final RobotKind robots;
     private final CommandMenus menus;
     private final List<DockPanel> panels;
 
     /** The menus of a window. */
     public WindowMenus(CommandRegistry commands, List<DockPanel> panels) {
+        this(commands, panels, RobotKind.BOAT);
+    }
+
+    /** The menus of a window on robots of a kind. */
+    public WindowMenus(CommandRegistry commands, List<DockPanel> panels, RobotKind robots) {
+        this.robots = robots;
         menus = new CommandMenus(commands);
         this.panels = panels;
     }
@@ -51,8 +59,8 @@ public final class WindowMenus {
                 "mission-show-ended",
                 "plans-find"));
         bar.add(menus.menu(
-                "Boats",
-                'B',
+                robots.say("Boats"),
+                robots.say("Boats").charAt(0),
                 "boats-near",
                 "boat-connect",
                 "boat-pair",
@@ -99,7 +107,9 @@ public final class WindowMenus {
         if (replay.getItemCount() > 0) { // over a session there is nothing to play
             bar.add(replay);
         }
-        bar.add(menus.view(panels));
+        JMenu view = menus.view(panels);
+        view.add(menus.menu("Arrangement", 'A', "arrangement-first", "arrangement-aims"));
+        bar.add(view);
         bar.add(menus.help());
         return bar;
     }

@@ -8,6 +8,7 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.log.LogPlace;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
@@ -106,6 +107,23 @@ public record BoatSettings(
                 LostLinkAction.HOLD,
                 Optional.empty(),
                 BoatDefaults.LOG_BYTES);
+    }
+
+    /** The same of another kind; copters return and land when their link is lost. */
+    public BoatSettings of(RobotKind robots) {
+        return new BoatSettings(
+                name,
+                address,
+                at,
+                seed,
+                batteryPercent,
+                HullConfig.of(robots),
+                conditions,
+                fieldSeed,
+                robots == RobotKind.COPTER ? LostLinkAction.RETURN : lostLink,
+                logFolder,
+                logBytes,
+                pictureFolder);
     }
 
     /** The same with a log in a folder, of the usual size. */

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
@@ -26,6 +27,7 @@ import org.sami.spn.value.GeoPoint;
 public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     private final long seed;
     private final Conditions conditions;
+    private final RobotKind robots;
     private final SteadyClock clock = SteadyClock.ofThisMachine();
     private final List<BoatOnTcp> boats = new ArrayList<>();
     private final BoatsInSight water = new BoatsInSight();
@@ -44,8 +46,14 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
      * @param conditions of water and instruments
      */
     public SimulatedBoatsOnTcp(long seed, Conditions conditions) {
+        this(seed, conditions, RobotKind.BOAT);
+    }
+
+    /** Nobody is launched yet; who is launched is of a kind. */
+    public SimulatedBoatsOnTcp(long seed, Conditions conditions, RobotKind robots) {
         this.seed = seed;
         this.conditions = conditions;
+        this.robots = robots;
     }
 
     @Override
@@ -55,6 +63,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
         }
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         BoatSettings settings = BoatSettings.of(boat, anyPort, at, seed + boats.size())
+                .of(robots)
                 .on(conditions)
                 .withPicturesIn(pictures().resolve(boat));
         BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water);
