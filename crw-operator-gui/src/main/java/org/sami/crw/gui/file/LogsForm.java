@@ -86,6 +86,8 @@ final class LogsForm extends JPanel {
         add(buttons(), WIDE);
         add(said, WIDE);
         folder.addActionListener(e -> begin.run());
+        table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "fetch");
+        table.table().getActionMap().put("fetch", begin);
         addHierarchyListener(event -> {
             if (isShowing()) {
                 look.start();
