@@ -60,7 +60,8 @@ class ManipulationTest {
 
     @Test
     void messagesAreNotChangedWhileTheFocusIsThereNorJustAfterTheirUse() throws Exception {
-        MessagesPanel panel = laidOut(() -> new MessagesPanel(world.context, (boats, text) -> {}, new ShownPictures(world.context)));
+        MessagesPanel panel =
+                laidOut(() -> new MessagesPanel(world.context, (boats, text) -> {}, new ShownPictures(world.context)));
         focus(panel, "messages-table", true);
         world.start("FOCUS_SUPPRESS");
         world.start("free");

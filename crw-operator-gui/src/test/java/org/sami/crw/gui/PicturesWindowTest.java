@@ -57,8 +57,11 @@ class PicturesWindowTest {
         robot.untilSaid("boats-count", "5 of 5");
         session.start("look-around", "look around", Map.of());
         answer(session, decision(session, "OperatorSelectBoatList"), new Answer.Proxies(List.of("anna")));
-        robot.until("the pictures are asked about", TURNED_WITHIN_S, () -> decisions(session).stream()
-                .anyMatch(one -> one.decision().type().equals("OperatorApproveBoats")));
+        robot.until(
+                "the pictures are asked about",
+                TURNED_WITHIN_S,
+                () -> decisions(session).stream()
+                        .anyMatch(one -> one.decision().type().equals("OperatorApproveBoats")));
         robot.until("all are here", () -> pictures(session).stream().anyMatch(one -> one.here() == 8));
 
         robot.untilShown("picture-anna-000003.jpg");
@@ -67,14 +70,16 @@ class PicturesWindowTest {
         robot.until("the third is large", () -> caption.getText().startsWith("anna, picture 3 of 8"));
 
         answer(session, decision(session, "OperatorApproveBoats"), new Answer.YesNo(true));
-        robot.until("the target is reported with the pictures", () -> session.models().messages().snapshot().stream()
-                .anyMatch(one -> one.message().text().equals("A target is in the pictures of this boat")
-                        && PanoramaPictures.shownWith(
-                                                pictures(session),
-                                                one.message().map(),
-                                                one.message().atMillis())
-                                        .size()
-                                == 1));
+        robot.until(
+                "the target is reported with the pictures",
+                () -> session.models().messages().snapshot().stream()
+                        .anyMatch(one -> one.message().text().equals("A target is in the pictures of this boat")
+                                && PanoramaPictures.shownWith(
+                                                        pictures(session),
+                                                        one.message().map(),
+                                                        one.message().atMillis())
+                                                .size()
+                                        == 1));
     }
 
     private static List<PanoramaPictures> pictures(Session session) {
@@ -86,8 +91,10 @@ class PicturesWindowTest {
     }
 
     private PendingDecision decision(Session session, String type) {
-        robot.until(type + " is asked", () -> decisions(session).stream()
-                .anyMatch(one -> one.decision().type().equals(type)));
+        robot.until(
+                type + " is asked",
+                () -> decisions(session).stream()
+                        .anyMatch(one -> one.decision().type().equals(type)));
         return decisions(session).stream()
                 .filter(one -> one.decision().type().equals(type))
                 .findFirst()

@@ -103,13 +103,16 @@ public final class UdpFaultProxy implements AutoCloseable {
         Optional<SocketAddress> to = ofVehicle ? base : vehicle;
         DatagramSocket by = ofVehicle ? baseSide : vehicleSide;
         try {
-            to.ifPresent(address -> later.schedule(
-                    () -> {
-                        by.send(new DatagramPacket(content, content.length, address));
-                        return content.length;
-                    },
-                    delayMs,
-                    TimeUnit.MILLISECONDS));
+            if (to.isPresent()) {
+                DatagramPacket packet = new DatagramPacket(content, content.length, to.get());
+                var unused = later.schedule(
+                        () -> {
+                            by.send(packet);
+                            return packet.getLength();
+                        },
+                        delayMs,
+                        TimeUnit.MILLISECONDS);
+            }
         } catch (RejectedExecutionException e) {
             // it is being closed
         }

@@ -38,8 +38,7 @@ public final class MessagesPanel extends JPanel {
      * @param pictures of the session's boats, of which messages show some
      * @param pointing shows on the map what the selected message speaks of, by its boats and its text; none and nothing where none is selected
      */
-    public MessagesPanel(
-            OperatorContext context, BiConsumer<List<String>, String> pointing, ShownPictures pictures) {
+    public MessagesPanel(OperatorContext context, BiConsumer<List<String>, String> pointing, ShownPictures pictures) {
         super(new BorderLayout());
         this.pictures = pictures;
         this.context = context;
@@ -82,8 +81,7 @@ public final class MessagesPanel extends JPanel {
             table.repaint();
         });
         add(new TableTools(
-                table,
-                moment.map(one -> List.of(enlarge, acknowledge, one)).orElse(List.of(enlarge, acknowledge))));
+                table, moment.map(one -> List.of(enlarge, acknowledge, one)).orElse(List.of(enlarge, acknowledge))));
         MessageList messages = context.models().messages();
         UseWatch.on(table.table(), table, messages::touched, messages::focus);
         messages.addListener(this::show);
@@ -122,7 +120,8 @@ public final class MessagesPanel extends JPanel {
     private Optional<String> whyNoPictures() {
         return firstPicture().isPresent()
                 ? Optional.empty()
-                : Optional.of(table.selected().isPresent() ? "this message has no pictures" : "no message has pictures");
+                : Optional.of(
+                        table.selected().isPresent() ? "this message has no pictures" : "no message has pictures");
     }
 
     private void openPictures() {

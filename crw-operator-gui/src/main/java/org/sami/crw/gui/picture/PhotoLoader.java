@@ -21,7 +21,8 @@ final class PhotoLoader implements AutoCloseable {
 
     private final Runnable read;
     private final ThreadPoolExecutor reader;
-    private final Map<Wanted, Photo> kept = new LinkedHashMap<>(16, 0.75f, true); // the one that was shown last is the last
+    private final Map<Wanted, Photo> kept =
+            new LinkedHashMap<>(16, 0.75f, true); // the one that was shown last is the last
     private final Set<Wanted> reading = new HashSet<>();
     private boolean closed;
 

@@ -65,8 +65,7 @@ final class PictureButton extends JButton {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setColor(SemanticColor.SURFACE_RAISED.get());
         g.fillRect(0, 0, getWidth(), getHeight());
-        Optional<Photo> photo =
-                choice.picture().file().flatMap(file -> pictures.photo(file, getWidth(), getHeight()));
+        Optional<Photo> photo = choice.picture().file().flatMap(file -> pictures.photo(file, getWidth(), getHeight()));
         Optional<BufferedImage> image = photo.flatMap(Photo::image);
         if (image.isPresent()) {
             int x = (getWidth() - image.get().getWidth()) / 2;

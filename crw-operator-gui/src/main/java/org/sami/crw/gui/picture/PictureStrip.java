@@ -60,7 +60,8 @@ public final class PictureStrip extends JPanel {
 
     /** Marks the picture that is shown large, if it is one of these. */
     void mark(Optional<PictureChoice> large) {
-        buttons.forEach(button -> button.setChosen(large.filter(button.choice()::isSame).isPresent()));
+        buttons.forEach(
+                button -> button.setChosen(large.filter(button.choice()::isSame).isPresent()));
     }
 
     /** The first of them; empty where there is none. */

@@ -89,9 +89,8 @@ public final class PicturesPanel extends JPanel {
                 .add(new Command(id, title, run)
                         .withKey(key)
                         .withIcon(icon)
-                        .unless(() -> shown.isPresent()
-                                ? Optional.empty()
-                                : Optional.of("no boat has taken a picture yet")));
+                        .unless(() ->
+                                shown.isPresent() ? Optional.empty() : Optional.of("no boat has taken a picture yet")));
         commands.add(command);
         view.getInputMap().put(KeyStroke.getKeyStroke(here), id);
         view.getActionMap().put(id, command);
@@ -126,9 +125,8 @@ public final class PicturesPanel extends JPanel {
                                 && each.panorama().equals(one.of().panorama()))
                         .findFirst()
                         .map(each -> new PictureChoice(each, one.index())))
-                .or(() -> all.isEmpty()
-                        ? Optional.empty()
-                        : Optional.of(new PictureChoice(all.get(all.size() - 1), 0)));
+                .or(() ->
+                        all.isEmpty() ? Optional.empty() : Optional.of(new PictureChoice(all.get(all.size() - 1), 0)));
         show(now);
     }
 
@@ -154,9 +152,10 @@ public final class PicturesPanel extends JPanel {
 
     private static String caption(PictureChoice one) {
         GeoPoint from = one.of().from();
-        String missing = one.of().coming() == 0 && one.of().here() == one.of().pictures().size()
-                ? ""
-                : " · " + one.of().words();
+        String missing =
+                one.of().coming() == 0 && one.of().here() == one.of().pictures().size()
+                        ? ""
+                        : " · " + one.of().words();
         return one.words() + " · taken by "
                 + SessionClock.text(one.of().atMillis())
                 + String.format(Locale.ROOT, " at %.5f, %.5f", from.latDeg(), from.lonDeg()) + missing;

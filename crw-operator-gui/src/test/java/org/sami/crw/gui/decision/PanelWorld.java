@@ -50,8 +50,8 @@ final class PanelWorld implements AutoCloseable {
                         .with(runtime));
         context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
-        panel = onEventThread(() -> SessionDecisions.panel(
-                context, LIBRARY.components(), map, MapMaker.PLAIN, new ShownPictures(context)));
+        panel = onEventThread(() ->
+                SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN, new ShownPictures(context)));
         session.begin();
         for (String boat : boats) {
             session.fleet()

@@ -25,18 +25,29 @@ final class PictureFiles {
         Map<String, StringBuilder> groups = new LinkedHashMap<>();
         for (PictureResult one : part.pictures()) {
             String head = String.format(
-                    Locale.ROOT, "%s, %.1f s, %.6f, %.6f", one.boat(), one.atMillis() / 1000.0, one.latDeg(), one.lonDeg());
+                    Locale.ROOT,
+                    "%s, %.1f s, %.6f, %.6f",
+                    one.boat(),
+                    one.atMillis() / 1000.0,
+                    one.latDeg(),
+                    one.lonDeg());
             groups.computeIfAbsent(head, none -> new StringBuilder()).append(figure(one, copied(one, folder)));
         }
-        StringBuilder page = new StringBuilder("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
-        page.append(html(title)).append("</title>\n<style>\n")
+        StringBuilder page =
+                new StringBuilder("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
+        page.append(html(title))
+                .append("</title>\n<style>\n")
                 .append("body { font-family: sans-serif; margin: 24px; color: #16202a; background: #ffffff; }\n")
                 .append("div { display: flex; flex-wrap: wrap; gap: 8px; }\n")
                 .append("figure { margin: 0; width: 320px; }\nimg { width: 100%; }\n")
                 .append("figcaption { font-size: 13px; color: #55606c; }\n</style>\n</head>\n<body>\n<h1>")
-                .append(html(title)).append("</h1>\n");
-        groups.forEach((head, figures) -> page.append("<h2>").append(html(head)).append("</h2>\n<div>\n")
-                .append(figures).append("</div>\n"));
+                .append(html(title))
+                .append("</h1>\n");
+        groups.forEach((head, figures) -> page.append("<h2>")
+                .append(html(head))
+                .append("</h2>\n<div>\n")
+                .append(figures)
+                .append("</div>\n"));
         return page.append("</body>\n</html>\n").toString();
     }
 
@@ -61,13 +72,15 @@ final class PictureFiles {
     private static String figure(PictureResult one, Optional<String> problem) {
         String path = html(one.path());
         String name = html(one.name());
-        return problem.map(words -> "<figure><figcaption>" + name + ": " + html(words)
-                        + "</figcaption></figure>\n")
+        return problem.map(words -> "<figure><figcaption>" + name + ": " + html(words) + "</figcaption></figure>\n")
                 .orElseGet(() -> "<figure><a href=\"" + path + "\"><img src=\"" + path + "\" alt=\"" + name
                         + "\" loading=\"lazy\"></a><figcaption>" + name + "</figcaption></figure>\n");
     }
 
     private static String html(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
+        return text.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
     }
 }

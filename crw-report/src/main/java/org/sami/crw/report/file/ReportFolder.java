@@ -115,7 +115,10 @@ public final class ReportFolder {
     private void parts(RunReport report) throws IOException {
         Optional<PicturesPart> pictures = report.part(PicturesPart.class);
         if (pictures.isPresent()) {
-            text("pictures.html", PictureFiles.copy(pictures.get(), "Pictures of " + report.header().mission(), folder));
+            text(
+                    "pictures.html",
+                    PictureFiles.copy(
+                            pictures.get(), "Pictures of " + report.header().mission(), folder));
         }
         for (ReportPart part : report.parts()) {
             text(part.name() + ".csv", ReportTables.of(part).toString());

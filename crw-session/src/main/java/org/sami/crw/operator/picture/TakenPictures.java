@@ -29,10 +29,7 @@ public final class TakenPictures {
                     fetched.panorama(),
                     new BoatPicture(fetched.name(), Optional.of(fetched.file()), ""));
         } else if (event instanceof PictureMissed missed) {
-            change(
-                    missed.boat(),
-                    missed.panorama(),
-                    new BoatPicture(missed.name(), Optional.empty(), missed.reason()));
+            change(missed.boat(), missed.panorama(), new BoatPicture(missed.name(), Optional.empty(), missed.reason()));
         }
     }
 

@@ -52,7 +52,8 @@ public final class SessionPictures implements Closeable {
      * @throws IOException if it cannot be made
      */
     Path folder(String boat, String panorama) throws IOException {
-        Path folder = Objects.requireNonNull(root.resolve(path(boat, panorama, "x")).getParent(), "folder");
+        Path folder =
+                Objects.requireNonNull(root.resolve(path(boat, panorama, "x")).getParent(), "folder");
         boolean posix = root.getFileSystem().supportedFileAttributeViews().contains("posix");
         FileAttribute<?>[] own = posix
                 ? new FileAttribute<?>[] {

@@ -92,17 +92,17 @@ final class StillPicture implements Closeable {
         } catch (TimeoutException e) {
             throw new IOException(what + " within " + WITHIN_S + " s", e);
         } catch (ExecutionException e) {
-            throw new IOException(what + ": " + e.getCause().getMessage(), e);
+            Throwable cause = e.getCause();
+            throw new IOException(what + ": " + (cause == null ? e : cause).getMessage(), e);
         }
     }
 
     @Override
     public void close() {
-        opened.whenComplete((camera, fault) -> {
-            if (camera != null) {
-                camera.close();
-            }
-        });
+        boolean never = opened.completeExceptionally(new IOException("the camera opened too late"));
+        if (!never && !opened.isCompletedExceptionally()) {
+            opened.join().close();
+        }
         reader.close();
         thread.quitSafely();
     }

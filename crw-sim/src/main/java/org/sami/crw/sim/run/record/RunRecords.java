@@ -76,8 +76,8 @@ public final class RunRecords {
         folds.add(new StuckNotes(session.models(), session.scheduler()::nowMs));
         folds.add(draft -> draft.add(new OperatorActionsPart(
                 OperatorActions.of(session.models().log().snapshot()))));
-        folds.add(draft -> PictureResults.part(session.models().pictures().snapshot())
-                .ifPresent(draft::add));
+        folds.add(draft ->
+                PictureResults.part(session.models().pictures().snapshot()).ifPresent(draft::add));
         folds.add(draft -> draft.waits(
                 draft.end().outcome().isOver()
                         ? List.of()
