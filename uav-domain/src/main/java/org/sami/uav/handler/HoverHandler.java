@@ -1,6 +1,7 @@
 package org.sami.uav.handler;
 
 import java.util.List;
+import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
@@ -10,7 +11,6 @@ import org.sami.crw.proxy.command.Stop;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
-import java.util.Optional;
 
 /** Hover and Look Around: each aircraft stays where it is in the air, and for the latter turns all round and takes pictures. */
 final class HoverHandler implements ActivationHandler {

@@ -1,7 +1,6 @@
 package org.sami.crw.cli.option;
 
 import java.net.InetAddress;
-import java.util.List;
 import java.util.Optional;
 import org.sami.crw.proxy.near.BoatFinder;
 import picocli.CommandLine.Option;

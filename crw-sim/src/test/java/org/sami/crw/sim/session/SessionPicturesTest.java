@@ -68,7 +68,7 @@ class SessionPicturesTest {
         Path journal = folder.resolve("session.crw");
         try (TestSession world = new TestSession(folder.resolve("boats"))) {
             Session session = world.opened(project(), journal);
-            Decision decision = asked(world, session, world.boat("anna"));
+            Decision decision = asked(session, world.boat("anna"));
             Await.until("all pictures are here", () -> only(session).here() == 8);
 
             PanoramaPictures pictures = only(session);
@@ -108,7 +108,7 @@ class SessionPicturesTest {
         try (TestSession world = new TestSession(folder.resolve("boats"))) {
             Session session = world.opened(project(), journal);
             BoatOnTcp anna = world.boat("anna");
-            asked(world, session, anna);
+            asked(session, anna);
             Await.until("a picture is here", () -> only(session).here() > 0);
         }
         try (TestSession world = new TestSession(folder.resolve("boats"))) {
@@ -125,7 +125,7 @@ class SessionPicturesTest {
         try (TestSession world = new TestSession(folder.resolve("boats"));
                 BoatOnTcp anna = boatWithALargePicture()) {
             Session session = world.opened(project(), folder.resolve("session.crw"));
-            asked(world, session, anna);
+            asked(session, anna);
             Await.until("nothing is open", () -> only(session).coming() == 0);
 
             Await.until(
@@ -159,7 +159,7 @@ class SessionPicturesTest {
         return TestSession.project(PLAN);
     }
 
-    private static Decision asked(TestSession world, Session session, BoatOnTcp boat) {
+    private static Decision asked(Session session, BoatOnTcp boat) {
         session.fleet().connect(TestSession.address(boat));
         session.begin();
         TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));

@@ -96,7 +96,7 @@ class LogRotationTest {
         for (int i = 0; i < count; i++) {
             String id = "c" + (random.nextInt(8) == 0 ? i / 2 : i);
             CommandMessage command = command(random, id, list);
-            list = command instanceof UploadWaypoints ? ((UploadWaypoints) command).listId() : list;
+            list = command instanceof UploadWaypoints upload ? upload.listId() : list;
             LinkMessage answer = random.nextInt(6) == 0 && !(command instanceof UploadWaypoints)
                     ? new Nack(id, NackReason.FLEET_STOPPED, "")
                     : new Ack(id);
@@ -108,29 +108,18 @@ class LogRotationTest {
     private static CommandMessage command(Random random, String id, String list) {
         List<Waypoint> points =
                 Collections.nCopies(1 + random.nextInt(9), new Waypoint(45 + random.nextDouble(), 10, 1));
-        switch (random.nextInt(11)) {
-            case 0:
-            case 1:
-                return new UploadWaypoints(id, "l" + random.nextInt(3), points);
-            case 2:
-                return new SetWaysHome(id, list.isEmpty() ? "l0" : list, List.of(List.of(points)));
-            case 3:
-                return new StartWaypoints(id, list.isEmpty() ? "l0" : list, 0);
-            case 4:
-                return new StopMotors(id);
-            case 5:
-                return new FleetStop(id);
-            case 6:
-                return new FleetRelease(id);
-            case 7:
-                return new SetGains(id, GainAxis.values()[random.nextInt(2)], random.nextInt(9), 0, 0);
-            case 8:
-                return new SetVelocityMultiplier(id, random.nextInt(9));
-            case 9:
-                return new SetLostLinkAction(id, LostLinkAction.values()[random.nextInt(4)]);
-            default:
-                return new TakeCommand(id, "session", 1 + random.nextInt(9));
-        }
+        return switch (random.nextInt(11)) {
+            case 0, 1 -> new UploadWaypoints(id, "l" + random.nextInt(3), points);
+            case 2 -> new SetWaysHome(id, list.isEmpty() ? "l0" : list, List.of(List.of(points)));
+            case 3 -> new StartWaypoints(id, list.isEmpty() ? "l0" : list, 0);
+            case 4 -> new StopMotors(id);
+            case 5 -> new FleetStop(id);
+            case 6 -> new FleetRelease(id);
+            case 7 -> new SetGains(id, GainAxis.values()[random.nextInt(2)], random.nextInt(9), 0, 0);
+            case 8 -> new SetVelocityMultiplier(id, random.nextInt(9));
+            case 9 -> new SetLostLinkAction(id, LostLinkAction.values()[random.nextInt(4)]);
+            default -> new TakeCommand(id, "session", 1 + random.nextInt(9));
+        };
     }
 
     /** What a restarted boat knows after each of the commands, beginning with none. */
