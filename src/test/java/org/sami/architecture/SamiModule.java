@@ -70,7 +70,7 @@ enum SamiModule {
     /** Control board, position and motors of a real hull, on streams. */
     BOAT_HULL("boat-server-android/hull", 45, List.of("org.sami.boat.hull.."), List.of(BOAT_SERVER, BOAT_LINK)),
     /** The app on the phone of a hull: Android around server and hull. */
-    BOAT_APP("boat-server-android/app", 47, List.of("org.sami.boat.app.."), List.of(BOAT_HULL, BOAT_SERVER, BOAT_LINK)),
+    BOAT_APP("boat-server-android/app", 60, List.of("org.sami.boat.app.."), List.of(BOAT_HULL, BOAT_SERVER, BOAT_LINK)),
     /** Planning over values: no engine and no boat. */
     CRW_SERVICES("crw-services", 116, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(

@@ -9,7 +9,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
-import org.sami.crw.session.picture.PictureSource;
+import org.sami.crw.session.picture.PictureAccess;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -53,7 +53,7 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
     }
 
     /** The way to the pictures that a boat keeps; empty while it is not reached, or where it keeps none. */
-    default Optional<PictureSource> pictures(String boat) {
+    default Optional<PictureAccess> pictures(String boat) {
         return Optional.empty();
     }
 

@@ -24,7 +24,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
-import org.sami.crw.session.picture.PictureSource;
+import org.sami.crw.session.picture.PictureAccess;
 import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP. Knows which address leads to which boat, and who waits for an address to lead to one. */
@@ -129,7 +129,7 @@ final class TcpFleet implements FleetConnector {
     }
 
     @Override
-    public Optional<PictureSource> pictures(String boat) {
+    public Optional<PictureAccess> pictures(String boat) {
         return boatAt.entrySet().stream()
                 .filter(one -> one.getValue().equals(boat))
                 .findFirst()
@@ -137,7 +137,7 @@ final class TcpFleet implements FleetConnector {
     }
 
     /** A boat's pictures, over a link of their own. */
-    private record Pictures(String boat, BoatFileFetch link) implements PictureSource {
+    private record Pictures(String boat, BoatFileFetch link) implements PictureAccess {
         @Override
         public void fetch(List<String> names, Path folder, BoatFileFetch.NamedFiles result) throws IOException {
             link.fetch(boat, KeptFile.PICTURE, names, folder, result);

@@ -109,7 +109,7 @@ class RotatedLogTest {
     }
 
     private static String words(LinkMessage answer) {
-        return answer instanceof Nack ? ((Nack) answer).reason() + " " + ((Nack) answer).detail() : answer.type();
+        return answer instanceof Nack nack ? nack.reason() + " " + nack.detail() : answer.type();
     }
 
     /** How the motors turn when the link is lost. */

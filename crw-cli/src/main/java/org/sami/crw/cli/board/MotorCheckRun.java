@@ -47,7 +47,7 @@ record MotorCheckRun(String name, BufferedReader in, PrintWriter out) {
      */
     boolean run(DevicePort device, HullSettings hull, Path file, SteadyClock clock) throws IOException {
         try (BoardVehicle board = new BoardVehicle(hull, new PositionFilter(), device.port(), clock, new Board())) {
-            RealBoatRun.open("--board", device, board::openFirst);
+            DeviceOpening.open("--board", device, board::openFirst);
             board.start();
             awaitBoard(board, device, clock);
             say("Check of the motors of " + name + ". Tie the boat up, and keep hands off the propellers.");

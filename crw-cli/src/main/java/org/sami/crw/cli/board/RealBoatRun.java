@@ -61,8 +61,8 @@ public record RealBoatRun(
         double declinationRad = options.declinationRad();
         SteadyClock clock = SteadyClock.ofThisMachine();
         try (HullBoat boat = new HullBoat(name, hull, board.port(), gps.port(), gps.gpsd(), clock, console::say)) {
-            open("--board", board, boat::openBoard);
-            open("--gps", gps, boat::openGps);
+            DeviceOpening.open("--board", board, boat::openBoard);
+            DeviceOpening.open("--gps", gps, boat::openGps);
             if (!Double.isNaN(declinationRad)) {
                 boat.gps().setDeclination(declinationRad);
             }
@@ -97,28 +97,5 @@ public record RealBoatRun(
          * @throws IOException if keys cannot be read or written
          */
         UnaryOperator<TcpServerConfig> make() throws IOException;
-    }
-
-    /** Opens a port. */
-    interface Opening {
-        /** Opens it. */
-        void open() throws IOException;
-    }
-
-    /** Opens a port; a failure names the option and says what to do. */
-    static void open(String option, DevicePort device, Opening opening) throws IOException {
-        try {
-            opening.open();
-        } catch (IOException e) {
-            String what = device.port().name() + " (" + option + "): " + e.getMessage();
-            throw new IOException(what + "; " + advice(device), e);
-        }
-    }
-
-    private static String advice(DevicePort device) {
-        if (device.serial()) {
-            return "plug it in and name its port (" + SerialStreamPort.present() + ")";
-        }
-        return device.gpsd() ? "start gpsd, or name where it runs" : "start what listens there, or name another port";
     }
 }

@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 
 /**
  * Where a boat's server listens; or a MAVLink link with the number of a vehicle on it.
@@ -37,7 +38,7 @@ public record BoatAddress(String host, int port) {
      */
     public static BoatAddress parse(String text) {
         if (VehicleAddress.isOne(text.strip())) {
-            List<BoatAddress> all = VehicleAddress.parseAll(text);
+            List<BoatAddress> all = vehicles(text);
             if (all.size() > 1) {
                 throw new IllegalArgumentException("'" + text + "' are several vehicles, not one");
             }
@@ -63,8 +64,7 @@ public record BoatAddress(String host, int port) {
         List<BoatAddress> all = new ArrayList<>();
         Set<BoatAddress> known = new HashSet<>();
         for (String part : text.split(",", -1)) {
-            List<BoatAddress> meant =
-                    VehicleAddress.isOne(part.strip()) ? VehicleAddress.parseAll(part) : List.of(parse(part));
+            List<BoatAddress> meant = VehicleAddress.isOne(part.strip()) ? vehicles(part) : List.of(parse(part));
             for (BoatAddress next : meant) {
                 if (!known.add(next)) {
                     throw new IllegalArgumentException(next + " stands there twice");
@@ -73,6 +73,13 @@ public record BoatAddress(String host, int port) {
             }
         }
         return all;
+    }
+
+    private static List<BoatAddress> vehicles(String text) {
+        VehicleAddress all = VehicleAddress.parse(text);
+        return IntStream.rangeClosed(all.first(), all.last())
+                .mapToObj(vehicle -> new BoatAddress(all.link(), vehicle))
+                .toList();
     }
 
     /** The address that a socket's is written as. */

@@ -1,15 +1,17 @@
 package org.sami.crw.proxy.tcp;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Addresses of vehicles that speak MAVLink, as people write them: a link, and after a slash the number of a vehicle on it ({@code mavlink:udp:14550/3}), or the
+ * Vehicles that speak MAVLink, as people write their address: a link, and after a slash the number of a vehicle on it ({@code mavlink:udp:14550/3}), or the
  * first and last of several ({@code mavlink:udp:14550/1-5}). Without a number all vehicles are meant that are heard there.
+ *
+ * @param link without the numbers; begins with {@code mavlink:}
+ * @param first system id of the first, or {@link #EVERY_VEHICLE}
+ * @param last system id of the last, the same as the first for one
  */
-final class VehicleAddress {
+record VehicleAddress(String link, int first, int last) {
     /** Stands for the number of a vehicle where all on the link are meant. */
     static final int EVERY_VEHICLE = 256;
 
@@ -18,8 +20,6 @@ final class VehicleAddress {
     private static final Pattern FORM =
             Pattern.compile("(?<link>mavlink:(?:tcp:[^/,]+:[0-9]{1,5}|udpout:[^/,]+:[0-9]{1,5}|udp:[0-9]{1,5}"
                     + "|serial:[^,]+:[0-9]{4,7}))(?:/(?<first>[0-9]{1,3})(?:-(?<last>[0-9]{1,3}))?)?");
-
-    private VehicleAddress() {}
 
     /** Whether a text, or the host of an address, is meant as one of these; it may have faults still. */
     static boolean isOne(String text) {
@@ -31,21 +31,17 @@ final class VehicleAddress {
      *
      * @throws IllegalArgumentException saying what is allowed
      */
-    static List<BoatAddress> parseAll(String text) {
+    static VehicleAddress parse(String text) {
         Matcher form = FORM.matcher(text.strip());
         if (form.matches()) {
             String link = form.group("link");
             if (form.group("first") == null) {
-                return List.of(new BoatAddress(link, EVERY_VEHICLE));
+                return new VehicleAddress(link, EVERY_VEHICLE, EVERY_VEHICLE);
             }
             int first = Integer.parseInt(form.group("first"));
             int last = form.group("last") == null ? first : Integer.parseInt(form.group("last"));
             if (first >= 1 && first <= last && last <= LAST_VEHICLE) {
-                List<BoatAddress> all = new ArrayList<>();
-                for (int vehicle = first; vehicle <= last; vehicle++) {
-                    all.add(new BoatAddress(link, vehicle));
-                }
-                return all;
+                return new VehicleAddress(link, first, last);
             }
         }
         throw new IllegalArgumentException("'" + text

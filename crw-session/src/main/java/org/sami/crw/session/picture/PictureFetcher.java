@@ -35,7 +35,7 @@ import org.sami.crw.proxy.status.LinkState;
 public final class PictureFetcher implements Closeable {
     private static final long AGAIN_AFTER_MS = 20_000;
 
-    private final Function<String, Optional<PictureSource>> sources;
+    private final Function<String, Optional<PictureAccess>> sources;
     private final SessionPictures folder;
     private final PictureLimits limits;
     private final Executor fleet;
@@ -45,7 +45,7 @@ public final class PictureFetcher implements Closeable {
     private final Map<String, Deque<Job>> waiting =
             new LinkedHashMap<>(); // this and those below: for the fleet's thread
     private final Map<String, Long> notBefore = new HashMap<>();
-    private final Map<String, PictureSource> running = new HashMap<>();
+    private final Map<String, PictureAccess> running = new HashMap<>();
     private final Map<String, Integer> asked = new HashMap<>(); // pictures, by boat
     private final List<CompletableFuture<Void>> awaitDone = new ArrayList<>();
     private final Map<String, Long> bytes = new ConcurrentHashMap<>(); // by boat
@@ -63,7 +63,7 @@ public final class PictureFetcher implements Closeable {
      * @param publish publishes an event of the fleet; called on the fleet's thread
      */
     public PictureFetcher(
-            Function<String, Optional<PictureSource>> sources,
+            Function<String, Optional<PictureAccess>> sources,
             SessionPictures folder,
             PictureLimits limits,
             Executor fleet,
@@ -162,7 +162,7 @@ public final class PictureFetcher implements Closeable {
     }
 
     /** On a thread that may wait. */
-    private void work(Job job, List<String> names, PictureSource source) {
+    private void work(Job job, List<String> names, PictureAccess source) {
         Optional<IOException> fault = Optional.empty();
         try {
             source.fetch(names, folder.folder(job.boat(), job.panorama()), new Arrivals(job));
@@ -247,6 +247,6 @@ public final class PictureFetcher implements Closeable {
     @Override
     public void close() {
         closed = true;
-        running.values().forEach(PictureSource::cancel);
+        running.values().forEach(PictureAccess::cancel);
     }
 }

@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.atomic.AtomicLong;
 import org.sami.boat.hull.stream.StreamConnection;
 import org.sami.boat.hull.stream.StreamPort;
 import org.sami.boat.hull.stream.TcpPort;
@@ -19,7 +20,7 @@ public final class LoopbackBoard implements AutoCloseable {
     private final ServerSocket server;
     private volatile String newest = "";
     private volatile boolean babbles;
-    private volatile long babbled;
+    private final AtomicLong babbled = new AtomicLong();
 
     /** A board that waits for its phone. */
     public LoopbackBoard() throws IOException {
@@ -62,7 +63,7 @@ public final class LoopbackBoard implements AutoCloseable {
 
     /** How many bytes without a line end it has said. */
     public long babbled() {
-        return babbled;
+        return babbled.get();
     }
 
     private void serve() {
@@ -84,9 +85,9 @@ public final class LoopbackBoard implements AutoCloseable {
             newest = line;
             if (babbles) {
                 phone.getOutputStream().write(BABBLE);
-                babbled += BABBLE.length;
-            } else if (babbled > 0) {
-                babbled = 0;
+                babbled.addAndGet(BABBLE.length);
+            } else if (babbled.get() > 0) {
+                babbled.set(0);
                 say(phone, "");
             }
             if (!babbles) {

@@ -115,9 +115,9 @@ class LogRotationTest {
             case 4 -> new StopMotors(id);
             case 5 -> new FleetStop(id);
             case 6 -> new FleetRelease(id);
-            case 7 -> new SetGains(id, GainAxis.values()[random.nextInt(2)], random.nextInt(9), 0, 0);
+            case 7 -> new SetGains(id, List.of(GainAxis.values()).get(random.nextInt(2)), random.nextInt(9), 0, 0);
             case 8 -> new SetVelocityMultiplier(id, random.nextInt(9));
-            case 9 -> new SetLostLinkAction(id, LostLinkAction.values()[random.nextInt(4)]);
+            case 9 -> new SetLostLinkAction(id, List.of(LostLinkAction.values()).get(random.nextInt(4)));
             default -> new TakeCommand(id, "session", 1 + random.nextInt(9));
         };
     }

@@ -11,13 +11,13 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.KeptFile;
 import org.sami.crw.proxy.file.BoatFileFetch.NamedFiles;
-import org.sami.crw.session.picture.PictureSource;
+import org.sami.crw.session.picture.PictureAccess;
 import org.sami.crw.sim.picture.RecordingCamera;
 import org.sami.crw.sim.picture.Scene;
 import org.sami.crw.sim.picture.ScenePicture;
 
 /** The pictures of a boat in simulated time, each drawn when it is fetched. */
-record DrawnPictures(String boat, RecordingCamera camera) implements PictureSource {
+record DrawnPictures(String boat, RecordingCamera camera) implements PictureAccess {
     @Override
     public void fetch(List<String> names, Path folder, NamedFiles result) throws IOException {
         for (String name : names) {

@@ -17,7 +17,7 @@ import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.session.FleetConnector;
-import org.sami.crw.session.picture.PictureSource;
+import org.sami.crw.session.picture.PictureAccess;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
@@ -103,7 +103,7 @@ public final class SimulatedBoatConnector implements FleetConnector {
     }
 
     @Override
-    public Optional<PictureSource> pictures(String boat) {
+    public Optional<PictureAccess> pictures(String boat) {
         return fleet().boat(boat).map(one -> new DrawnPictures(boat, one.camera()));
     }
 

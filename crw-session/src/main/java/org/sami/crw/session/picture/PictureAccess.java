@@ -6,7 +6,7 @@ import java.util.List;
 import org.sami.crw.proxy.file.BoatFileFetch.NamedFiles;
 
 /** A way to the pictures that one boat keeps. */
-public interface PictureSource {
+public interface PictureAccess {
     /**
      * Fetches pictures by their names into a folder, each of which comes or is missed. Waits for the boat, so not for the fleet's thread. What has come of a picture by an earlier
      * call is not fetched again.
