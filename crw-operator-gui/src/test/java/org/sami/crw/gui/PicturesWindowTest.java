@@ -3,6 +3,7 @@ package org.sami.crw.gui;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.GraphicsEnvironment;
+import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -68,6 +69,13 @@ class PicturesWindowTest {
         robot.click("picture-anna-000003.jpg");
         JTextComponent caption = robot.find(JTextComponent.class, "picture-caption");
         robot.until("the third is large", () -> caption.getText().startsWith("anna, picture 3 of 8"));
+        robot.untilFocused("picture-large");
+        robot.press(KeyEvent.VK_RIGHT, KeyEvent.VK_ALT);
+        robot.until(
+                "the next one is large, and in front",
+                () -> caption.isShowing() && caption.getText().startsWith("anna, picture 4 of 8"));
+        robot.press(KeyEvent.VK_LEFT);
+        robot.until("the one before is large", () -> caption.getText().startsWith("anna, picture 3 of 8"));
 
         answer(session, decision(session, "OperatorApproveBoats"), new Answer.YesNo(true));
         robot.until(

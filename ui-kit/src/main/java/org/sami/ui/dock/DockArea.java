@@ -93,6 +93,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         add(root);
         proportions = SplitProportions.keep(root, this::changed);
         TabWidths.keep(root);
+        TabKeys.leaveToCommands(root);
         panels.forEach(panel -> this.panels.put(panel.getPersistentID(), panel));
         this.offered = offered.of(this.panels.keySet());
         folds = this.offered.fold();
