@@ -59,15 +59,21 @@ final class BaseSession implements VehicleConnection.Ears {
     private String clientId = "";
     private boolean greeted;
     private boolean commands;
-    private String takenBy = ""; // somebody else than the base, who steers the vehicle
+    private String takenBy; // somebody else than the base, who steers the vehicle
     private String term = "";
     private long terms;
     private long newestExecuted = -1;
     private double telemetryHz = 1;
 
-    BaseSession(Boat boat, VehicleConnection connection) {
+    /**
+     * A session in which the base has not said hello yet.
+     *
+     * @param takenBy who else steers the vehicle, from the session before; empty if nobody does
+     */
+    BaseSession(Boat boat, VehicleConnection connection, String takenBy) {
         this.boat = boat;
         this.connection = connection;
+        this.takenBy = takenBy;
     }
 
     /** Whether the base has said hello. */
@@ -99,6 +105,16 @@ final class BaseSession implements VehicleConnection.Ears {
 
     void beat(long nowMs) {
         say(new Heartbeat(Math.max(0, nowMs)));
+    }
+
+    /** Who steers the vehicle in place of the base; empty if nobody does. */
+    String takenBy() {
+        return takenBy;
+    }
+
+    /** Nobody else steers the vehicle any longer. */
+    void givenBack() {
+        takenBy = "";
     }
 
     /** Somebody else steers the vehicle: the base observes until its operator takes it back. */

@@ -19,8 +19,6 @@ final class DrivenList {
     private static final int ON_THE_GROUND = 3; // the frame: height over home
     private static final int WITHOUT_PLACE = 2;
     private static final int GROUND_SPEED = 1;
-    private static final double SPEED_ROUNDED = 0.01; // m/s; autopilots keep speeds as small numbers
-    private static final double TO_WHOLE = 1e7; // degrees, as autopilots keep them
 
     private final UploadWaypoints upload;
     private final List<Integer> itemOf = new ArrayList<>(); // by waypoint
@@ -81,18 +79,11 @@ final class DrivenList {
             return false;
         }
         for (int i = 1; i < items.size(); i++) {
-            if (!isSame(items.get(i), held.get(i))) {
+            if (!items.get(i).isSameAs(held.get(i))) {
                 return false;
             }
         }
         return true;
-    }
-
-    private static boolean isSame(MissionItem one, MissionItem other) {
-        return one.command() == other.command()
-                && Math.round(one.latDeg() * TO_WHOLE) == Math.round(other.latDeg() * TO_WHOLE)
-                && Math.round(one.lonDeg() * TO_WHOLE) == Math.round(other.lonDeg() * TO_WHOLE)
-                && (one.command() != CHANGE_SPEED || Math.abs(one.param2() - other.param2()) < SPEED_ROUNDED);
     }
 
     Progress progress() {

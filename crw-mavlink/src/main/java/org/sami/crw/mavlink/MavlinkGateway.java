@@ -89,7 +89,8 @@ public final class MavlinkGateway implements BoatGateway {
         };
     }
 
-    private static void guarded(Runnable work) {
+    /** Does a piece of work; what is thrown in it is logged, so that what comes after it is still done. */
+    static void guarded(Runnable work) {
         try {
             work.run();
         } catch (RuntimeException e) {

@@ -39,22 +39,20 @@ final class MissionStore {
 
     /** Begins to bring a list to the vehicle in place of the one that it holds. */
     void put(DrivenList list) {
-        whenHeld(list, why -> {});
+        whenReadBack(list, why -> {});
     }
 
-    /** Calls back once the vehicle holds the list, or with the reason why it does not. */
-    void whenHeld(DrivenList list, Consumer<Optional<String>> then) {
-        if (holds(Optional.of(list))) {
-            then.accept(Optional.empty());
-            return;
-        }
+    /**
+     * Calls back once the vehicle has been read to hold the list, or with the reason why it does not. It is read in any case, as somebody else may have replaced
+     * what it held, and sent only where it is not there.
+     */
+    void whenReadBack(DrivenList list, Consumer<Optional<String>> then) {
         if (coming.isPresent() && coming.get() != list) {
             end(Optional.of(VehiclePilot.VOID));
         }
         waiting.add(then);
         if (coming.isEmpty()) {
             coming = Optional.of(list);
-            held = Optional.empty();
             tries = 0;
             look(list);
         }
@@ -72,11 +70,18 @@ final class MissionStore {
                         send(list);
                     }
                 },
-                why -> send(list));
+                why -> {
+                    if (isComing(list) && holds(coming)) { // it may be driving along it
+                        end(Optional.of(why));
+                    } else {
+                        send(list);
+                    }
+                });
     }
 
     private void send(DrivenList list) {
         if (isComing(list)) {
+            held = Optional.empty();
             Results.when(
                     base.replace(id, HeldKind.MISSION, list.items()),
                     thread,

@@ -30,6 +30,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private VehicleSnapshot vehicle;
     private long saidMs; // of the base was told where the boat is
     private long heardMs; // of what was told
+    private long positionMs; // of the position that was told
     private long beatMs;
     private Optional<BatteryReport> battery = Optional.empty();
     private long batteryMs;
@@ -68,7 +69,8 @@ final class VehicleBoat implements BaseSession.Boat {
     /** The base has a connection to it, in place of one that it had. */
     void connect(VehicleConnection connection) {
         session.ifPresent(before -> before.end("the base is connected anew"));
-        BaseSession next = new BaseSession(this, connection);
+        BaseSession next = new BaseSession(
+                this, connection, session.map(BaseSession::takenBy).orElse(""));
         session = Optional.of(next);
         connection.open(next);
     }
@@ -79,8 +81,8 @@ final class VehicleBoat implements BaseSession.Boat {
         if (orders.reported(now, atMs)) {
             String who = others.who(now, atMs);
             session.ifPresent(told -> {
-                told.takenBy(who);
                 told.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
+                told.takenBy(who);
             });
         }
     }
@@ -90,7 +92,10 @@ final class VehicleBoat implements BaseSession.Boat {
         if (event instanceof VehicleEvent.Restarted) {
             settings.read();
             orders.restarted();
-            session.ifPresent(told -> told.end("its autopilot has started again"));
+            session.ifPresent(told -> {
+                told.givenBack();
+                told.end("its autopilot has started again");
+            });
         } else if (event instanceof VehicleEvent.Said said) {
             if (said.text().severity().compareTo(TextSeverity.WARNING) <= 0) {
                 session.ifPresent(
@@ -112,9 +117,13 @@ final class VehicleBoat implements BaseSession.Boat {
         }
         BaseSession told = session.get();
         boolean news = vehicle.heardMs() > heardMs; // the base notices by our silence that the vehicle is silent
-        if (news && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
+        boolean moved = vehicle.position()
+                .filter(at -> at.heardMs() > positionMs)
+                .isPresent(); // and where it was is not where it is
+        if (moved && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
             VehicleReports.telemetry(vehicle, orders.mode(), Math.max(0, atMs)).ifPresent(telemetry -> {
                 saidMs = atMs;
+                positionMs = vehicle.position().orElseThrow().heardMs();
                 heardMs = vehicle.heardMs();
                 beatMs = atMs;
                 told.say(telemetry);

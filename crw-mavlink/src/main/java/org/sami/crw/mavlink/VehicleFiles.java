@@ -44,23 +44,37 @@ public final class VehicleFiles {
                 .orElseGet(() -> Path.of(System.getProperty("user.home"), ".config", "sami", "vehicles")));
     }
 
-    /** What is kept of a vehicle; nothing where the file is damaged, as the base then sends its list again. */
+    /** What is kept of a vehicle; no list where its line is damaged, as the base then sends it again. A latched stop is read whatever the list is. */
     Kept read(String name) {
         Path file = file(name);
         if (!Files.exists(file)) {
             return Kept.NOTHING;
         }
         try {
-            List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
-            Optional<UploadWaypoints> list = lines.size() > 1
-                    ? Optional.of(LinkCodec.readBody(lines.get(1).getBytes(StandardCharsets.UTF_8)))
-                            .filter(UploadWaypoints.class::isInstance)
-                            .map(UploadWaypoints.class::cast)
-                    : Optional.empty();
-            return new Kept(lines.isEmpty() ? "" : lines.get(0), list);
-        } catch (IOException | LinkException e) {
+            List<String> lines = new String(
+                            Files.readAllBytes(file), StandardCharsets.UTF_8) // damaged bytes are no fault
+                    .lines()
+                    .toList();
+            return new Kept(
+                    lines.stream().findFirst().orElse(""),
+                    lines.stream().skip(1).findFirst().flatMap(line -> list(file, line)));
+        } catch (IOException e) {
             LOG.log(Level.WARNING, file + " cannot be read; the vehicle is sent its list again", e);
             return Kept.NOTHING;
+        }
+    }
+
+    private static Optional<UploadWaypoints> list(Path file, String line) {
+        if (line.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(LinkCodec.readBody(line.getBytes(StandardCharsets.UTF_8)))
+                    .filter(UploadWaypoints.class::isInstance)
+                    .map(UploadWaypoints.class::cast);
+        } catch (LinkException e) {
+            LOG.log(Level.WARNING, file + " has a damaged list; the vehicle is sent its list again", e);
+            return Optional.empty();
         }
     }
 

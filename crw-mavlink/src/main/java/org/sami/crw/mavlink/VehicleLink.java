@@ -22,7 +22,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 /** One MAVLink address with the vehicles that are heard there, and the base's connections to them. For the gateway's thread. */
 final class VehicleLink {
     private static final int EVERY_VEHICLE = 256; // as the port of an address
-    private static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
+    static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
     private static final long TRY_MS = 4_000;
 
     private final MavlinkAddress address;
@@ -84,13 +84,14 @@ final class VehicleLink {
         vehicles = now;
         for (VehicleSnapshot vehicle : now) {
             if (isBoat(vehicle)) {
-                boats.computeIfAbsent(vehicle.id().system(), number -> new VehicleBoat(base, vehicle, thread, files))
-                        .reported(vehicle, atMs);
+                MavlinkGateway.guarded(() -> boats.computeIfAbsent(
+                                vehicle.id().system(), number -> new VehicleBoat(base, vehicle, thread, files))
+                        .reported(vehicle, atMs));
             }
         }
-        boats.values().forEach(boat -> boat.tick(atMs));
-        List.copyOf(waiting).forEach(one -> look(one, atMs));
-        List.copyOf(several).forEach(one -> look(one, atMs));
+        boats.values().forEach(boat -> MavlinkGateway.guarded(() -> boat.tick(atMs)));
+        List.copyOf(waiting).forEach(one -> MavlinkGateway.guarded(() -> look(one, atMs)));
+        List.copyOf(several).forEach(one -> MavlinkGateway.guarded(() -> look(one, atMs)));
     }
 
     private static boolean isBoat(VehicleSnapshot vehicle) {

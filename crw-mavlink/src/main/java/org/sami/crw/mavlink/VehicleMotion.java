@@ -58,6 +58,11 @@ final class VehicleMotion {
         return pilot.isBusy();
     }
 
+    /** Whether it was heard just now, so that an order reaches it at once. */
+    boolean isHeard() {
+        return nowMs - vehicle().heardMs() <= VehicleLink.HEARD_MS;
+    }
+
     /** Whether it was sent to a single place. */
     boolean isGuided() {
         return pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
@@ -96,7 +101,9 @@ final class VehicleMotion {
         VehiclePilot.Order order = pilot.begin(ended);
         order.command(
                 base.command(id, VehicleCommand.disarmAtOnce()),
-                () -> order.mode(HOLD, false, () -> order.done(new VehiclePilot.Ordered(HOLD, false))));
+                () -> order.command(
+                        base.setMode(id, HOLD), // even if it was last seen in it: that may be older than an order
+                        () -> order.mode(HOLD, false, () -> order.done(new VehiclePilot.Ordered(HOLD, false)))));
     }
 
     /** Keeps its place. */
@@ -106,15 +113,14 @@ final class VehicleMotion {
                         () -> order.mode(LOITER, true, () -> order.done(new VehiclePilot.Ordered(LOITER, true)))));
     }
 
-    /** An order that it needs to know its position for. */
+    /** An order that it needs to know its position for; without one it is refused, and what was ordered before holds. */
     private Optional<VehiclePilot.Order> byItself(Consumer<Optional<String>> ended) {
-        hand = Optional.empty();
-        VehiclePilot.Order order = pilot.begin(ended);
-        if (vehicle().located()) {
-            return Optional.of(order);
+        if (!vehicle().located()) {
+            ended.accept(Optional.of("vehicle " + id + " cannot drive by itself: its filter has no position"));
+            return Optional.empty();
         }
-        order.fail("vehicle " + id + " cannot drive by itself: its filter has no position yet");
-        return Optional.empty();
+        hand = Optional.empty();
+        return Optional.of(pilot.begin(ended));
     }
 
     /** Goes to a single place and keeps it. */
@@ -142,7 +148,7 @@ final class VehicleMotion {
                 .ifPresent(order -> mission.whenHeld(why -> {
                     if (why.isPresent()) {
                         order.fail(why.get());
-                    } else {
+                    } else if (!order.isVoid()) {
                         follow(order, item, speedMps, started);
                     }
                 }));

@@ -159,10 +159,13 @@ final class VehicleOrders {
         motion.tick(atMs);
     }
 
-    /** The base commands it no longer: it keeps its place if it is under way, as a boat of which nobody is in command. */
+    /**
+     * The base commands it no longer: it keeps its place if it is under way, as a boat of which nobody is in command. One that is silent is ordered nothing: the
+     * order would reach it when somebody else may steer it.
+     */
     void left() {
         BoatMode mode = mode();
-        boolean ours = motion.isOrdered() || motion.isBusy();
+        boolean ours = motion.isHeard() && (motion.isOrdered() || motion.isBusy());
         if (ours && (mode == BoatMode.PATH || mode == BoatMode.TELEOPERATION)) {
             motion.hold(why -> {});
         }
@@ -232,7 +235,7 @@ final class VehicleOrders {
         keep.accept(new VehicleFiles.Kept(stoppedBy, list.map(DrivenList::upload)));
     }
 
-    /** A vehicle that is on its way along the old list keeps its place until the new one is started. */
+    /** A vehicle that is on its way along the old list keeps its place until the new one is started; where it does not, the old one stays. */
     private void upload(UploadWaypoints upload, Consumer<LinkMessage> answer) {
         if (upload.waypoints().size() > MOST_WAYPOINTS) {
             answer.accept(new Nack(
@@ -241,15 +244,15 @@ final class VehicleOrders {
                     upload.waypoints().size() + " waypoints; " + MOST_WAYPOINTS + " are taken"));
             return;
         }
-        list = Optional.of(new DrivenList(upload));
-        remember();
         Runnable taken = () -> {
+            list = Optional.of(new DrivenList(upload));
+            remember();
             answer.accept(new Ack(upload.commandId()));
             broadcast.accept(progress());
             list.filter(VehicleOrders::isMission).ifPresent(store::put);
         };
         if (mode() == BoatMode.PATH && motion.isOrdered()) {
-            motion.hold(why -> taken.run());
+            motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
         } else {
             taken.run();
         }
@@ -269,7 +272,7 @@ final class VehicleOrders {
                     command.commandId(), list.get().id(), list.get().waypoints()));
         } else {
             DrivenList asked = list.get();
-            store.whenHeld(
+            store.whenReadBack(
                     asked,
                     why -> answer.accept(why.<LinkMessage>map(words -> refused(command, words))
                             .orElseGet(() -> new HeldWaypoints(command.commandId(), asked.id(), asked.waypoints()))));
@@ -306,7 +309,7 @@ final class VehicleOrders {
 
     private void follow(DrivenList along, int index, Consumer<Optional<String>> ended) {
         motion.follow(
-                then -> store.whenHeld(along, then),
+                then -> store.whenReadBack(along, then),
                 along.itemOf(index),
                 speedOf(index),
                 () -> started(along, index),

@@ -53,26 +53,21 @@ final class VehiclePilot {
             this.ended = ended;
         }
 
-        private boolean isVoid() {
+        /** Whether a later order has come, or none holds any longer. */
+        boolean isVoid() {
             return running.isEmpty() || running.get() != this;
         }
 
         /** Goes on with the next step once the vehicle accepts. */
         void command(CompletableFuture<CommandOutcome> asked, Runnable next) {
-            Results.when(asked, thread, outcome -> took(outcome, next), this::refused);
+            Results.when(asked, thread, outcome -> took(outcome, next), this::fail);
         }
 
         private void took(CommandOutcome outcome, Runnable next) {
-            if (!isVoid() && outcome.isAccepted()) {
+            if (!outcome.isAccepted()) {
+                fail(outcome.inWords());
+            } else if (!isVoid()) {
                 next.run();
-            } else {
-                refused(outcome.inWords());
-            }
-        }
-
-        private void refused(String why) {
-            if (!isVoid()) {
-                fail(why);
             }
         }
 
@@ -98,14 +93,21 @@ final class VehiclePilot {
             }
         }
 
+        /** It ends, for a reason in words; an order that is void has ended already. */
         void fail(String why) {
+            if (isVoid()) {
+                return;
+            }
             running = Optional.empty();
             ordered = Optional.empty();
             ended.accept(Optional.of(why));
         }
 
-        /** All is done, and the vehicle is in this state. */
+        /** All is done, and the vehicle is in this state; an order that is void has ended already. */
         void done(Ordered state) {
+            if (isVoid()) {
+                return;
+            }
             running = Optional.empty();
             ordered = Optional.of(state);
             ended.accept(Optional.empty());

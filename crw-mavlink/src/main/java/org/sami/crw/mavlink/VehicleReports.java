@@ -16,14 +16,14 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 /** What a vehicle reports, as boats say it. */
 final class VehicleReports {
     private static final double FULL = 100;
+    private static final double MOST_MPS = 50; // what a message of the link carries, and faster than any boat
     private static final String SENSOR = "autopilot";
 
     private VehicleReports() {}
 
-    /** Where it is and how it moves; none as long as its filter has no position that it trusts. */
+    /** Where it is and how it moves; none as long as it says no position that can be trusted. */
     static Optional<Telemetry> telemetry(VehicleSnapshot vehicle, BoatMode mode, long nowMs) {
-        return vehicle.position()
-                .filter(at -> vehicle.located())
+        return place(vehicle)
                 .map(at -> new Telemetry(
                         at.latDeg(),
                         at.lonDeg(),
@@ -32,6 +32,11 @@ final class VehicleReports {
                         percent(vehicle).orElse(FULL), // read only where a battery report has come
                         mode,
                         nowMs));
+    }
+
+    /** Where it is; none where its filter does not trust it, or where it says a speed that no boat has. */
+    private static Optional<VehiclePosition> place(VehicleSnapshot vehicle) {
+        return vehicle.position().filter(at -> vehicle.located() && at.speedMps() <= MOST_MPS);
     }
 
     private static Optional<Double> percent(VehicleSnapshot vehicle) {
@@ -53,9 +58,9 @@ final class VehicleReports {
 
     /** A value of a sensor, where the vehicle is now. */
     static Optional<SensorReport> reading(VehicleSnapshot vehicle, VehicleReading reading, long nowMs) {
-        Optional<VehiclePosition> position = vehicle.position().filter(at -> vehicle.located());
         String channel = reading.name().strip().toLowerCase(Locale.ROOT);
-        return position.filter(at -> !channel.isEmpty())
+        return place(vehicle)
+                .filter(at -> !channel.isEmpty())
                 .map(at -> new SensorReport(
                         SENSOR,
                         channel,

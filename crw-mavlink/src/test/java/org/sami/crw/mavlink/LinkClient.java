@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.Frame;
@@ -26,20 +27,47 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 final class LinkClient implements AutoCloseable {
     private final List<LinkMessage> said = new CopyOnWriteArrayList<>();
     private final MavlinkGateway gateway;
-    private final GatewayLink link;
+    private final String address;
+    private GatewayLink link;
     private volatile boolean open;
+    private volatile boolean ended;
     private long sent;
     private String term = "";
 
     /** Connects, says hello as commander, and waits until the vehicle says where it is. */
     LinkClient(Path folder, String address) {
+        this.address = address;
         gateway = new MavlinkGateway(ProcessClock::ms, new VehicleFiles(folder));
-        link = gateway.connect(BoatAddress.parse(address).toSocketAddress(), new Ears());
-        Await.until("the vehicle is reached", () -> open);
-        say(new Hello("", "client", Role.COMMANDER, 10, "", "client.0", 1));
-        Await.until("it is commanded", () -> first(Welcome.class).isPresent());
-        term = first(Welcome.class).orElseThrow().term();
+        link = connect();
+        greet();
         Await.until("it says where it is", () -> first(Telemetry.class).isPresent());
+    }
+
+    private GatewayLink connect() {
+        return gateway.connect(BoatAddress.parse(address).toSocketAddress(), new Ears());
+    }
+
+    private Role greet() {
+        Await.until("the vehicle is reached", () -> {
+            if (ended) { // it was not heard in time
+                ended = false;
+                link = connect();
+            }
+            return open;
+        });
+        say(new Hello("", "client", Role.COMMANDER, 10, "", "client.0", 1));
+        Await.until("it is welcomed", () -> first(Welcome.class).isPresent());
+        term = first(Welcome.class).orElseThrow().term();
+        return first(Welcome.class).orElseThrow().role();
+    }
+
+    /** Says hello as commander over a new connection in place of this one; what the client then is. */
+    Role reconnect() {
+        link.close();
+        open = false;
+        said.clear();
+        link = connect();
+        return greet();
     }
 
     private <T extends LinkMessage> Optional<T> first(Class<T> kind) {
@@ -53,8 +81,23 @@ final class LinkClient implements AutoCloseable {
     /** Gives a command and waits for its answer. */
     LinkMessage ask(CommandMessage command) {
         say(command);
+        return answerTo(command);
+    }
+
+    /** Waits for the answer to a command that was given. */
+    LinkMessage answerTo(CommandMessage command) {
         Await.until(command.type() + " is answered", () -> answer(command).isPresent());
         return answer(command).orElseThrow();
+    }
+
+    /** Whether the vehicle has said that this client only observes it. */
+    boolean isObserver() {
+        return hasHeard(message -> message instanceof Welcome welcome && welcome.role() == Role.OBSERVER);
+    }
+
+    /** Whether the vehicle has said such a thing over this connection. */
+    boolean hasHeard(Predicate<LinkMessage> what) {
+        return said.stream().anyMatch(what);
     }
 
     private Optional<LinkMessage> answer(CommandMessage command) {
@@ -96,6 +139,7 @@ final class LinkClient implements AutoCloseable {
         @Override
         public void closed(String why) {
             open = false;
+            ended = true;
         }
 
         @Override

@@ -145,9 +145,9 @@ class VehicleBoatTest {
 
         world.until("it is somebody else's", BOAT, proxy -> !proxy.isCommanding());
         assertThat(world.alarms)
-                .contains(
-                        BOAT
-                                + " is taken by a pilot or another ground station (MANUAL): its missions wait until you take it back");
+                .contains(BOAT
+                        + " is taken by a pilot or another ground station (MANUAL): its missions wait until"
+                        + " you take it back");
         assertThat(boat.mode()).isEqualTo(MANUAL);
         world.tell(BOAT, proxy -> proxy.handOver().takeCommand());
         completes("p3");
@@ -166,7 +166,8 @@ class VehicleBoatTest {
                 .contains(
                         BOAT + " says: Battery 1 is low: Failsafe",
                         BOAT
-                                + " is taken by its own failsafe \"Battery 1 is low: Failsafe\" (RTL): its missions wait until you take it back");
+                                + " is taken by its own failsafe \"Battery 1 is low: Failsafe\" (RTL): its missions"
+                                + " wait until you take it back");
         world.until(
                 "its battery is critical",
                 BOAT,
@@ -239,6 +240,26 @@ class VehicleBoatTest {
         assertThat(boat.mode()).isEqualTo(MANUAL);
 
         Await.until("it is disarmed", GatewayWorld.WAIT_S, () -> !boat.isArmed() && boat.mode() == HOLD);
+    }
+
+    @Test
+    void isAskedAgainWhenItNoLongerSaysWhereItIs() {
+        boat.forgetToSayWhere();
+
+        Await.until("it says again where it is", GatewayWorld.WAIT_S, boat::saysWhere);
+    }
+
+    @Test
+    void silentVehicleIsNotOrderedToKeepItsPlace() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.silent(true);
+        world.until("the link is lost", BOAT, proxy -> proxy.status().link() == LinkState.LOST);
+        boat.silent(false);
+
+        completes("p3");
+        assertThat(boat.orderedModes()).doesNotContain(LOITER);
     }
 
     @Test

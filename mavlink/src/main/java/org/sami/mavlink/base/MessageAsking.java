@@ -10,20 +10,21 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /**
- * Sees to it that each vehicle is asked for the messages of its link's plan: when it appears, when others appear on a slow link, when it starts again, and when it
- * is reached on another link, as autopilots keep this by link. Used by one thread.
+ * Sees to it that each vehicle is asked for the messages of its link's plan: when it appears, when others appear on a slow link, when it starts again, when it
+ * is reached on another link, as autopilots keep this by link, and when it has not said for seconds where it is. Used by one thread.
  */
 final class MessageAsking {
     private static final long SETTLED_MS =
             2_000; // a slow link is planned once no further vehicle has appeared for so long
+    private static final long AGAIN_MS = 5_000; // what was asked for may be lost, or be taken back by somebody else
 
     private final VehicleTable table;
     private final boolean signed;
     private final Map<VehicleId, Asked> asked = new HashMap<>();
     private final Map<MavlinkAddress, Long> changedMs = new HashMap<>();
 
-    /** What a vehicle was asked for, and where. */
-    private record Asked(MavlinkAddress link, MessagePlan plan) {}
+    /** What a vehicle was asked for, where and when. */
+    private record Asked(MavlinkAddress link, MessagePlan plan, long atMs) {}
 
     MessageAsking(VehicleTable table, boolean signed) {
         this.table = table;
@@ -54,9 +55,10 @@ final class MessageAsking {
                 boolean settled = !plan.isTight() || nowMs >= changedMs.getOrDefault(link, nowMs) + SETTLED_MS;
                 boolean other = before == null
                         || !before.link().equals(link)
-                        || !before.plan().messages().equals(plan.messages());
+                        || !before.plan().messages().equals(plan.messages())
+                        || (table.isPositionOld(vehicle) && nowMs - before.atMs() >= AGAIN_MS);
                 if (other && settled) {
-                    asked.put(vehicle, new Asked(link, plan));
+                    asked.put(vehicle, new Asked(link, plan, nowMs));
                     ask.accept(vehicle, plan);
                 }
             });

@@ -10,6 +10,7 @@ import java.util.Optional;
  * @param heightM metres over where it was armed or switched on
  * @param speedMps over ground, metres a second
  * @param headingDeg where its bow points, degrees from true north clockwise; empty where it does not know
+ * @param heardMs when it said so, on the base's clock
  */
 public record VehiclePosition(
-        double latDeg, double lonDeg, double heightM, double speedMps, Optional<Double> headingDeg) {}
+        double latDeg, double lonDeg, double heightM, double speedMps, Optional<Double> headingDeg, long heardMs) {}

@@ -30,6 +30,8 @@ final class VehicleRecord {
     private static final int VOLTS_NOT_KNOWN = 65_535;
     private static final int SATELLITES_NOT_KNOWN = 255;
     private static final double FULL_CIRCLE_DEG = 360;
+    private static final int FULL_PERCENT = 100;
+    private static final long POSITION_MS = 5_000; // a position that is older says no longer where it is
     private static final int ABSOLUTE_POSITION = 16; // of the filter's flags
     private static final int NO_POSITION = 128;
 
@@ -57,9 +59,11 @@ final class VehicleRecord {
     private Optional<Integer> itemsHeld = Optional.empty();
     private boolean beaten;
     private long heardMs;
+    private long positionMs; // when it said last where it is, or was heard first
 
-    VehicleRecord(VehicleId id) {
+    VehicleRecord(VehicleId id, long nowMs) {
         this.id = id;
+        positionMs = nowMs;
     }
 
     /** Takes a message; what happened by it. */
@@ -70,7 +74,8 @@ final class VehicleRecord {
         if (payload instanceof Heartbeat beat) {
             beat(beat, events);
         } else if (payload instanceof GlobalPositionInt at) {
-            position = position(at);
+            positionMs = nowMs;
+            position = position(at, nowMs);
             position.ifPresent(place -> twins.at(place.latDeg(), place.lonDeg(), nowMs));
             if (twins.restarted(at.timeBootMs(), nowMs) && !isTwin()) {
                 located = false;
@@ -142,8 +147,13 @@ final class VehicleRecord {
         return twins.isTwin(heardMs);
     }
 
+    /** Whether it goes on speaking without saying where it is. */
+    boolean isPositionOld() {
+        return heardMs - positionMs > POSITION_MS;
+    }
+
     /** Where it is; empty where that is no place, as 0, 0 is none before there is a fix. */
-    private static Optional<VehiclePosition> position(GlobalPositionInt at) {
+    private static Optional<VehiclePosition> position(GlobalPositionInt at, long nowMs) {
         double lat = at.lat() * DEGREES;
         double lon = at.lon() * DEGREES;
         if ((at.lat() == 0 && at.lon() == 0) || Math.abs(lat) > MAX_LAT || Math.abs(lon) > MAX_LON) {
@@ -152,7 +162,7 @@ final class VehicleRecord {
         Optional<Double> heading =
                 at.hdg() == HEADING_NOT_KNOWN ? Optional.empty() : Optional.of(at.hdg() * FROM_CENTI % FULL_CIRCLE_DEG);
         return Optional.of(new VehiclePosition(
-                lat, lon, at.relativeAlt() * FROM_MILLI, Math.hypot(at.vx(), at.vy()) * FROM_CENTI, heading));
+                lat, lon, at.relativeAlt() * FROM_MILLI, Math.hypot(at.vx(), at.vy()) * FROM_CENTI, heading, nowMs));
     }
 
     private static VehicleBattery battery(SysStatus status) {
@@ -160,7 +170,9 @@ final class VehicleRecord {
                 status.voltageBattery() == VOLTS_NOT_KNOWN
                         ? Optional.empty()
                         : Optional.of(status.voltageBattery() * FROM_MILLI),
-                status.batteryRemaining() < 0 ? Optional.empty() : Optional.of(status.batteryRemaining()));
+                status.batteryRemaining() < 0 || status.batteryRemaining() > FULL_PERCENT
+                        ? Optional.empty()
+                        : Optional.of(status.batteryRemaining()));
     }
 
     private static GpsState gps(GpsRawInt raw) {
@@ -200,7 +212,7 @@ final class VehicleRecord {
                 autopilotName(),
                 mode(),
                 armed,
-                located,
+                located && !isPositionOld(),
                 position,
                 battery,
                 gps,

@@ -10,7 +10,8 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param autopilot the firmware's name, {@code ArduPilot} or another
  * @param mode the autopilot's mode as pilots write it, such as {@code HOLD}
  * @param armed whether its motors may turn
- * @param located whether its filter has an absolute position that it trusts; before that it refuses to drive by itself
+ * @param located whether its filter has an absolute position that it trusts; before that it refuses to drive by itself. Also
+ *     false once it has not said for 5 s where it is, while it goes on speaking
  * @param currentItem the item of its mission that it carries out, or would in mode AUTO; empty where it does not say
  * @param itemsHeld how many items its mission has, home included; empty where it does not say
  * @param links on which links it is heard, the one on which it is spoken to first

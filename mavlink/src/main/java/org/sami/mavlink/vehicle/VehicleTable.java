@@ -25,7 +25,7 @@ public final class VehicleTable {
         List<VehicleEvent> events = new ArrayList<>();
         VehicleRecord known = vehicles.get(id);
         if (known == null && payload instanceof Heartbeat beat && isVehicle(beat)) {
-            known = new VehicleRecord(id);
+            known = new VehicleRecord(id, nowMs);
             vehicles.put(id, known);
             events.add(new VehicleEvent.Appeared(id));
         }
@@ -63,6 +63,13 @@ public final class VehicleTable {
     /** Whether a vehicle of this id has been heard. */
     public boolean has(VehicleId id) {
         return vehicles.containsKey(id);
+    }
+
+    /** Whether a vehicle goes on speaking, but has not said for seconds where it is. */
+    public boolean isPositionOld(VehicleId id) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(VehicleRecord::isPositionOld)
+                .isPresent();
     }
 
     /** Whether two vehicles have this id, as far as the last seconds show. */

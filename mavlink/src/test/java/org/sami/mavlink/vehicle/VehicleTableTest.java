@@ -118,6 +118,32 @@ class VehicleTableTest {
         assertThat(only().located()).isTrue();
     }
 
+    @Test
+    void vehicleThatSpeaksOnWithoutSayingWhereItIsIsNotLocated() {
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
+        heard(EkfStatusReport.builder().flags(EnumValue.create(16)).build());
+        heard(GlobalPositionInt.builder().lat(457_000_000).lon(107_200_000).build());
+        beats(CABLE, 1, 6_000);
+        assertThat(only().located()).isTrue();
+
+        beats(CABLE, 2, 6_001);
+
+        assertThat(only().located()).isFalse();
+    }
+
+    @Test
+    void chargeBeyondFullIsNotKnown() {
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
+        heard(SysStatus.builder()
+                .onboardControlSensorsEnabled(EnumValue.create(0))
+                .onboardControlSensorsHealth(EnumValue.create(0))
+                .voltageBattery(12_600)
+                .batteryRemaining(127)
+                .build());
+
+        assertThat(only().battery().orElseThrow().percent()).isEmpty();
+    }
+
     private void beats(MavlinkAddress link, int number, long ms) {
         table.heard(
                 new MessageOrigin(link, 1, 1, number),

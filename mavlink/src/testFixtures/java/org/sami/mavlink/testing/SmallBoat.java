@@ -30,7 +30,9 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executors;
@@ -51,6 +53,8 @@ public final class SmallBoat implements AutoCloseable {
     private static final int REPOSITION = 192;
     private static final int SET_CURRENT = 224;
     private static final int ARM = 400;
+    private static final int SEND_EVERY = 511;
+    private static final int POSITION = 33; // the number of its message
 
     private final int system;
     private final ServerSocket server;
@@ -69,11 +73,17 @@ public final class SmallBoat implements AutoCloseable {
     private boolean armed;
     private boolean silent;
     private boolean failsafe;
+    private boolean beating = true;
+    private boolean placed = true;
+    private int filter = LOCATED;
+    private int refusedMode = -1;
+    private double sail; // m/s, said in place of its speed
     private String refusal = "";
     private int charge = 87;
     private long bootMs = 60_000;
     private long stepped;
     private int armings;
+    private final List<Integer> orderedModes = new ArrayList<>();
 
     /**
      * A boat that lies at a place, disarmed in HOLD.
@@ -109,6 +119,16 @@ public final class SmallBoat implements AutoCloseable {
     /** How often it was armed. */
     public synchronized int armings() {
         return armings;
+    }
+
+    /** The modes into which it was ordered, refused ones too. */
+    public synchronized List<Integer> orderedModes() {
+        return List.copyOf(orderedModes);
+    }
+
+    /** Holds no mission any longer: another ground station has taken it away. */
+    public synchronized void loseMission() {
+        mission.lose();
     }
 
     /** How many missions were sent to it. */
@@ -152,6 +172,36 @@ public final class SmallBoat implements AutoCloseable {
     /** Says nothing from now on, or again. */
     public synchronized void silent(boolean now) {
         silent = now;
+    }
+
+    /** Sends no heartbeats from now on, or again. */
+    public synchronized void beating(boolean now) {
+        beating = now;
+    }
+
+    /** Does not say where it is from now on, before it is asked to. */
+    public synchronized void forgetToSayWhere() {
+        placed = false;
+    }
+
+    /** Whether it says where it is. */
+    public synchronized boolean saysWhere() {
+        return placed;
+    }
+
+    /** Its filter has no position from now on. */
+    public synchronized void loseItsPlace() {
+        filter = 0;
+    }
+
+    /** It refuses this mode from now on. */
+    public synchronized void refuseMode(int number) {
+        refusedMode = number;
+    }
+
+    /** Says that it has this speed north, in m/s, from now on. */
+    public synchronized void claimSpeed(double mps) {
+        sail = mps;
     }
 
     /** Its charge in percent from now on. */
@@ -220,9 +270,11 @@ public final class SmallBoat implements AutoCloseable {
     private boolean command(int number, double first, double second) {
         switch (number) {
             case SET_MODE -> {
-                boolean empty = (int) second == SmallBoatMotion.AUTO && mission.isEmpty();
-                mode = empty ? mode : (int) second;
-                return !empty;
+                int next = (int) second;
+                orderedModes.add(next);
+                boolean refused = next == refusedMode || (next == SmallBoatMotion.AUTO && mission.isEmpty());
+                mode = refused ? mode : next;
+                return !refused;
             }
             case ARM -> {
                 if (first > 0 && !refusal.isEmpty()) {
@@ -234,6 +286,7 @@ public final class SmallBoat implements AutoCloseable {
                 return true;
             }
             case SET_CURRENT -> mission.setCurrent((int) first);
+            case SEND_EVERY -> placed |= (int) first == POSITION;
             case CHANGE_SPEED -> motion.speed(second);
             default -> {
                 // it reports what it reports
@@ -269,6 +322,18 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private void report() {
+        if (beating) {
+            beat();
+        }
+        if (placed) {
+            sayWhere();
+        }
+        send(SysStatus.builder().voltageBattery(12_600).batteryRemaining(charge).build());
+        send(EkfStatusReport.builder().flags(EnumValue.create(filter)).build());
+        send(MissionCurrent.builder().seq(mission.current()).build());
+    }
+
+    private void beat() {
         send(Heartbeat.builder()
                 .type(MavType.MAV_TYPE_SURFACE_BOAT)
                 .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
@@ -277,16 +342,16 @@ public final class SmallBoat implements AutoCloseable {
                 .systemStatus(failsafe ? MavState.MAV_STATE_CRITICAL : MavState.MAV_STATE_ACTIVE)
                 .mavlinkVersion(3)
                 .build());
+    }
+
+    private void sayWhere() {
         send(GlobalPositionInt.builder()
                 .timeBootMs(bootMs)
                 .lat(motion.lat())
                 .lon(motion.lon())
-                .vx((int) (armed ? motion.speed() * 100 : 0))
+                .vx((int) (sail > 0 ? sail * 100 : armed ? motion.speed() * 100 : 0))
                 .hdg(9_000)
                 .build());
-        send(SysStatus.builder().voltageBattery(12_600).batteryRemaining(charge).build());
-        send(EkfStatusReport.builder().flags(EnumValue.create(LOCATED)).build());
-        send(MissionCurrent.builder().seq(mission.current()).build());
     }
 
     private void send(Object payload) {

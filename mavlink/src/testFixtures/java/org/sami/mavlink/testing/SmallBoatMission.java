@@ -35,6 +35,10 @@ final class SmallBoatMission {
         return uploads;
     }
 
+    void lose() {
+        items = new ArrayList<>();
+    }
+
     int current() {
         return current;
     }

@@ -1,0 +1,148 @@
+package org.sami.crw.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.testing.Await;
+import org.sami.mavlink.testing.SmallBoat;
+
+/** Orders that a later one, the vehicle or another ground station thwarts, and reports that cannot be, on a small vehicle. */
+@Timeout(300)
+class VehicleOrdersTest {
+    private static final int MANUAL = 0;
+    private static final int HOLD = 4;
+    private static final int LOITER = 5;
+    private static final int AUTO = 10;
+    private static final List<Waypoint> LIST =
+            List.of(new Waypoint(45.71, 10.72, 1), new Waypoint(45.71, 10.73, 1), new Waypoint(45.72, 10.73, 2));
+
+    @TempDir
+    private Path folder;
+
+    private SmallBoat boat;
+    private LinkClient client;
+
+    @BeforeEach
+    void launch() throws Exception {
+        boat = new SmallBoat(5, 45.7, 10.72, 1);
+        client = new LinkClient(folder, boat.address() + "/5");
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        client.close();
+        boat.close();
+    }
+
+    private static UploadWaypoints upload(String list) {
+        return new UploadWaypoints("upload " + list, list, LIST);
+    }
+
+    private void drive() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new StartWaypoints("start", "first", 0))).isInstanceOf(Ack.class);
+        assertThat(boat.mode()).isEqualTo(AUTO);
+    }
+
+    @Test
+    void stopIsDoneAlthoughAnOrderBeforeItFailsLater() {
+        StopMotors stop = new StopMotors("stop");
+        client.say(upload("first"));
+        client.say(new StartWaypoints("start", "first", 0));
+        client.say(stop);
+        client.say(upload("second"));
+
+        assertThat(client.answerTo(stop)).isInstanceOf(Ack.class);
+    }
+
+    @Test
+    void stopOrdersHoldEvenIfTheVehicleWasLastHeardInIt() {
+        boat.beating(false);
+        boat.takenByPilot(AUTO, true);
+
+        assertThat(client.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
+
+        assertThat(boat.isArmed()).isFalse();
+        assertThat(boat.mode()).isEqualTo(HOLD);
+    }
+
+    @Test
+    void missionIsNotReplacedUnderAVehicleThatDoesNotKeepItsPlace() {
+        drive();
+        boat.refuseMode(LOITER);
+
+        assertThat(client.ask(upload("second")))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_ABLE));
+
+        assertThat(client.ask(new ReadBack("read")))
+                .isInstanceOfSatisfying(
+                        HeldWaypoints.class, held -> assertThat(held.listId()).isEqualTo("first"));
+        assertThat(boat.uploads()).isEqualTo(1);
+    }
+
+    @Test
+    void refusedOrderLeavesInForceWhatWasOrderedBefore() {
+        drive();
+        boat.loseItsPlace();
+        for (int i = 0; !(client.ask(new HoldPosition("hold " + i)) instanceof Nack); i++) {
+            assertThat(boat.isArmed()).isTrue(); // until it is heard that the place is lost
+        }
+
+        boat.takenByPilot(MANUAL, true);
+
+        Await.until("it is noticed that it is taken", client::isObserver);
+    }
+
+    @Test
+    void whoTookItHasItStillOverANewConnection() {
+        drive();
+        boat.takenByPilot(MANUAL, true);
+        Await.until("it is noticed that it is taken", client::isObserver);
+
+        assertThat(client.reconnect()).isEqualTo(Role.OBSERVER);
+
+        assertThat(boat.mode()).isEqualTo(MANUAL);
+    }
+
+    @Test
+    void speedThatCannotBeDoesNotEndItsOtherReports() {
+        boat.claimSpeed(200);
+        boat.charge(10);
+
+        Await.until(
+                "its charge is reported",
+                () -> client.hasHeard(message -> message instanceof BatteryReport battery && battery.percent() == 10));
+    }
+
+    @Test
+    void missionThatSomebodyElseReplacedIsSentAgainBeforeItIsFollowed() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new ReadBack("read"))).isInstanceOf(HeldWaypoints.class);
+        assertThat(client.ask(new ReadBack("read again"))).isInstanceOf(HeldWaypoints.class);
+        assertThat(boat.uploads()).isEqualTo(1);
+
+        boat.loseMission();
+
+        assertThat(client.ask(new StartWaypoints("start", "first", 0))).isInstanceOf(Ack.class);
+        assertThat(boat.uploads()).isEqualTo(2);
+    }
+}
