@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -131,18 +132,18 @@ class CheckCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-                    "kind": "relevant"    | "kind": "relevnt"      | is relevant meant?
-                    "kind": "any-proxy"   | "kind": "any-proxi"    | is any-proxy meant?
-                    "action": "take"      | "action": "tak"        | is take meant?
-                    "match": "at-least"   | "match": "at-leat"     | is at-least meant?
-                    {"locations": {"var   | {"location": {"var     | is locations meant?
-                    {"variable": "@paths  | {"variabel": "@paths   | is variable meant?
-                    "place": "execute"    | "place": "excute"      | is execute meant?
-                    "transition": "visited" | "transition": "visted" | is visited meant?
-                    "variable": "@allocations" | "variable": "@alocations" | or @allocations meant?
-                    "children": [{"plan": "clv"}] | "children": [{"plan": "clw"}] | is clv meant?
-                    "start": true         | "strat": true          | is start meant?
-                    """)
+        "kind": "relevant"    | "kind": "relevnt"      | is relevant meant?
+        "kind": "any-proxy"   | "kind": "any-proxi"    | is any-proxy meant?
+        "action": "take"      | "action": "tak"        | is take meant?
+        "match": "at-least"   | "match": "at-leat"     | is at-least meant?
+        {"locations": {"var   | {"location": {"var     | is locations meant?
+        {"variable": "@paths  | {"variabel": "@paths   | is variable meant?
+        "place": "execute"    | "place": "excute"      | is execute meant?
+        "transition": "visited" | "transition": "visted" | is visited meant?
+        "variable": "@allocations" | "variable": "@alocations" | or @allocations meant?
+        "children": [{"plan": "clv"}] | "children": [{"plan": "clw"}] | is clv meant?
+        "start": true         | "strat": true          | is start meant?
+        """)
     void aWordThatIsNearlyOneIsAnsweredWithThatOne(String right, String wrong, String said) throws Exception {
         CommandResult ran = CommandResult.crw("check", mistaken(right, wrong).toString());
 
@@ -315,17 +316,12 @@ class CheckCommandTest {
     }
 
     private void copyDomain() throws IOException {
-        Files.createDirectories(folder.resolve("plans"));
-        for (String name : List.of(
-                "authoring.json",
-                "domain.json",
-                "events.json",
-                "types.json",
-                "markups.json",
-                "tasks.json",
-                "plans/look.json",
-                "plans/search.json")) {
-            Files.copy(UAV.resolve(name), folder.resolve(name));
+        try (Stream<Path> files = Files.walk(UAV)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Path copy = folder.resolve(UAV.relativize(file).toString());
+                Files.createDirectories(copy.getParent());
+                Files.copy(file, copy);
+            }
         }
     }
 }

@@ -31,6 +31,7 @@ class ThirdPartyNoticeTest {
             "boat-link",
             "crw-cli",
             "crw-domain",
+            "crw-mavlink",
             "crw-report",
             "crw-services",
             "hull",
@@ -43,7 +44,8 @@ class ThirdPartyNoticeTest {
             "server",
             "spn-authoring",
             "spn-core",
-            "spn-language");
+            "spn-language",
+            "uav-domain");
 
     private static final Pattern ENTRY =
             Pattern.compile("^(\\S+) (\\S+)\\n    licence: (.+)\\n    home: (http\\S+)$", Pattern.MULTILINE);

@@ -192,6 +192,7 @@ public final class PhoneCommand implements Callable<Integer> {
     private int show(PhoneOffer offer) throws InterruptedException {
         String shown = "";
         boolean inputEnded = false;
+        boolean asked = false; // a line typed before the check code is shown answers nothing
         while (true) {
             Optional<PhoneOffer.Phone> waiting = offer.waiting();
             if (waiting.isEmpty() && !shown.equals(offer.code())) {
@@ -203,16 +204,20 @@ public final class PhoneCommand implements Callable<Integer> {
             if (next.orElse(null) instanceof Event.Refused refused) {
                 say(refused.why());
             } else if (next.orElse(null) instanceof Event.Proved proved) {
+                asked = true;
                 say(proved.phone().boat().name() + " shows the check code "
                         + proved.phone().checkCode() + "? y: yes, pair it; n: no, somebody may be in between");
                 same = inputEnded ? Optional.of(false) : Optional.empty();
             } else if (next.orElse(null) instanceof Event.Typed typed) {
                 inputEnded |= typed.line().isEmpty();
-                same = waiting.flatMap(phone -> typed.line().isEmpty()
-                        ? Optional.of(false)
-                        : answer(typed.line().get()));
+                if (asked) {
+                    same = typed.line().isEmpty()
+                            ? Optional.of(false)
+                            : answer(typed.line().get());
+                }
             }
             if (same.isPresent()) {
+                asked = false;
                 boolean paired = end(offer, same.get());
                 if (once) {
                     return paired ? ExitCode.OK : ExitCode.FAILED;

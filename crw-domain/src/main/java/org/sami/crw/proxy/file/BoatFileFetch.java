@@ -3,6 +3,7 @@ package org.sami.crw.proxy.file;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -212,6 +213,10 @@ public final class BoatFileFetch {
             } catch (FileFetchException | LinkRefusedException e) {
                 throw e;
             } catch (IOException e) {
+                if (patient && e instanceof FileSystemException here) {
+                    String why = here.getReason() == null ? "cannot be written" : here.getReason();
+                    throw new FileFetchException("it cannot be kept here: " + here.getFile() + ": " + why);
+                }
                 failures = progressed ? 1 : failures + 1;
                 if (failures > WAITS_MS.length && !patient) {
                     throw e;

@@ -3,6 +3,7 @@ package org.sami.crw.proxy.file;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -96,10 +97,19 @@ final class FileCopy {
                     throw new FileFetchException(link.boatId() + ": " + wanted.name() + " ends at byte " + here + " of "
                             + wanted.bytes() + "; fetch it again");
                 }
-                out.write(piece);
+                write(out, piece);
                 here += piece.length;
                 arrival.come(here, piece.length);
             }
+        }
+    }
+
+    /** A fault of the disk here is another kind of exception than one of the link. */
+    private void write(OutputStream out, byte[] piece) throws FileSystemException {
+        try {
+            out.write(piece);
+        } catch (IOException e) {
+            throw new FileSystemException(part.toString(), null, String.valueOf(e.getMessage()));
         }
     }
 

@@ -89,10 +89,16 @@ public final class PhoneOffer implements Closeable {
         @Override
         public void proved(Peer boat, String checkCode) {
             Phone phone = new Phone(boat, checkCode);
+            boolean first;
             synchronized (PhoneOffer.this) {
-                waiting = Optional.of(phone);
+                first = waiting.isEmpty();
+                waiting = waiting.or(() -> Optional.of(phone));
             }
-            listener.proved(phone);
+            if (first) {
+                listener.proved(phone);
+            } else { // what a person confirms is the phone whose check code was shown
+                listener.refused(boat.name() + " came while another phone is compared: let it scan the code again");
+            }
         }
 
         @Override

@@ -9,7 +9,9 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.sami.boat.link.FrameReader;
 import org.sami.boat.link.Goodbye;
@@ -119,6 +121,8 @@ final class PhoneResponder implements Closeable {
     private void serve(Socket socket) {
         try (socket) {
             socket.setSoTimeout(WITHIN_MS);
+            CompletableFuture.delayedExecutor(2L * WITHIN_MS, TimeUnit.MILLISECONDS)
+                    .execute(() -> end(socket)); // who sends a byte now and then keeps no place
             SecureLink link = TlsLinks.toPair(identity).accept(socket);
             LinkCodec codec = LinkCodec.STANDARD;
             Optional<byte[]> frame = new FrameReader(new BufferedInputStream(link.in()), codec).next();
@@ -134,6 +138,14 @@ final class PhoneResponder implements Closeable {
                     + refused.getMessage());
         } finally {
             free.release();
+        }
+    }
+
+    private static void end(Socket socket) {
+        try {
+            socket.close();
+        } catch (IOException closed) {
+            // it is closed already
         }
     }
 
@@ -169,6 +181,9 @@ final class PhoneResponder implements Closeable {
 
     @Override
     public void close() throws IOException {
+        synchronized (this) {
+            words = Optional.empty(); // a phone that is connected already is not paired any more
+        }
         server.close();
     }
 }

@@ -9,6 +9,7 @@ import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.session.near.NearBoats;
 import org.sami.crw.session.near.NearRow;
+import org.sami.ui.EventThread;
 import org.sami.ui.sheet.Sheet;
 import org.sami.ui.sheet.WindowSheet;
 
@@ -35,7 +36,8 @@ public final class NearSheet {
     public void open() {
         close();
         pairing = false;
-        NearBoats looking = new NearBoats(context.session(), finders.get(), BaseProtection.ofThisProcess());
+        NearBoats looking =
+                new NearBoats(context.session(), finders.get(), BaseProtection.ofThisProcess(), EventThread.executor());
         boats = Optional.of(looking);
         show(looking);
     }

@@ -45,15 +45,21 @@ final class PhotoLoader implements AutoCloseable {
 
     /** A picture that fits into a box of pixels; empty while it is being read. */
     Optional<Photo> photo(Path file, int widthPx, int heightPx) {
-        Wanted wanted = new Wanted(file, widthPx, heightPx);
+        Wanted wanted = new Wanted(file, step(widthPx), step(heightPx));
         Optional<Photo> here = Optional.ofNullable(kept.get(wanted));
         if (here.isEmpty() && !closed && reading.add(wanted)) {
             reader.execute(() -> {
-                Photo photo = PhotoReader.read(file, widthPx, heightPx);
+                Photo photo = PhotoReader.read(file, wanted.widthPx(), wanted.heightPx());
                 EventThread.later(() -> keep(wanted, photo));
             });
         }
         return here;
+    }
+
+    /** Few sizes, so that a picture is not read again for each pixel by which a panel grows. */
+    private static int step(int px) {
+        int step = px < 64 ? 1 : px < 512 ? 32 : 256;
+        return px / step * step;
     }
 
     private void keep(Wanted wanted, Photo photo) {

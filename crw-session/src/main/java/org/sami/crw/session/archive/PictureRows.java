@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ObjLongConsumer;
+import org.sami.boat.link.KeptFile;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.session.picture.SessionPictures;
@@ -70,7 +71,7 @@ public final class PictureRows {
 
     private static FleetEvent taken(String boat, JsonNode json) {
         List<String> files = new ArrayList<>();
-        json.required("files").forEach(file -> files.add(file.asText()));
+        json.required("files").forEach(file -> files.add(checked(file.asText())));
         Panorama command = new Panorama(
                 json.required("panorama").asText(),
                 json.required("mission").asLong(),
@@ -84,12 +85,19 @@ public final class PictureRows {
 
     private FleetEvent one(String boat, JsonNode json) {
         String panorama = json.required("panorama").asText();
-        String name = json.required("name").asText();
+        String name = checked(json.required("name").asText());
         return json.has(FILE)
                 ? new FleetEvent.PictureFetched(
                         boat, panorama, name, pictures.file(json.get(FILE).asText()))
                 : new FleetEvent.PictureMissed(
                         boat, panorama, name, json.required("missed").asText());
+    }
+
+    private static String checked(String name) {
+        if (!KeptFile.isName(name)) {
+            throw new IllegalArgumentException("'" + name + "' is no name of a picture");
+        }
+        return name;
     }
 
     /** Gives what the rows tell of pictures, in order, with its time. A row that makes no sense is left out. */

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
@@ -30,6 +31,7 @@ public final class NearBoats implements Closeable {
     private final Session session;
     private final BoatFinder finder;
     private final BaseProtection protection;
+    private final Executor front;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread made = new Thread(work, "boats near");
         made.setDaemon(true);
@@ -45,11 +47,13 @@ public final class NearBoats implements Closeable {
      *
      * @param finder is closed with this
      * @param protection whose keys say which boats are paired
+     * @param front runs what is to happen on the session's front
      */
-    public NearBoats(Session session, BoatFinder finder, BaseProtection protection) {
+    public NearBoats(Session session, BoatFinder finder, BaseProtection protection, Executor front) {
         this.session = session;
         this.finder = finder;
         this.protection = protection;
+        this.front = front;
         finder.addListener(this::lookNow);
         looks = thread.scheduleWithFixedDelay(this::look, 0, PERIOD_MS, TimeUnit.MILLISECONDS);
     }
@@ -70,7 +74,7 @@ public final class NearBoats implements Closeable {
             List<NearBoat> near = near(found, problems);
             session.fleet().links().whenComplete((links, fault) -> {
                 if (fault == null) { // else the session ends
-                    show(near, links, problems);
+                    front.execute(() -> show(near, links, problems));
                 }
             });
         } catch (RuntimeException fault) {

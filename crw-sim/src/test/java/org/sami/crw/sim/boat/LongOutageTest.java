@@ -13,8 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
@@ -23,7 +22,7 @@ import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the process. */
-@Execution(ExecutionMode.CONCURRENT)
+@Isolated("a list goes out again where the machine stands still for a second")
 @Timeout(300)
 class LongOutageTest {
     private static final int FAST = 5;

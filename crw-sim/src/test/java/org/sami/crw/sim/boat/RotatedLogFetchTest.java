@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -84,11 +85,14 @@ class RotatedLogFetchTest {
                     throw new AssertionError(e);
                 }
             });
-            first.join();
+            first.get(60, TimeUnit.SECONDS);
             int before = onBoat().byNumber().lastKey();
             commander.upload(100);
+            for (int more = 0; more < 40 && onBoat().byNumber().lastKey() == before; more++) {
+                commander.upload(5); // the next file is begun once it is on the disk
+            }
             assertThat(onBoat().byNumber().lastKey()).as("newest file").isGreaterThan(before);
-            assertThat(during.join().refused()).isEmpty();
+            assertThat(during.get(120, TimeUnit.SECONDS).refused()).isEmpty();
             assertThat(relay.connections()).as("links").isGreaterThan(1);
 
             BoatFileFetch.Result after =

@@ -72,8 +72,8 @@ final class PhoneCamera implements Camera, Closeable {
 
     private void failed(CameraShot shot, String why) {
         failure = why;
-        shot.setFailed();
         news.said("the picture " + shot.fileName() + " was not taken: " + why);
+        shot.setFailed();
     }
 
     /** Takes no more pictures. */

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -81,7 +82,9 @@ public final class LogFiles {
         if (number > MOST_NUMBER) {
             throw new IllegalStateException("a log of more than " + MOST_NUMBER + " files");
         }
-        return number == 0 ? first : first.resolveSibling(first.getFileName() + String.format(".%06d", number));
+        return number == 0
+                ? first
+                : first.resolveSibling(first.getFileName() + String.format(Locale.ROOT, ".%06d", number));
     }
 
     /** Where a file is written until it is whole. */

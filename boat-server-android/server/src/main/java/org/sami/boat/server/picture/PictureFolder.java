@@ -6,6 +6,7 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -96,7 +97,7 @@ public final class PictureFolder {
     }
 
     private String name(long number) {
-        return boatId + String.format("-%06d.jpg", number);
+        return boatId + String.format(Locale.ROOT, "-%06d.jpg", number);
     }
 
     /**
