@@ -214,7 +214,9 @@ class CheckCommandTest {
         Files.writeString(
                 events,
                 Files.readString(events)
-                        .replace("\"type\": \"Camera\"", "\"type\": \"Camra\"")
+                        .replace(
+                                "\"options\", \"type\": \"list<Allocation>\"",
+                                "\"options\", \"type\": \"list<Alocation>\"")
                         .replace("\"answers\": [\"Landed\"]", "\"answers\": [\"Landet\"]"));
         CommandResult bad = CommandResult.crw("check", "--domain", folder.toString());
 
@@ -222,8 +224,8 @@ class CheckCommandTest {
         assertThat(good.out()).contains("0 errors");
         assertThat(bad.exitCode()).isEqualTo(1);
         assertThat(bad.out())
-                .contains(place(events, "\"Camra\"") + ": error E-UNKNOWN-TYPE")
-                .contains("is Camera meant?");
+                .contains(place(events, "\"list<Alocation>\"") + ": error E-UNKNOWN-TYPE")
+                .contains("is Allocation meant?");
     }
 
     @Test
