@@ -43,7 +43,7 @@ class RealBoatUsageTest {
             delimiter = '|',
             value = {
                 "--board 127.0.0.1:5101 | a real boat needs its GPS: give --gps",
-                "--gps gpsd --at 45.4,10.9 | --gps, --hull and --declination are for a real boat: give its --board too",
+                "--gps gpsd --at 45.4,10.9 | --gps, --hull, --declination and --check-motors are for a real boat: give its --board too",
                 "'' | a simulated boat needs --at, a real one --board and --gps",
                 "--board 127.0.0.1:5101 --gps gpsd --at 45.4,10.9 | --at is for a simulated boat, not for one with --board",
                 "--board 127.0.0.1:5101 --gps gpsd --seed 2 | --seed is for a simulated boat, not for one with --board",

@@ -51,7 +51,7 @@ class FleetKeyCommandTest {
         keys("fleet", folder);
         try (SmallVehicle vehicle = new SmallVehicle(7, 0, false)) {
             CommandResult ran = CommandResult.crw(
-                    "vehicles", "--for", "3", "--signed", "--keys", folder.toString(), vehicle.address());
+                    "vehicles", "--for", "10", "--signed", "--keys", folder.toString(), vehicle.address());
 
             assertThat(ran.exitCode()).isEqualTo(4);
             assertThat(ran.out())

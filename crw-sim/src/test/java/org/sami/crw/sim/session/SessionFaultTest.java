@@ -188,9 +188,10 @@ class SessionFaultTest {
                         "The engine has stopped: the journal cannot be written: the disk is full; it could not be written for 1 s");
         assertThat(said.fault().advice()).contains("by hand", "F12", "open it again");
         assertThat(said.fault().details()).contains("where its journal ends");
+        Await.until("listeners know", () -> !broken.isEmpty());
         assertThat(broken).hasSize(1);
         assertThat(session.faults().failure()).isPresent();
-        assertThat(isHeld(session)).isTrue();
+        Await.until("boats are held", () -> isHeld(session));
         TestSession.get(session.byHand().hold("anna")); // boats are commanded still
         TestSession.get(session.ask(view -> view.proxies().size())); // and the engine's state is shown
     }

@@ -8,7 +8,7 @@ import java.util.function.IntSupplier;
 /** Waits for what happens on other threads and in other processes, in the time of the {@link ProcessClock}. */
 public final class Await {
     /** Until it is given up; long, for a machine that has much else to do. */
-    public static final double AT_MOST_S = 60;
+    public static final double AT_MOST_S = 120;
 
     private static final long PAUSE_NANOS = 3_000_000;
 
