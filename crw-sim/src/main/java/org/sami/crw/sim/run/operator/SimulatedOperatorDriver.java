@@ -6,7 +6,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.decision.PendingDecision;
@@ -46,6 +48,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     private final Map<Long, Asked> open = new TreeMap<>();
     private final List<NoteResult> troubles = new ArrayList<>();
     private final Map<Long, Long> thinkingUntil = new HashMap<>();
+    private final Set<Long> onTheirWay = ConcurrentHashMap.newKeySet(); // answers that the engine has not taken yet
     private Optional<Session> session =
             Optional.empty(); // none while the past of a run is repeated: its answers are in it
 
@@ -152,12 +155,17 @@ public final class SimulatedOperatorDriver implements SessionOperator {
                     : "answers file, " + finding.pointer() + ": " + finding.message();
             troubles.add(new NoteResult(clock.nowMs(), NoteResult.UNANSWERED, decision.mission(), text));
         }
-        answer.result().ifPresent(a -> session.ifPresent(asking -> asking.answer(decision.id(), a, NAME)));
+        answer.result().ifPresent(given -> session.ifPresent(asking -> give(asking, decision.id(), given)));
     }
 
-    /** Whether an answer will be given without anything else happening. */
+    private void give(Session asking, long decision, Answer answer) {
+        onTheirWay.add(decision);
+        asking.answer(decision, answer, NAME).whenComplete((taken, refused) -> onTheirWay.remove(decision));
+    }
+
+    /** Whether an answer will be given without anything else happening, or has been given and not been taken yet. */
     public boolean isThinking() {
-        return !thinkingUntil.isEmpty();
+        return !thinkingUntil.isEmpty() || !onTheirWay.isEmpty();
     }
 
     /** What the operator could not answer, in words, oldest first. */
