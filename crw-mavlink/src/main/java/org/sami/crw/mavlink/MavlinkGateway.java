@@ -1,6 +1,5 @@
 package org.sami.crw.mavlink;
 
-import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.util.HashMap;
 import java.util.Map;
@@ -22,7 +21,6 @@ import org.sami.mavlink.base.MavlinkBase;
  * two vehicles with one system id are not taken for one.
  */
 public final class MavlinkGateway implements BoatGateway {
-    private static final System.Logger LOG = System.getLogger(MavlinkGateway.class.getName());
     private static final long TICK_MS = 100;
 
     private final LongSupplier nowMs;
@@ -49,7 +47,7 @@ public final class MavlinkGateway implements BoatGateway {
         executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
         thread = executor;
         ticks = thread.scheduleWithFixedDelay(
-                () -> guarded(() -> links.values().forEach(VehicleLink::tick)),
+                () -> GuardedWork.run(() -> links.values().forEach(VehicleLink::tick)),
                 TICK_MS,
                 TICK_MS,
                 TimeUnit.MILLISECONDS);
@@ -80,22 +78,13 @@ public final class MavlinkGateway implements BoatGateway {
             try {
                 thread.execute(() -> {
                     if (!closed) { // else links are closed already that it would need
-                        guarded(work);
+                        GuardedWork.run(work);
                     }
                 });
             } catch (RejectedExecutionException e) {
                 // the gateway has ended; nothing of this matters any longer
             }
         };
-    }
-
-    /** Does a piece of work; what is thrown in it is logged, so that what comes after it is still done. */
-    static void guarded(Runnable work) {
-        try {
-            work.run();
-        } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, "a fault in what speaks for vehicles", e);
-        }
     }
 
     @Override

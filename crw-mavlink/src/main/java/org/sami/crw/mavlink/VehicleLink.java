@@ -84,14 +84,14 @@ final class VehicleLink {
         vehicles = now;
         for (VehicleSnapshot vehicle : now) {
             if (isBoat(vehicle)) {
-                MavlinkGateway.guarded(() -> boats.computeIfAbsent(
+                GuardedWork.run(() -> boats.computeIfAbsent(
                                 vehicle.id().system(), number -> new VehicleBoat(base, vehicle, thread, files))
                         .reported(vehicle, atMs));
             }
         }
-        boats.values().forEach(boat -> MavlinkGateway.guarded(() -> boat.tick(atMs)));
-        List.copyOf(waiting).forEach(one -> MavlinkGateway.guarded(() -> look(one, atMs)));
-        List.copyOf(several).forEach(one -> MavlinkGateway.guarded(() -> look(one, atMs)));
+        boats.values().forEach(boat -> GuardedWork.run(() -> boat.tick(atMs)));
+        List.copyOf(waiting).forEach(one -> GuardedWork.run(() -> look(one, atMs)));
+        List.copyOf(several).forEach(one -> GuardedWork.run(() -> look(one, atMs)));
     }
 
     private static boolean isBoat(VehicleSnapshot vehicle) {

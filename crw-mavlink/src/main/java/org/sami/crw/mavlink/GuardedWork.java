@@ -1,0 +1,19 @@
+package org.sami.crw.mavlink;
+
+import java.lang.System.Logger.Level;
+
+/** Work for one vehicle, a fault of which must not keep others from theirs. */
+final class GuardedWork {
+    private static final System.Logger LOG = System.getLogger(GuardedWork.class.getName());
+
+    private GuardedWork() {}
+
+    /** Does a piece of work; what is thrown in it is logged, so that what comes after it is still done. */
+    static void run(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "a fault in what speaks for vehicles", e);
+        }
+    }
+}
