@@ -6,9 +6,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.Ack;
-import org.sami.boat.link.BatteryLevel;
-import org.sami.boat.link.BatteryReport;
-import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.CommandEpoch;
@@ -22,6 +19,7 @@ import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.PanoramaReport;
@@ -55,9 +53,6 @@ import org.sami.boat.server.vehicle.Vehicle;
 public final class BoatServer {
     private static final String OTHER_TERM = "it does not name the term of the last welcome: say hello again";
 
-    private static final double NEAR_M = 20;
-    private static final double STILL_MPS = 0.05;
-
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final ServerLog log;
@@ -65,7 +60,7 @@ public final class BoatServer {
     private final ModeControl modes;
     private final CommandExecutor executor;
     private final SensorSampler sensors;
-    private final BatteryWatch battery;
+    private final StateReports state;
     private final MotionReports motion;
     private final EpochGuard epochs;
     private final TransferRateLimits limits = new TransferRateLimits();
@@ -74,8 +69,6 @@ public final class BoatServer {
     private boolean commanderLost;
     private String movedBy = ""; // client that set the boat in motion or released it last; empty after a lost link
     private long terms;
-    private BatteryLevel reportedLevel;
-    private Optional<BoardCondition> reportedBoard;
 
     /** A server that keeps no log. */
     public BoatServer(ServerConfig config, Vehicle vehicle) {
@@ -91,10 +84,10 @@ public final class BoatServer {
         modes = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, modes);
         sensors = new SensorSampler(vehicle);
-        battery = new BatteryWatch(config, vehicle, modes.homeward().waysHome());
-        reportedLevel = battery.level();
-        reportedBoard = modes.board();
-        motion = new MotionReports(vehicle);
+        BatteryWatch battery =
+                new BatteryWatch(config, vehicle, modes.homeward().waysHome());
+        state = new StateReports(vehicle, battery, modes, executor);
+        motion = new MotionReports(vehicle, modes);
     }
 
     /**
@@ -135,11 +128,11 @@ public final class BoatServer {
 
     /** A link to a client has opened; the client then says hello. */
     public ServerSession connect(FrameSink toClient) {
-        return connect(toClient, FileDesk.NONE);
+        return connect(toClient, FileProvider.NONE);
     }
 
     /** A link to a client has opened, which may fetch files; the client then says hello. */
-    public ServerSession connect(FrameSink toClient, FileDesk files) {
+    public ServerSession connect(FrameSink toClient, FileProvider files) {
         ServerSession session = new ServerSession(this, toClient, files);
         sessions.add(session);
         return session;
@@ -156,15 +149,7 @@ public final class BoatServer {
             broadcast(report.get(), nowMs);
         }
         reportMotion(nowMs);
-        battery.tick(nowMs);
-        if (battery.level() != reportedLevel) {
-            reportedLevel = battery.level();
-            broadcast(battery(), nowMs);
-        }
-        if (!modes.board().equals(reportedBoard)) {
-            reportedBoard = modes.board();
-            broadcast(executor.settings(), nowMs);
-        }
+        state.tick(nowMs, message -> broadcast(message, nowMs));
         for (ServerSession session : sessions) {
             session.tick(nowMs);
         }
@@ -175,19 +160,12 @@ public final class BoatServer {
 
     /** Reports motion to the base while the boat moves near others, often enough for them to give way. */
     private void reportMotion(long nowMs) {
-        if (hasCommander()
-                && !modes.surroundings().isEmpty()
-                && motion.isCheckDue(nowMs)
-                && knowsWhereItIs()
-                && motion.isNews(modes.mode(), nowMs)
-                && isMovingNearOthers(nowMs)) {
-            commander.get().send(motion.report(modes.mode(), nowMs), nowMs);
+        if (hasCommander() && knowsWhereItIs()) {
+            Optional<Motion> report = motion.due(nowMs);
+            if (report.isPresent()) {
+                commander.get().send(report.get(), nowMs);
+            }
         }
-    }
-
-    private boolean isMovingNearOthers(long nowMs) {
-        boolean rests = modes.mode() != BoatMode.PATH && Math.abs(vehicle.speedMps()) < STILL_MPS;
-        return !rests && modes.surroundings().isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_M, nowMs);
     }
 
     /** What the boat is doing. */
@@ -302,7 +280,7 @@ public final class BoatServer {
         session.send(
                 new Welcome(config.boatId(), config.bootId(), role, term, "", true, Optional.of(epochs.newest())),
                 nowMs);
-        session.send(battery(), nowMs);
+        session.send(state.battery(), nowMs);
         session.send(executor.settings(), nowMs);
         session.send(modes.path().track().progress(), nowMs);
     }
@@ -476,10 +454,6 @@ public final class BoatServer {
                 session.send(message, nowMs);
             }
         }
-    }
-
-    private BatteryReport battery() {
-        return new BatteryReport(vehicle.batteryPercent(), battery.level());
     }
 
     /** Whether the boat has telemetry: a phone without a fix has none. */

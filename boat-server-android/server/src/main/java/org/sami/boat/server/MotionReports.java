@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import java.util.Optional;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.Motion;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -22,7 +23,11 @@ final class MotionReports {
     /** A slower boat's turn counts as at this speed: it may soon go that way. */
     private static final double LEAST_TURN_SPEED_MPS = 0.5;
 
+    private static final double NEAR_M = 20;
+    private static final double STILL_MPS = 0.05;
+
     private final Vehicle vehicle;
+    private final ModeControl modes;
     private long checkedMs = Long.MIN_VALUE / 2;
     private long reportedMs = Long.MIN_VALUE / 2;
     private BoatMode mode = BoatMode.STOPPED; // this and the following as last reported
@@ -31,17 +36,27 @@ final class MotionReports {
     private double speedMps;
 
     /** Nothing is reported yet. */
-    MotionReports(Vehicle vehicle) {
+    MotionReports(Vehicle vehicle, ModeControl modes) {
         this.vehicle = vehicle;
+        this.modes = modes;
     }
 
-    /** Whether it is time to check for news. */
-    boolean isCheckDue(long nowMs) {
-        return nowMs - checkedMs >= CHECK_MS;
+    /** The report of this moment, where the base needs one: while the boat moves near others. The boat knows where it is. */
+    Optional<Motion> due(long nowMs) {
+        boolean needed = !modes.surroundings().isEmpty()
+                && nowMs - checkedMs >= CHECK_MS
+                && isNews(modes.mode(), nowMs)
+                && isMovingNearOthers(nowMs);
+        return needed ? Optional.of(report(modes.mode(), nowMs)) : Optional.empty();
+    }
+
+    private boolean isMovingNearOthers(long nowMs) {
+        boolean rests = modes.mode() != BoatMode.PATH && Math.abs(vehicle.speedMps()) < STILL_MPS;
+        return !rests && modes.surroundings().isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_M, nowMs);
     }
 
     /** Checks whether others predict the boat at another place or in another mode, or have had no report for a while. */
-    boolean isNews(BoatMode modeNow, long nowMs) {
+    private boolean isNews(BoatMode modeNow, long nowMs) {
         checkedMs = nowMs;
         return nowMs - reportedMs >= PERIOD_MS || modeNow != mode || hasChangedMotion() || isElsewhere(nowMs);
     }
@@ -59,8 +74,7 @@ final class MotionReports {
         return !(PlaneMath.length(eastM, northM) <= TOLERANCE_M);
     }
 
-    /** The report of this moment. */
-    Motion report(BoatMode modeNow, long nowMs) {
+    private Motion report(BoatMode modeNow, long nowMs) {
         reportedMs = nowMs;
         mode = modeNow;
         place = new LocalFrame(vehicle.latDeg(), vehicle.lonDeg());

@@ -33,7 +33,7 @@ public final class ServerSession {
 
     private final BoatServer server;
     private final FrameSink toClient;
-    private final FileDesk files;
+    private final FileProvider files;
     private boolean fileAsked; // and not answered
     private Optional<Role> role = Optional.empty();
     private String clientId = "";
@@ -54,7 +54,7 @@ public final class ServerSession {
     private Optional<Fingerprint> key = Optional.empty();
     private long unheard;
 
-    ServerSession(BoatServer server, FrameSink toClient, FileDesk files) {
+    ServerSession(BoatServer server, FrameSink toClient, FileProvider files) {
         this.server = server;
         this.toClient = toClient;
         this.files = files;

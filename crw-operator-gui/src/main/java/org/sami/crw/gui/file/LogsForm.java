@@ -20,9 +20,9 @@ import org.sami.crw.session.file.LogRow;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.table.TableFit;
 import org.sami.ui.value.WrappedText;
 
 /** Which boats' logs are fetched into which folder, how far each is, and what came of it. A fetch goes on while this is closed. On the event thread. */
@@ -48,7 +48,7 @@ final class LogsForm extends JPanel {
     private final Command begin;
     private final Command cancel;
     private final Timer look = new Timer(LINKS_MS, e -> readLinks());
-    private String fitted = "";
+    private final TableFit tableFit;
 
     /**
      * A view of a fetch.
@@ -82,6 +82,7 @@ final class LogsForm extends JPanel {
                 .unless(() -> fetch.isRunning() ? Optional.empty() : Optional.of("nothing is fetched"));
         add(hint, WIDE);
         add(table, "growx");
+        tableFit = new TableFit(this, layout, table, LEAST_PX, LEAST_ROWS);
         add(folders(choose), WIDE);
         add(buttons(), WIDE);
         add(said, WIDE);
@@ -182,19 +183,6 @@ final class LogsForm extends JPanel {
         said.setVisible(!fetch.said().isEmpty());
         begin.refresh();
         cancel.refresh();
-        fit();
-    }
-
-    /** As high as its rows, as far as the window has room. */
-    private void fit() {
-        int rows = Math.max(LEAST_ROWS, fetch.rows().size());
-        String height = "growx, h " + LEAST_PX + ":" + table.heightOf(rows + 1) + "px:";
-        boolean grows = !height.equals(layout.getComponentConstraints(table));
-        layout.setComponentConstraints(table, height);
-        if (grows || !said.getText().equals(fitted)) {
-            fitted = said.getText();
-            revalidate();
-            WindowSheet.find(this).ifPresent(WindowSheet::fit);
-        }
+        tableFit.fit(fetch.rows().size(), said.getText());
     }
 }

@@ -21,9 +21,9 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.sheet.WindowSheet;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.table.TableFit;
 import org.sami.ui.value.WrappedText;
 
 /**
@@ -52,7 +52,7 @@ final class NearForm extends JPanel {
     private final WrappedText said = new WrappedText("");
     private final RowTable<CheckedBoat> table;
     private final Timer refresh = new Timer(REFRESH_MS, e -> refresh());
-    private String fitted = "";
+    private final TableFit tableFit;
     private Supplier<String> saying = () -> "";
     private final Command connect;
     private final Command pair;
@@ -100,6 +100,7 @@ final class NearForm extends JPanel {
         add(count, WIDE);
         add(buttons(all), WIDE);
         add(table, "growx");
+        tableFit = new TableFit(this, layout, table, LEAST_PX, LEAST_ROWS);
         add(said, WIDE);
         add(problems, WIDE);
         bind("ENTER", "near-open", new Command("near-enter", "Connect or pair", this::open), table.table());
@@ -210,18 +211,6 @@ final class NearForm extends JPanel {
         said.setText(saying.get());
         said.setVisible(!said.getText().isEmpty());
         refreshCommands();
-        fit(now.size());
-    }
-
-    /** As high as its rows, as far as the window has room. */
-    private void fit(int rows) {
-        String height = "growx, h " + LEAST_PX + ":" + table.heightOf(Math.max(LEAST_ROWS, rows) + 1) + "px:";
-        boolean grows = !height.equals(layout.getComponentConstraints(table));
-        layout.setComponentConstraints(table, height);
-        if (grows || !said.getText().equals(fitted)) {
-            fitted = said.getText();
-            revalidate();
-            WindowSheet.find(this).ifPresent(WindowSheet::fit);
-        }
+        tableFit.fit(now.size(), said.getText());
     }
 }

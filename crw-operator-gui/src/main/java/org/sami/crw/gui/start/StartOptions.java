@@ -57,7 +57,7 @@ public record StartOptions(
         this(boats, project, theme, scale, resume, Optional.empty(), Optional.empty());
     }
 
-    /** A session or a replay, without a statement about boats. */
+    /** A session or a replay of boats, without a statement about how they fare. */
     public StartOptions(
             List<BoatAddress> boats,
             Optional<Path> project,
@@ -66,21 +66,7 @@ public record StartOptions(
             Optional<Boolean> resume,
             Optional<Path> replay,
             Optional<Long> atMillis) {
-        this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty(), Near.WHEN_ASKED);
-    }
-
-    /** A session or a replay of boats. */
-    public StartOptions(
-            List<BoatAddress> boats,
-            Optional<Path> project,
-            Optional<Theme> theme,
-            Optional<Integer> scale,
-            Optional<Boolean> resume,
-            Optional<Path> replay,
-            Optional<Long> atMillis,
-            Optional<NamedConditions> conditions,
-            Near near) {
-        this(boats, project, theme, scale, resume, replay, atMillis, conditions, near, BOATS);
+        this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty(), Near.WHEN_ASKED, BOATS);
     }
 
     public StartOptions {

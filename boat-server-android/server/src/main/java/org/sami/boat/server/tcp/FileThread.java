@@ -8,14 +8,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.sami.boat.link.FileAnswer;
 import org.sami.boat.link.FileRequest;
-import org.sami.boat.server.FileDesk;
+import org.sami.boat.server.FileProvider;
 import org.sami.boat.server.file.BoatFiles;
 
 /**
  * Reads files for the clients of a boat on a thread of its own, one request after another, and not more than so many a second for all clients together. The thread
  * exists once a client has asked. For the boat's thread.
  */
-final class FileThread implements FileDesk {
+final class FileThread implements FileProvider {
     /** Time between two answers in ms: 50 pieces a second, 300 kB, which is a sixth of a slow Wi-Fi. */
     static final long APART_MS = 20;
 

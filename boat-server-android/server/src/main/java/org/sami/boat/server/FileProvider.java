@@ -6,9 +6,9 @@ import org.sami.boat.link.FileRefusal;
 import org.sami.boat.link.FileRequest;
 
 /** Where a boat's server gets the files that clients ask for. It is asked on the thread that drives the boat, and must not read a disk there. */
-public interface FileDesk {
-    /** The desk of a boat that keeps no files. */
-    FileDesk NONE = (request, answer) -> answer.accept(
+public interface FileProvider {
+    /** Of a boat that keeps no files. */
+    FileProvider NONE = (request, answer) -> answer.accept(
             new FileRefusal(request.requestId(), FileRefusal.Reason.NO_FILES, "this boat keeps no files"));
 
     /**
