@@ -7,6 +7,11 @@ public enum RobotKind {
     /** Copters in the air. */
     COPTER("copter");
 
+    /** Not within a name, an address or a path: boat-2, boat.local:5001 and /home/me/boats/x.log stay as they are. */
+    private static final String BEFORE = "(?<![\\w./\\\\-])";
+
+    private static final String AFTER = "(?=s?\\b(?![-/\\\\:]|\\.\\w))";
+
     private final String word;
 
     RobotKind(String word) {
@@ -32,13 +37,13 @@ public enum RobotKind {
         throw new IllegalArgumentException("there are no robots of the kind '" + word + "'");
     }
 
-    /** A text about boats as it reads about these: boat, boats, Boat and Boats are replaced. */
+    /** A text about boats as it reads about these: the words boat, boats, Boat and Boats are replaced. */
     public String say(String text) {
         if (this == BOAT) {
             return text;
         }
         String capital = Character.toUpperCase(word.charAt(0)) + word.substring(1);
-        return text.replaceAll("\\bboat(?=s?\\b)", word).replaceAll("\\bBoat(?=s?\\b)", capital);
+        return text.replaceAll(BEFORE + "boat" + AFTER, word).replaceAll(BEFORE + "Boat" + AFTER, capital);
     }
 
     /** The name of a simulated one, counted from 0. */

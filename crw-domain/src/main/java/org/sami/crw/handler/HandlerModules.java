@@ -6,14 +6,15 @@ import org.sami.crw.fleet.RobotKind;
 
 /** The {@link HandlerModule}s that are on the class path. */
 public final class HandlerModules {
+    private static final List<HandlerModule> ALL = ServiceLoader.load(HandlerModule.class).stream()
+            .map(ServiceLoader.Provider::get)
+            .toList();
+
     private HandlerModules() {}
 
     /** Those of a domain. */
     static List<HandlerModule> of(String domain) {
-        return ServiceLoader.load(HandlerModule.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(module -> module.domain().equals(domain))
-                .toList();
+        return ALL.stream().filter(module -> module.domain().equals(domain)).toList();
     }
 
     /** What a domain's plans command; boats where no module says otherwise. */

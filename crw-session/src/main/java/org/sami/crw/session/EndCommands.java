@@ -34,9 +34,10 @@ final class EndCommands {
     /**
      * Gives the commands, and waits until the boats execute them or the time is over; afterwards nothing is recorded about boats. Not on the fleet's thread.
      *
+     * @param last runs when the boats have been commanded, while what they report still counts
      * @return the boats that have not confirmed it, in words
      */
-    List<String> giveTo(SessionFleet fleet) {
+    List<String> giveTo(SessionFleet fleet, Runnable last) {
         fleet.onFleet(boats -> {
             fleet.watches().lookAtBoats();
             tell(boats);
@@ -47,6 +48,7 @@ final class EndCommands {
             LockSupport.parkNanos(LOOK_NANOS);
         }
         List<String> others = fleet.onFleet(this::others);
+        last.run();
         fleet.onFleet(boats -> {
             fleet.watches().flushPoses();
             return null;

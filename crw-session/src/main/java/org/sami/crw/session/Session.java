@@ -392,8 +392,13 @@ public final class Session implements AutoCloseable {
      * @return the boats that have not confirmed it, in words
      */
     public List<String> leave(BoatsAtEnd end) {
+        return leave(end, () -> {});
+    }
+
+    /** The same; something is waited for when the boats have been commanded, while what they report still counts. */
+    public List<String> leave(BoatsAtEnd end, Runnable last) {
         parts.domain.handlers().close();
-        return new EndCommands(end).giveTo(parts.fleet);
+        return new EndCommands(end).giveTo(parts.fleet, last);
     }
 
     /**

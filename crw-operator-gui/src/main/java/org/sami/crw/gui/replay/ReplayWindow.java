@@ -18,12 +18,14 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorPanels;
 import org.sami.crw.gui.window.WindowMenus;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.replay.Replay;
@@ -33,6 +35,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
+import org.sami.ui.command.CommandPolicy;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.Fonts;
@@ -81,12 +84,13 @@ public final class ReplayWindow {
         this.ended = ended;
         Replay replay = new Replay(journal, EventThread.executor(), computing);
         player = new PlaybackTimer(journal.timeLine(), replay::goTo, worker);
+        RobotKind robots = HandlerModules.robotsOf(journal.vocabulary().domain());
         OperatorContext context = new OperatorContext(
                 new ReplayedSession(replay, worker, computing, player::goTo),
-                new CommandRegistry(),
+                new CommandRegistry(CommandPolicy.ALL, robots::say),
                 new IdentityMarks(),
                 new BoatSelection(),
-                new Notices());
+                new Notices(robots::say));
         CommandRegistry commands = context.commands();
         panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
@@ -101,7 +105,7 @@ public final class ReplayWindow {
         frame.setName("replay-window");
         frame.setTitle("REPLAY " + journal.file().getFileName() + " – SAMI operator");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
-        frame.setJMenuBar(new WindowMenus(commands, panels.all()).bar());
+        frame.setJMenuBar(new WindowMenus(commands, panels.all(), robots).bar());
         frame.getContentPane().add(band(journal), BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         frame.getContentPane().add(timeLine, BorderLayout.SOUTH);

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
@@ -93,7 +94,7 @@ final class ClassArchive {
             panels.refresh();
             Command any = context.commands().all().iterator().next();
             paint(new StatusStrip(context, fleetStop, any, any, panels::decisionUnseen));
-            new WindowMenus(context.commands(), panels.all()).bar();
+            new WindowMenus(context.commands(), panels.all(), RobotKind.BOAT).bar();
         }
     }
 

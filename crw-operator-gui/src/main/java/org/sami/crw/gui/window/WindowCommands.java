@@ -74,7 +74,7 @@ final class WindowCommands {
     void addPanels(DockArea dock) {
         view.addPanels(dock);
         add(new Command(
-                "arrangement-first", "Panels as in the boats' trials", () -> dock.arrange(OperatorPanels.FIRST)));
+                "arrangement-first", "Missions right, decisions in sight", () -> dock.arrange(OperatorPanels.FIRST)));
         add(new Command(
                 "arrangement-aims", "Robots left, one large map (AIMS)", () -> dock.arrange(OperatorPanels.AIMS)));
     }

@@ -19,11 +19,6 @@ public final class WindowMenus {
     private final CommandMenus menus;
     private final List<DockPanel> panels;
 
-    /** The menus of a window. */
-    public WindowMenus(CommandRegistry commands, List<DockPanel> panels) {
-        this(commands, panels, RobotKind.BOAT);
-    }
-
     /** The menus of a window on robots of a kind. */
     public WindowMenus(CommandRegistry commands, List<DockPanel> panels, RobotKind robots) {
         this.robots = robots;
@@ -108,7 +103,10 @@ public final class WindowMenus {
             bar.add(replay);
         }
         JMenu view = menus.view(panels);
-        view.add(menus.menu("Arrangement", 'A', "arrangement-first", "arrangement-aims"));
+        JMenu arrangements = menus.menu("Arrangement", 'A', "arrangement-first", "arrangement-aims");
+        if (arrangements.getItemCount() > 0) { // a replay has one
+            view.add(arrangements);
+        }
         bar.add(view);
         bar.add(menus.help());
         return bar;

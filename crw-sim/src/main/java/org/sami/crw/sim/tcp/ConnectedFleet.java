@@ -14,6 +14,7 @@ import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.report.LinkResult;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
+import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.archive.FleetHistory;
@@ -205,20 +206,22 @@ final class ConnectedFleet implements RunFleet {
 
     @Override
     public void leave(long endMillis) {
-        awaitPictures();
-        session.leave().forEach(caller::later);
+        session.leave(BoatsAtEnd.STOP, this::awaitPictures).forEach(caller::later);
         noteEnd(endMillis);
         notes.leaveMessagesToNews(false);
     }
 
-    /** Those of the last panorama still come when the mission is over. */
+    /** Those of the last panorama still come when the mission is over and the boats are stopped; nobody waits for them where the run was cut short. */
     private void awaitPictures() {
+        if (!ended.equals(Optional.of(RunOutcome.ENDED))) {
+            return;
+        }
         try {
             session.picturesFetched().toCompletableFuture().get(PICTURES_S, TimeUnit.SECONDS);
         } catch (ExecutionException | TimeoutException late) {
             caller.later("not all pictures have come from the boats; they stay on board");
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+            caller.interrupted();
         }
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -46,6 +47,7 @@ class BoatsAtEndTest {
     @ParameterizedTest
     @CsvSource({"STOP, STOPPED", "HOLD, HOLD", "GO_ON, PATH"})
     void boatsDoWhatIsChosenAsTheSessionIsLeft(BoatsAtEnd end, BoatMode wanted) throws Exception {
+        AtomicInteger asked = new AtomicInteger();
         try (Session session = world.opened(TestSession.library("clv"), folder.resolve("session.journal"))) {
             session.begin();
             TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
@@ -55,9 +57,14 @@ class BoatsAtEndTest {
             TestSession.get(session.byHand().goTo("anna", far));
             Await.until("anna is under way", () -> anna(session).mode().equals(Optional.of(BoatMode.PATH)));
 
-            assertThat(session.leave(end)).isEmpty();
+            Runnable last = () -> {
+                Await.until("anna does it, before the session waits for anything else", () -> does(session, wanted));
+                asked.incrementAndGet();
+            };
+            assertThat(session.leave(end, last)).isEmpty();
 
-            Await.until("anna does it", () -> anna(session).mode().equals(Optional.of(wanted)));
+            assertThat(asked).hasValue(1);
+            Await.until("anna goes on doing it", () -> does(session, wanted));
         }
     }
 
@@ -89,6 +96,10 @@ class BoatsAtEndTest {
             TestSession.get(session.fleet().boats()); // the fleet's thread has done all that followed
         }
         assertThat(notes).noneMatch(text -> text.contains("is lost"));
+    }
+
+    private static boolean does(Session session, BoatMode wanted) {
+        return anna(session).mode().equals(Optional.of(wanted));
     }
 
     private static BoatStatus anna(Session session) {
