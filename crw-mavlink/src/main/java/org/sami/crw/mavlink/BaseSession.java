@@ -33,7 +33,7 @@ import org.sami.boat.link.WithdrawKeys;
 final class BaseSession implements VehicleConnection.Ears {
     private static final int REMEMBERED = 4096;
 
-    /** What the session is in front of. */
+    /** The vehicle for which the session speaks. */
     interface Boat {
         String name();
 
@@ -44,10 +44,10 @@ final class BaseSession implements VehicleConnection.Ears {
 
         void teleoperate(double thrust, double rudder);
 
-        /** The base has been appointed commander, or reads what holds: it is told of battery, settings and progress. */
+        /** The base has become commander or observer: battery, settings and progress are sent to it. */
         void introduce();
 
-        /** The base commands no longer, or is gone. */
+        /** The base is no longer commander, or its connection has ended. */
         void left();
     }
 
@@ -85,7 +85,7 @@ final class BaseSession implements VehicleConnection.Ears {
         return commands && !connection.isOver();
     }
 
-    /** How often the base wishes to be told where the boat is, in ms. */
+    /** Period of telemetry that the base asks for, in ms. */
     long telemetryPeriodMs() {
         return Math.max(1, Math.round(1000 / telemetryHz));
     }

@@ -63,7 +63,7 @@ final class DrivenList {
         return upload.waypoints();
     }
 
-    /** The mission, with home. */
+    /** The items of the mission, home first. */
     List<MissionItem> items() {
         return List.copyOf(items);
     }
@@ -104,19 +104,19 @@ final class DrivenList {
         completed = false;
     }
 
-    /** The vehicle says that it has reached an item. Whether it is further along the list than was known. */
+    /** The vehicle reports an item as reached. Returns whether that is progress along the list. */
     boolean reached(int item) {
         int before = itemOf.indexOf(item);
         return before >= 0 && advance(before + 1);
     }
 
-    /** The vehicle says that it is on its way to an item, so the waypoints before it are behind it. */
+    /** The vehicle reports the item to which it goes, so the waypoints before it are done. Returns whether that is progress. */
     boolean current(int item) {
         int behind = (int) itemOf.stream().filter(each -> each < item).count();
         return item > 0 && advance(behind);
     }
 
-    /** So many waypoints are behind it. */
+    /** Marks that many waypoints as reached. Returns whether that is progress. */
     boolean advance(int behind) {
         if (behind <= next || completed) {
             return false;

@@ -2,7 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.lang.System.Logger.Level;
 
-/** Work for one vehicle, a fault of which must not keep others from theirs. */
+/** Runs work for one vehicle so that a fault in it does not stop the work for others. */
 final class GuardedWork {
     private static final System.Logger LOG = System.getLogger(GuardedWork.class.getName());
 

@@ -17,8 +17,8 @@ import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.base.MavlinkBase;
 
 /**
- * The vehicles of one base that speak MAVLink. One thread has all that concerns the boats; each MAVLink address has a {@link MavlinkBase} of its own, so that
- * two vehicles with one system id are not taken for one.
+ * Reaches vehicles that speak MAVLink for one base. One thread owns everything about the boats; each MAVLink address has a {@link MavlinkBase} of its own, so
+ * that vehicles with one system id on two addresses are not taken for one. Safe for use by several threads.
  */
 public final class MavlinkGateway implements BoatGateway {
     private static final long TICK_MS = 100;
@@ -34,7 +34,7 @@ public final class MavlinkGateway implements BoatGateway {
      * A gateway without links, whose thread runs.
      *
      * @param nowMs a clock of milliseconds that only goes on
-     * @param files where it keeps what a base that dies has to find again
+     * @param files stores what the next base needs after a crash of this one
      */
     public MavlinkGateway(LongSupplier nowMs, VehicleFiles files) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");

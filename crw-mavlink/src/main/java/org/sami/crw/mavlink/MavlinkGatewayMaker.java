@@ -5,7 +5,7 @@ import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayMaker;
 import org.sami.mavlink.address.MavlinkAddress;
 
-/** Makes gateways to vehicles that speak MAVLink. */
+/** Makes gateways to vehicles that speak MAVLink; found by {@link java.util.ServiceLoader}. Safe for use by several threads. */
 public final class MavlinkGatewayMaker implements GatewayMaker {
 
     /** For {@link java.util.ServiceLoader}. */

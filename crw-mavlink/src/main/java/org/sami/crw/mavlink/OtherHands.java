@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
-/** Who has taken a vehicle from the base, in words: its own failsafe, as far as it says so, or else a person. For the gateway's thread. */
+/** Names who has taken a vehicle from the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread. */
 final class OtherHands {
     private static final long WORDS_MS = 4_000; // between a failsafe's words and its mode
 
@@ -25,7 +25,7 @@ final class OtherHands {
         return vehicle.health().failsafe() && words.toLowerCase(Locale.ROOT).contains("batt");
     }
 
-    /** Who has brought it into the state in which it is. */
+    /** Who has changed its state, in words for the operator. */
     String who(VehicleSnapshot vehicle, long atMs) {
         String state = vehicle.armed() ? vehicle.mode() : vehicle.mode() + ", disarmed";
         boolean justSaid = !words.isEmpty() && atMs - saidMs < WORDS_MS;

@@ -5,7 +5,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 
-/** Brings what was asked of a vehicle back to the gateway's thread. */
+/** Hands results of requests to a vehicle over to the gateway's thread. */
 final class Results {
     private Results() {}
 

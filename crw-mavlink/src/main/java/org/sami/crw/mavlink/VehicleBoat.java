@@ -28,9 +28,9 @@ final class VehicleBoat implements BaseSession.Boat {
     private final OtherHands others = new OtherHands();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
-    private long saidMs; // of the base was told where the boat is
-    private long heardMs; // of what was told
-    private long positionMs; // of the position that was told
+    private long saidMs; // time of the last telemetry
+    private long heardMs; // time of the last vehicle message that was passed on
+    private long positionMs; // time of the position in the last telemetry
     private long beatMs;
     private Optional<BatteryReport> battery = Optional.empty();
     private long batteryMs;
@@ -61,12 +61,12 @@ final class VehicleBoat implements BaseSession.Boat {
         broadcast(orders.settings());
     }
 
-    /** Whether it is known which start of its autopilot this is, so that a base can be told. */
+    /** Whether the id of its autopilot's start is known, which a base needs at the welcome. */
     boolean isKnown() {
         return settings.bootId().isPresent();
     }
 
-    /** The base has a connection to it, in place of one that it had. */
+    /** The base has a new connection to it; the earlier one is ended. */
     void connect(VehicleConnection connection) {
         session.ifPresent(before -> before.end("the base is connected anew"));
         BaseSession next = new BaseSession(
@@ -116,10 +116,10 @@ final class VehicleBoat implements BaseSession.Boat {
             return;
         }
         BaseSession told = session.get();
-        boolean news = vehicle.heardMs() > heardMs; // the base notices by our silence that the vehicle is silent
+        boolean news = vehicle.heardMs() > heardMs; // no heartbeat goes out while the vehicle is silent
         boolean moved = vehicle.position()
                 .filter(at -> at.heardMs() > positionMs)
-                .isPresent(); // and where it was is not where it is
+                .isPresent(); // an old position is not repeated as a new one
         if (moved && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
             VehicleReports.telemetry(vehicle, orders.mode(), Math.max(0, atMs)).ifPresent(telemetry -> {
                 saidMs = atMs;

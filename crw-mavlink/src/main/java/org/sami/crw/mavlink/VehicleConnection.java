@@ -31,7 +31,7 @@ final class VehicleConnection implements GatewayLink {
         this.thread = thread;
     }
 
-    /** Where it leads. */
+    /** The address that it was opened for. */
     InetSocketAddress address() {
         return address;
     }
@@ -57,7 +57,7 @@ final class VehicleConnection implements GatewayLink {
         }
     }
 
-    /** The operator must know this. */
+    /** Reports an alarm to the operator. */
     void alarm(String text) {
         if (!over) {
             listener.alarm(text);

@@ -14,8 +14,8 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.UploadWaypoints;
 
 /**
- * What this machine keeps of each vehicle, as the autopilot cannot: the id and the waypoints of the list that it was given last, and who stopped it. A base that
- * comes after one that died finds its list again by it. One small file a vehicle, replaced whole.
+ * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, and who latched its
+ * fleet stop. After a crash the next base finds the list again. One small file for each vehicle, replaced as a whole. For one thread at a time.
  */
 public final class VehicleFiles {
     private static final System.Logger LOG = System.getLogger(VehicleFiles.class.getName());

@@ -21,7 +21,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** One MAVLink address with the vehicles that are heard there, and the base's connections to them. For the gateway's thread. */
 final class VehicleLink {
-    private static final int EVERY_VEHICLE = 256; // as the port of an address
+    private static final int EVERY_VEHICLE = 256; // port of an address without a number
     static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
     private static final long TRY_MS = 4_000;
 
@@ -40,7 +40,7 @@ final class VehicleLink {
     /** A connection to a vehicle that is not heard yet. */
     private record Waiting(VehicleConnection connection, long untilMs) {}
 
-    /** A connection that asks for all vehicles, and those that it was told of. */
+    /** A connection that asks for all vehicles, and those that were reported to it. */
     private record Several(VehicleConnection connection, Set<Integer> found, long untilMs) {}
 
     VehicleLink(MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files) {
@@ -60,7 +60,7 @@ final class VehicleLink {
         }
     }
 
-    /** On the thread of the MAVLink base. */
+    /** Called on the thread of the MAVLink base. */
     private void heard(VehicleEvent event) {
         thread.execute(() -> Optional.ofNullable(boats.get(event.vehicle().system()))
                 .ifPresent(boat -> boat.happened(event, nowMs.getAsLong())));

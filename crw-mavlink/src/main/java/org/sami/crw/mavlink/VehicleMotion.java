@@ -68,7 +68,7 @@ final class VehicleMotion {
         return pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
     }
 
-    /** It is not held to any state any longer. */
+    /** Forgets the ordered state: a change of mode or arming is no longer taken for somebody else's. */
     void release() {
         pilot.release();
         hand = Optional.empty();
@@ -95,7 +95,7 @@ final class VehicleMotion {
         });
     }
 
-    /** Motors off at once, and HOLD: whoever arms it again has it lie still. */
+    /** Motors off at once, and mode HOLD, so that it lies still if somebody arms it again. */
     void stop(Consumer<Optional<String>> ended) {
         hand = Optional.empty();
         VehiclePilot.Order order = pilot.begin(ended);
@@ -113,7 +113,7 @@ final class VehicleMotion {
                         () -> order.mode(LOITER, true, () -> order.done(new VehiclePilot.Ordered(LOITER, true)))));
     }
 
-    /** An order that it needs to know its position for; without one it is refused, and what was ordered before holds. */
+    /** Begins an order that needs a position; without one it is refused, and the order before stays in force. */
     private Optional<VehiclePilot.Order> byItself(Consumer<Optional<String>> ended) {
         if (!vehicle().located()) {
             ended.accept(Optional.of("vehicle " + id + " cannot drive by itself: its filter has no position"));
@@ -171,7 +171,7 @@ final class VehicleMotion {
         Results.when(base.command(id, VehicleCommand.setSpeed(mps)), thread, (CommandOutcome outcome) -> {}, why -> {});
     }
 
-    /** Sticks of a hand; in force until others come, at most for the dead man's time. */
+    /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */
     void steer(double thrust, double rudder) {
         boolean begins = hand.isEmpty();
         hand = Optional.of(new Hand(thrust, rudder, nowMs));

@@ -33,7 +33,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
  * What the base asks of a boat, as an autopilot does it (the table of docs/mavlink.md): paths as missions in AUTO, a single place in GUIDED, keeping a place in
- * LOITER, by hand in MANUAL, stop as disarmed in HOLD. Motors are armed by these orders only, never by itself. For the gateway's thread.
+ * LOITER, by hand in MANUAL, stop as disarmed in HOLD. Motors are armed only by these orders. For the gateway's thread.
  */
 final class VehicleOrders {
     private static final double ARRIVED_M =
@@ -149,7 +149,7 @@ final class VehicleOrders {
         }
     }
 
-    /** Its autopilot has started again. What it was given is still there; nothing moves it before it is asked. */
+    /** Its autopilot has started again. Its list is kept; nothing moves the vehicle before the next command. */
     void restarted() {
         motion.release();
         store.forget();
@@ -160,8 +160,8 @@ final class VehicleOrders {
     }
 
     /**
-     * The base commands it no longer: it keeps its place if it is under way, as a boat of which nobody is in command. One that is silent is ordered nothing: the
-     * order would reach it when somebody else may steer it.
+     * The base no longer commands it: a vehicle under way keeps its place, like a boat without a commander. A silent vehicle gets no order: it could arrive
+     * when somebody else already steers it.
      */
     void left() {
         BoatMode mode = mode();
@@ -328,7 +328,7 @@ final class VehicleOrders {
         }
     }
 
-    /** Sticks of a hand; in force until others come, at most for the dead man's time. */
+    /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */
     void teleoperate(double thrust, double rudder) {
         if (stoppedBy.isEmpty()) {
             motion.steer(thrust, rudder);

@@ -12,8 +12,8 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
- * Has an autopilot do one thing after the other, each once the one before is seen to be so: a later order makes an earlier one void. Knows in which state it has
- * put the vehicle, and so notices when somebody else changes it. For the gateway's thread.
+ * Carries out an order in steps, each after the vehicle has reported the result of the one before. A later order cancels an earlier one. Remembers the state
+ * that was ordered, and so notices when somebody else changes it. For the gateway's thread.
  */
 final class VehiclePilot {
     private static final long SEEN_WITHIN_MS = 4_000; // heartbeats, which tell mode and arming, come once a second
@@ -31,7 +31,7 @@ final class VehiclePilot {
     private VehicleSnapshot now;
     private long nowMs;
     private Optional<Order> running = Optional.empty();
-    private Optional<Ordered> ordered = Optional.empty(); // and seen to be so
+    private Optional<Ordered> ordered = Optional.empty(); // reported by the vehicle since
 
     VehiclePilot(MavlinkBase base, VehicleSnapshot first, Executor thread) {
         this.base = base;
@@ -133,7 +133,7 @@ final class VehiclePilot {
         }
     }
 
-    /** Begins an order; one that runs is void from now on, and its end is told as that. */
+    /** Begins an order. One that runs is cancelled and ends with {@link #VOID}. */
     Order begin(Consumer<Optional<String>> ended) {
         Optional<Order> before = running;
         Order order = new Order(ended);
@@ -156,7 +156,7 @@ final class VehiclePilot {
         return ordered;
     }
 
-    /** It is not held to any state any longer. */
+    /** Forgets the running order and the ordered state. */
     void release() {
         running = Optional.empty();
         ordered = Optional.empty();

@@ -93,7 +93,7 @@ final class VehicleSettings {
         changed.run();
     }
 
-    /** Which start of the autopilot this is; empty until it is known. */
+    /** The id of the autopilot's present start; empty until it is known. */
     Optional<String> bootId() {
         return bootId;
     }

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import org.sami.mavlink.link.LinkSigning;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** Gives one vehicle the key of signing, until it signs with it. The protocol has no answer to it. Used by one thread. */
+/** Sends one vehicle the signing key until it signs with it: the protocol has no answer to that message. Used by one thread. */
 final class KeyGiving {
     private static final long AGAIN_MS = 1_500;
     private static final int TRIES = 6;
@@ -43,12 +43,12 @@ final class KeyGiving {
                 .build());
     }
 
-    /** The vehicle sent something that is rightly signed. */
+    /** The vehicle sent a message with a valid signature. */
     void signed() {
         result.complete(null);
     }
 
-    /** Gives it again where that is due; whether it is over. */
+    /** Sends the key again if that is due. Returns whether the exchange is over. */
     boolean tick(long nowMs) {
         if (!result.isDone() && nowMs >= sentMs + AGAIN_MS) {
             if (tries == TRIES) {

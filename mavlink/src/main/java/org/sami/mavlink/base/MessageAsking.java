@@ -10,8 +10,8 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /**
- * Sees to it that each vehicle is asked for the messages of its link's plan: when it appears, when others appear on a slow link, when it starts again, when it
- * is reached on another link, as autopilots keep this by link, and when it has not said for seconds where it is. Used by one thread.
+ * Asks each vehicle for the messages of its link's plan: when it appears, when others appear on a slow link, when it starts again, when it is reached on
+ * another link (autopilots keep these requests for each link), and when it has sent no position for seconds. Used by one thread.
  */
 final class MessageAsking {
     private static final long SETTLED_MS =
@@ -45,7 +45,7 @@ final class MessageAsking {
         return MessagePlan.of(link, vehicles, signed);
     }
 
-    /** Asks those that were not asked for what holds now. */
+    /** Sends the requests of the present plan to the vehicles that have not had them. */
     void tick(long nowMs, BiConsumer<VehicleId, MessagePlan> ask) {
         Map<MavlinkAddress, MessagePlan> plans = new HashMap<>();
         for (VehicleId vehicle : List.copyOf(table.ids())) {

@@ -3,11 +3,11 @@ package org.sami.mavlink.base;
 import io.dronefleet.mavlink.common.RequestDataStream;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** Asks a vehicle to send nothing by itself on a link but heartbeats, answers and texts: what it streams unasked would fill a slow link. */
+/** Asks a vehicle to stop its own streams on a link, which would fill a slow one; heartbeats, answers and texts still come. */
 final class Silence {
     private Silence() {}
 
-    /** The message of the library that says so. */
+    /** The message that asks for it. */
     @SuppressWarnings("deprecation") // ArduPilot has no later one that stops all streams
     static Object of(VehicleId vehicle) {
         return RequestDataStream.builder()

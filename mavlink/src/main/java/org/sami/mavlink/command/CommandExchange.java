@@ -13,8 +13,8 @@ import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**
- * One command until it is answered: sent again when the answer is overdue, with progress while the vehicle is at it. A refusal is over a moment later than it
- * comes, as autopilots say why in texts that may follow. Used by one thread.
+ * One command until it is answered: sent again when the answer is overdue, with progress while the vehicle works on it. After a refusal the exchange waits a
+ * moment for the texts in which autopilots give the reason. Used by one thread.
  *
  * <p>Source: the command protocol of MAVLink's documentation.
  */

@@ -5,7 +5,7 @@ package org.sami.mavlink.command;
  *
  * @param latDeg degrees north, WGS 84
  * @param lonDeg degrees east, WGS 84
- * @param heightM metres over home; nothing to a boat
+ * @param heightM metres over home; boats ignore it
  */
 public record CommandPlace(double latDeg, double lonDeg, double heightM) {
     private static final double MAX_LAT = 90;

@@ -7,7 +7,7 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.util.Objects;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** Where a vehicle in mode GUIDED goes; in another mode it passes over it. It has no answer: whoever follows something sends a new one often. */
+/** The place to which a vehicle in mode GUIDED goes; in other modes it is ignored. It is not answered, so it is sent often. Immutable. */
 public record GuidedTarget(CommandPlace place) {
     private static final double TO_WHOLE = 1e7;
     private static final int POSITION_ONLY =
@@ -18,7 +18,7 @@ public record GuidedTarget(CommandPlace place) {
         Objects.requireNonNull(place, "place");
     }
 
-    /** The message of the library that says so. */
+    /** The same as a message of the library. */
     public Object message(VehicleId vehicle) {
         return SetPositionTargetGlobalInt.builder()
                 .targetSystem(vehicle.system())

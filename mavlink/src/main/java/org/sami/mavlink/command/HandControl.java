@@ -5,8 +5,8 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleKind;
 
 /**
- * Sticks by hand (MANUAL_CONTROL), each from -1 to 1. An autopilot takes them in modes that a hand steers, and forgets them when none come for its
- * {@code RC_OVERRIDE_TIME} (3 s with ArduPilot): whoever drives sends them several times a second.
+ * Sticks by hand (MANUAL_CONTROL), each from -1 to 1. An autopilot takes them in modes that are steered by hand, and forgets them when none come for its
+ * {@code RC_OVERRIDE_TIME} (3 s with ArduPilot), so they are sent several times a second.
  *
  * @param forward ahead, negative astern
  * @param right sideways to the right; only of what can move so
@@ -39,7 +39,7 @@ public record HandControl(double forward, double right, double up, double turn) 
         return new HandControl(0, 0, 0, 0);
     }
 
-    /** The message of the library that says so; ArduPilot's boats take the throttle from {@code z} and the rudder from {@code y}. */
+    /** The same as a message of the library; ArduPilot's boats take the throttle from {@code z} and the rudder from {@code y}. */
     public Object message(VehicleId vehicle, VehicleKind kind) {
         ManualControl.Builder sticks = ManualControl.builder().target(vehicle.system());
         return kind == VehicleKind.BOAT || kind == VehicleKind.ROVER

@@ -12,7 +12,7 @@ import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**
- * The commands that one vehicle has not answered yet. Those of one number go one after the other, as their answers name nothing but the number; those of
+ * The commands that one vehicle has not answered yet. Commands of one number are sent one after the other, because an answer names only the number; commands of
  * different numbers do not wait for each other. Used by one thread.
  */
 public final class PendingCommands {

@@ -26,7 +26,7 @@ public record RadioOverride(Map<Integer, Integer> pulsesUs) {
         });
     }
 
-    /** The message of the library that says so. */
+    /** The same as a message of the library. */
     public Object message(VehicleId vehicle) {
         return RcChannelsOverride.builder()
                 .targetSystem(vehicle.system())

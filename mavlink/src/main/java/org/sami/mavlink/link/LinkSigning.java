@@ -14,8 +14,8 @@ import java.util.function.Supplier;
  * Signs what a base or boat sends, and refuses what is not signed as it must be. One for all links of a base, so that a recording of one link is refused on
  * another. Safe for use by several threads.
  *
- * <p>Source: "Message Signing" of MAVLink's documentation. A message that was sent within the last minute and is repeated to a base that has just started is not
- * known as repeated, as in the protocol.
+ * <p>Source: "Message Signing" of MAVLink's documentation. A base that has just started cannot recognize the repetition
+ * of a message of the last minute; the protocol has the same limit.
  */
 public final class LinkSigning {
     private static final long A_MINUTE = 6_000_000; // of signatures' time

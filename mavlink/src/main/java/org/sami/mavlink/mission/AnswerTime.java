@@ -1,8 +1,8 @@
 package org.sami.mavlink.mission;
 
 /**
- * How long a vehicle takes to answer on a link, and so how long to wait before sending again: twice what answers took lately, longer with each try that
- * brings nothing. A cable is asked again after a twentieth of a second, a slow radio after more than one.
+ * How long to wait for an answer of a vehicle before sending again: twice the time of its recent answers, and longer after each try without an answer. That is
+ * about 0.05 s on a cable and more than 1 s on a slow radio.
  */
 final class AnswerTime {
     private static final double UNKNOWN_MS = 700;

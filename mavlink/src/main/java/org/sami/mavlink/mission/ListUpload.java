@@ -18,7 +18,7 @@ import org.sami.mavlink.vehicle.VehicleId;
  * That it ended well says only that the vehicle took the last item; what it holds is read back ({@link ListReplacement}).
  *
  * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: where the vehicle's next question is overdue, the items that it must want next
- * are sent without one. Autopilots ask again only after a second, and pass over items that they did not expect.
+ * are sent without one. Autopilots ask again only after a second, and ignore items that they did not expect.
  */
 final class ListUpload implements ListTransfer {
     private static final int TRIES = 8; // to say how many there are
@@ -160,7 +160,7 @@ final class ListUpload implements ListTransfer {
 
     private void wanted(int item, long nowMs) {
         if (item < from || item >= to) {
-            return; // of another transfer, or it lies
+            return; // belongs to another transfer, or is wrong
         }
         if (item > asked) {
             if (tries == 0 || (asked < from && tries == 1)) {

@@ -14,7 +14,7 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * Parameters in files, one for each vehicle: {@code vehicle-3.parm} with a line {@code NAME VALUE} for each, as ground stations and ArduPilot's simulator read
- * them. A file that cannot be read whole is as none: the vehicle is asked.
+ * them. A file that cannot be read completely is ignored, and the vehicle is asked. For one thread at a time.
  */
 public record ParameterFiles(Path folder) {
     /** Files in a folder, which is made when the first is written. */

@@ -133,7 +133,7 @@ public final class VehicleParameters {
                         () -> now.result().complete(new TreeMap<>(values)));
     }
 
-    /** Keeps values; why that failed, where it did. */
+    /** Keeps values. Returns why that failed; empty if it did not. */
     private Optional<String> whyNotKept(SortedMap<String, Double> values) {
         try {
             keep.accept(values);

@@ -7,8 +7,8 @@ import java.util.Optional;
 import org.sami.mavlink.address.MavlinkAddress;
 
 /**
- * On which of its links a vehicle is spoken to: the one that loses least lately, of those on which it is heard. It stays until another is clearly better, or it
- * has fallen silent; the others stay ready. Used by one thread.
+ * Chooses the link on which messages are sent to a vehicle: of those on which it is heard, the one that has lost least lately. The choice changes when another
+ * is clearly better, or when the chosen one is silent. Used by one thread.
  */
 final class LinkChoice {
     private static final long SILENT_MS = 2_500; // two heartbeats
@@ -71,7 +71,7 @@ final class LinkChoice {
         return order;
     }
 
-    /** All links, the one that is spoken on first, then the better ones. */
+    /** All links: first the chosen one, then the others, the best first. */
     List<MavlinkAddress> links(long nowMs) {
         List<Heard> order = order(nowMs);
         chosen.ifPresent(first -> {

@@ -6,7 +6,7 @@ import org.sami.mavlink.address.MavlinkAddress;
 /**
  * Where a message came from.
  *
- * @param number the number that the sender gave it: 0 to 255, then 0 again
+ * @param number the sender's sequence number: 0 to 255, then 0 again
  */
 public record MessageOrigin(MavlinkAddress link, int system, int component, int number) {
     /** An origin. */

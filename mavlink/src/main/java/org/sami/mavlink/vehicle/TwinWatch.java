@@ -1,7 +1,7 @@
 package org.sami.mavlink.vehicle;
 
 /**
- * Notices that two vehicles have one id: what comes under it jumps to and fro, in time since the autopilot's start or in place, as no vehicle can. Used by one
+ * Detects two vehicles with one id: the time since the autopilot's start, or the position, jumps to and fro as it cannot for a single vehicle. Used by one
  * thread.
  */
 final class TwinWatch {
@@ -34,7 +34,7 @@ final class TwinWatch {
         double north = (lat - latDeg) * M_PER_DEG;
         double east = (lon - lonDeg) * M_PER_DEG * Math.cos(Math.toRadians(lat));
         double reach = A_JUMP_M + FASTEST_MPS * (nowMs - atMs) / 1_000;
-        if (Math.hypot(north, east) > reach) { // not for the first, which is no number
+        if (Math.hypot(north, east) > reach) { // false for the first position: its distance is NaN
             jumped(nowMs);
         }
         latDeg = lat;

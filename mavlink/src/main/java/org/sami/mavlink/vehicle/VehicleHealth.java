@@ -11,7 +11,7 @@ import java.util.Locale;
  *
  * @param mayArm whether its own checks before arming pass, as far as it has reported
  * @param failsafe whether it carries out a failsafe: it has lost radio, ground station, position or charge
- * @param outsideFence whether it is where its fence does not let it be
+ * @param outsideFence whether it has left its fence
  * @param failing the parts that are switched on and do not work, such as {@code gps} or {@code battery}, and that another vehicle has its id
  */
 public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFence, List<String> failing) {

@@ -2,7 +2,7 @@ package org.sami.crw.proxy.gateway;
 
 import java.net.InetSocketAddress;
 
-/** Reaches vehicles that do not speak the boat link, and speaks it for them in this process (docs/link.md). Safe for use by several threads. */
+/** Reaches vehicles that do not speak the boat link, and speaks it for them in this process (docs/mavlink.md). Safe for use by several threads. */
 public interface BoatGateway extends AutoCloseable {
 
     /**
@@ -12,7 +12,7 @@ public interface BoatGateway extends AutoCloseable {
      */
     GatewayLink connect(InetSocketAddress address, GatewayLink.Listener listener);
 
-    /** Ends all links, without telling their listeners. */
+    /** Ends all links without a call of their listeners. */
     @Override
     void close();
 }

@@ -2,24 +2,24 @@ package org.sami.crw.proxy.gateway;
 
 import java.net.InetSocketAddress;
 
-/** A try to reach one vehicle, and what comes of it. */
+/** A link, or an attempt at one, to a vehicle for which the gateway speaks the boat link. Safe for use by several threads. */
 public interface GatewayLink {
 
-    /** What a link tells; on a thread of the gateway. */
+    /** Receives the events of a link, on a thread of the gateway. */
     interface Listener {
-        /** The vehicle is heard; it is now said hello to. */
+        /** The vehicle is heard: the base may say hello. */
         void opened();
 
         /** A whole frame of the boat link. */
         void arrived(byte[] frame);
 
-        /** The operator must know this of it. */
+        /** An alarm about the vehicle for the operator. */
         void alarm(String text);
 
-        /** It could not be reached or is reached no longer, for a reason in words. Told once; nothing follows. */
+        /** The vehicle could not be reached, or the link has ended, for a reason in words. Called once; nothing follows. */
         void closed(String why);
 
-        /** The address is one of several vehicles; this is the address of one of them. Told of each. */
+        /** The address stands for several vehicles; this is the address of one of them. Called for each. */
         void found(InetSocketAddress vehicle);
     }
 

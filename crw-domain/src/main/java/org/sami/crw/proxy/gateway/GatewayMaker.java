@@ -1,9 +1,9 @@
 package org.sami.crw.proxy.gateway;
 
-/** Makes the gateways of one protocol. Programs have those that {@link java.util.ServiceLoader} finds. */
+/** Makes the gateways of one protocol; found by {@link java.util.ServiceLoader}. Called on the thread of a base. */
 public interface GatewayMaker {
 
-    /** What the addresses of this protocol begin with. */
+    /** The prefix of this protocol's addresses, such as {@code mavlink:}. */
     String prefix();
 
     /** A gateway for one base. */

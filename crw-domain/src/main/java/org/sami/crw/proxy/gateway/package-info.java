@@ -1,7 +1,7 @@
 /**
  * What reaches vehicles of other makers and speaks the boat link for them, so that a base commands them like its own boats.
  *
- * <p>Here is only what a base knows of it. Not here: any such protocol.
+ * <p>Only the interfaces that a base uses. Not here: implementations of such a protocol.
  */
 @NullMarked
 package org.sami.crw.proxy.gateway;
