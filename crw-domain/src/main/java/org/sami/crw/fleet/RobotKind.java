@@ -1,6 +1,6 @@
 package org.sami.crw.fleet;
 
-/** The kind of robots that a domain commands: what people call them. */
+/** The kind of robots that a domain commands, with the word for them in texts. */
 public enum RobotKind {
     /** Boats on the water. */
     BOAT("boat"),
@@ -18,7 +18,7 @@ public enum RobotKind {
         this.word = word;
     }
 
-    /** One of them, in a text and as the beginning of names. */
+    /** The word for one of them, in texts and at the beginning of names. */
     public String word() {
         return word;
     }
@@ -37,7 +37,7 @@ public enum RobotKind {
         throw new IllegalArgumentException("there are no robots of the kind '" + word + "'");
     }
 
-    /** A text about boats as it reads about these: the words boat, boats, Boat and Boats are replaced. */
+    /** Replaces boat, boats, Boat and Boats in a text by the word of this kind. */
     public String say(String text) {
         if (this == BOAT) {
             return text;

@@ -10,9 +10,9 @@ public interface HandlerModule {
     /** The domain's name, as its {@code domain.json} says. */
     String domain();
 
-    /** What its plans command. */
+    /** The kind of robots that its plans command. */
     RobotKind robots();
 
-    /** Adds the handlers for one host; called once for each. */
+    /** Adds the handlers for one host. Called once for each host. */
     void addTo(HandlerParts parts);
 }

@@ -26,10 +26,10 @@ import org.sami.spn.host.HostListener;
  * @param robots the proxies of all robots
  * @param fleet the serial executor on which handlers run and proxies live
  * @param messages to the operator
- * @param motion commands robots, and answers the plan
- * @param computations runs what takes long
+ * @param motion gives robots commands and posts the plan's answers
+ * @param computations runs long computations off the fleet's thread
  * @param services planning
- * @param errors how far robots may be off their ways
+ * @param errors how far robots may be off their paths, in metres
  * @param added receives what is added
  */
 public record HandlerParts(
@@ -51,25 +51,25 @@ public record HandlerParts(
         final List<HostListener> hostListeners = new ArrayList<>();
     }
 
-    /** Handles an output event that moves robots: what it asked is withdrawn with its mission. */
+    /** Adds a handler of an output event that moves robots: its commands are withdrawn with the mission. */
     public void addMotion(String type, ActivationHandler handler) {
         added.motion.add(type);
         add(type, handler);
     }
 
-    /** Handles an output event. */
+    /** Adds a handler of an output event. */
     public void add(String type, ActivationHandler handler) {
         if (added.handlers.put(type, handler) != null) {
             throw new IllegalArgumentException(type + " has two handlers");
         }
     }
 
-    /** Listens to what happens to robots, on the fleet's thread. */
+    /** Adds a listener of events of robots; called on the fleet's thread. */
     public void listen(Consumer<FleetEvent> listener) {
         added.fleetListeners.add(listener);
     }
 
-    /** Listens to the engine's steps, on its thread. */
+    /** Adds a listener of the engine's steps; called on the engine's thread. */
     public void listen(HostListener listener) {
         added.hostListeners.add(listener);
     }

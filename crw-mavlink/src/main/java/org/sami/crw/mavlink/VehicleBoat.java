@@ -48,7 +48,7 @@ final class VehicleBoat implements BaseSession.Boat {
             files.write(name, kept);
         } catch (IOException e) {
             session.ifPresent(told -> told.alarm("what " + name
-                    + " was given is not kept on this machine; a base that comes after this one sends it again: "
+                    + " was given cannot be stored on this machine; after a crash the base sends it again: "
                     + e.getMessage()));
         }
     }
@@ -68,7 +68,7 @@ final class VehicleBoat implements BaseSession.Boat {
 
     /** The base has a new connection to it; the earlier one is ended. */
     void connect(VehicleConnection connection) {
-        session.ifPresent(before -> before.end("the base is connected anew"));
+        session.ifPresent(before -> before.end("the base has connected again"));
         BaseSession next = new BaseSession(
                 this, connection, session.map(BaseSession::takenBy).orElse(""));
         session = Optional.of(next);

@@ -20,7 +20,7 @@ import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 
-/** A base on real links with what it was told, for tests of vehicles. The gateway is found as programs find it. */
+/** A base on real links that records its events, for tests of vehicles. The gateway is found as programs find it. */
 final class GatewayWorld implements AutoCloseable, BaseListener {
     static final double WAIT_S = 60;
 

@@ -41,7 +41,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
 import org.sami.mavlink.testing.SmallBoat;
 
-/** The table of docs/mavlink.md, row by row, on a small vehicle. */
+/** The table of docs/mavlink.md, row by row, on a simulated vehicle. */
 @Timeout(300)
 class MavlinkPageTest {
     private static final Pattern ROW =

@@ -24,7 +24,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
 import org.sami.mavlink.testing.SmallBoat;
 
-/** Orders that a later one, the vehicle or another ground station thwarts, and reports that cannot be, on a small vehicle. */
+/** Orders that a later one, the vehicle or another ground station prevents, and impossible reports, on a simulated vehicle. */
 @Timeout(300)
 class VehicleOrdersTest {
     private static final int MANUAL = 0;

@@ -113,7 +113,7 @@ final class FleetPictures implements Closeable {
         }
     }
 
-    /** A boat that gives none of many pictures is one message. */
+    /** One message for all pictures that a boat does not give. */
     private void tellMissed() {
         missed.forEach((boat, all) -> {
             List<String> reasons = all.stream()
@@ -148,7 +148,7 @@ final class FleetPictures implements Closeable {
         return fetcher.done();
     }
 
-    /** Nothing is fetched, noted or reported any more. From any thread. */
+    /** Stops fetching, recording and reporting. From any thread. */
     void listenNoLonger() {
         closed = true;
         fetcher.close();

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
-/** Boats with the real firmware in its own simulator, as processes: where they are beside the project. They have the system ids and ports of their numbers. */
+/** Processes of ArduPilot's simulator with the real firmware of boats, if it is installed next to the project. Their numbers give system ids and ports. */
 public final class ArduPilotBoats implements AutoCloseable {
     private static final Path PEERS = Path.of("../../shared/peers/ardupilot");
     private static final int FIRST_PORT = 5760;
@@ -19,7 +19,7 @@ public final class ArduPilotBoats implements AutoCloseable {
      * Starts some.
      *
      * @param first the number of the first; its system id is one more
-     * @param speed how many times faster than real they live
+     * @param speed factor of simulated to real time
      * @param work a folder for their parameters and logs
      */
     public ArduPilotBoats(int first, int count, int speed, Path work) throws IOException {

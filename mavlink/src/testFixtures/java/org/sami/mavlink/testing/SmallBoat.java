@@ -40,8 +40,8 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A boat with an autopilot that drives, on TCP on loopback: modes, arming, a mission and single places, as ArduPilot's boats do them, with nothing of water in
- * it. It takes straight lines at many times the speed that it is asked for. One client at a time. Safe for use by several threads.
+ * A simulated boat with an autopilot, on TCP on loopback: modes, arming, a mission and single places as ArduPilot's boats have them, without any hydrodynamics.
+ * It moves in straight lines at many times the requested speed. One client at a time. Safe for use by several threads.
  */
 public final class SmallBoat implements AutoCloseable {
     private static final int AUTOPILOT = 1;

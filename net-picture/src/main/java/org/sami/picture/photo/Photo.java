@@ -5,9 +5,9 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a file of a camera holds.
+ * A decoded picture file, or the reason why it cannot be shown.
  *
- * @param image the picture, perhaps with fewer pixels than the file has; empty where it cannot be shown. Not changed by anybody
+ * @param image the picture, perhaps with fewer pixels than the file has; empty if it cannot be shown. Must not be changed
  * @param problem why it cannot be shown, in words; empty where it can
  * @param widthPx of the picture in the file; 0 where it is not known
  * @param heightPx of the picture in the file; 0 where it is not known

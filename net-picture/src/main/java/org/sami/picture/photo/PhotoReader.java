@@ -18,8 +18,9 @@ import javax.imageio.stream.FileImageInputStream;
 import javax.imageio.stream.ImageInputStream;
 
 /**
- * Reads JPEG and PNG files of cameras. Whatever else a file holds is a line of text and no exception: no picture, one that is cut off, one with more bytes or pixels than a window
- * needs. Its size is looked at before anything is decoded. Reads a disk and takes its time, so not for the event thread; any number of threads may call it.
+ * Reads JPEG and PNG files of cameras. For any other content the result is a line of text and not an exception: no picture, a picture that is cut off, or one
+ * with more bytes or pixels than a window needs. The size is checked before anything is decoded. Reads a disk, so not for the event thread; safe for several
+ * threads.
  */
 public final class PhotoReader {
     /** Most bytes of a file that is read. */

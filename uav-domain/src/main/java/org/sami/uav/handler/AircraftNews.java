@@ -15,7 +15,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 
-/** News for plans: a link is lost or back, and a task has lost its aircraft. Each is posted only where a transition waits for it. */
+/** Posts news to plans: a link is lost or back, or a task has lost its aircraft. Only news for which a transition waits are posted. */
 final class AircraftNews implements Consumer<FleetEvent>, HostListener {
     private final EngineHost host;
     private final Set<String> lost = new HashSet<>();

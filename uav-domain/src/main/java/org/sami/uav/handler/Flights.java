@@ -50,7 +50,7 @@ final class Flights {
         return robots.find(aircraft).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
     }
 
-    /** Where it took off, on the ground; where it is without that. */
+    /** Where it took off, on the ground; its present position if that is not known. */
     Optional<GeoPoint> home(String aircraft) {
         return robots.find(aircraft).flatMap(BoatProxy::home).or(() -> position(aircraft));
     }

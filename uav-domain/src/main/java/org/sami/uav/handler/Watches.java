@@ -18,8 +18,8 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.value.Value;
 
 /**
- * Activations that answer when something is observed, as long as they are open. Each says the same thing of an aircraft once. For the fleet's thread; it
- * passes the engine's steps on to it.
+ * Open activations that answer when something is observed, once for each aircraft and observation. For the fleet's thread; the engine's steps are passed on
+ * to it.
  */
 final class Watches implements HostListener {
     private final Executor fleet;

@@ -118,7 +118,7 @@ public class PhoneAlarmsAtBaseTest {
 
     @Test
     public void dateOf1970IsAnAlarmAndTheBoatServesAllTheSame() {
-        // the clock of this machine is not in 1970: the watch is told so as PhoneWatch would do
+        // the clock of this machine is not in 1970: the loss is reported to the watch as PhoneWatch would do
         until("date", () -> {
             boat.health().setDateLost(true);
             return isRaised(Kind.PHONE_DATE, "has lost its date");

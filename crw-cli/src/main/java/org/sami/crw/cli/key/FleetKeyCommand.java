@@ -46,7 +46,7 @@ final class FleetKeyCommand implements Callable<Integer> {
     @Option(
             names = "--give",
             paramLabel = "ADDRESS",
-            description = "Give the key to all vehicles that are heard there: a cable, as nobody may listen. "
+            description = "Give the key to all vehicles there: over a cable, as the key is sent in the open. "
                     + MavlinkAddress.FORMS + ".")
     private List<String> give = new ArrayList<>();
 

@@ -95,7 +95,7 @@ final class CommandLogText implements LogEntries {
         }
         out.printf("  clients    %s%n", words(clients));
         if (unread > 0) {
-            out.printf("  damaged    %d lines, which say nothing%n", unread);
+            out.printf("  damaged    %d lines, not read%n", unread);
         }
         out.flush();
     }

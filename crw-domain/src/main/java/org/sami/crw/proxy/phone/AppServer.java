@@ -18,8 +18,8 @@ import java.util.concurrent.Executors;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /**
- * Serves the app and one page over HTTP, at one address of this computer, below a path that nobody guesses. It serves nothing else, and nothing after it is
- * closed. The pairing code is not in what it serves: it stands behind the {@code #} of the address, which browsers send to nobody.
+ * Serves the app and one page over HTTP, at one address of this computer, below a random path. It serves nothing else, and nothing after it is
+ * closed. The pairing code is not in what it serves: it stands behind the {@code #} of the address, which browsers do not send.
  */
 final class AppServer implements Closeable {
     static final String APK_NAME = "sami-boat.apk";

@@ -29,11 +29,12 @@ import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.link.security.WordSecret;
 
 /**
- * A base's part where a phone asks to be paired, over TLS: the phone proves that it has read the words of the code, and the base proves the same. It keeps no key:
- * a person compares the check code first. Words count once, for five tries, for {@link #WORDS_MS}; new ones follow. Safe for use by several threads.
+ * A base's part where a phone asks to be paired, over TLS: the phone proves that it has read the words of the code, and the base proves the same. It keeps no
+ * key: a person compares the check code first. Words are valid for one phone, five tries and {@link #WORDS_MS}; then new ones are made. Safe for use by several
+ * threads.
  */
 final class PhoneResponder implements Closeable {
-    /** How long words count, in ms: time to install the app. */
+    /** How long the words are valid, in ms: enough to install the app. */
     static final long WORDS_MS = 15 * 60_000;
 
     private static final int MOST_WRONG = 5;

@@ -58,7 +58,7 @@ final class GatewayConnection implements BoatConnection {
     }
 
     private static void taken() {
-        // a gateway is not slowed: it says no more than a vehicle reports
+        // a gateway needs no limit: it sends no more than a vehicle reports
     }
 
     private final class Ears implements GatewayLink.Listener {

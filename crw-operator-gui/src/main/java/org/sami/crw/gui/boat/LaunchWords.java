@@ -4,7 +4,7 @@ import org.sami.crw.operator.alarm.LaunchCheck;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
 import org.sami.palette.SemanticColor;
 
-/** How checks of boats look: a mark before the words, and their colour. */
+/** Text and colour of the checks of boats: a mark, then the words. */
 public final class LaunchWords {
     private LaunchWords() {}
 

@@ -25,7 +25,7 @@ import org.sami.ui.table.RowTable;
 import org.sami.ui.table.TableFit;
 import org.sami.ui.value.WrappedText;
 
-/** Which boats' logs are fetched into which folder, how far each is, and what came of it. A fetch goes on while this is closed. On the event thread. */
+/** The form that fetches boats' logs: which boats, which folder, progress and result. A fetch continues while the form is closed. On the event thread. */
 final class LogsForm extends JPanel {
     private static final String WIDE = "growx, wmin 60";
     private static final String EMPTY = "No boat is connected. Connect a boat first (Ctrl+B).";
@@ -53,7 +53,7 @@ final class LogsForm extends JPanel {
     /**
      * A view of a fetch.
      *
-     * @param choose has a folder chosen
+     * @param choose lets the operator choose a folder
      */
     LogsForm(OperatorContext context, LogFetch fetch, Path offered, Consumer<Path> choose) {
         setLayout(layout);

@@ -56,7 +56,7 @@ public final class LogsSheet {
         }
     }
 
-    /** The window ends: what has come is kept. */
+    /** Ends the fetch with the window; what has come is kept. */
     public void end() {
         fetch.cancel();
     }

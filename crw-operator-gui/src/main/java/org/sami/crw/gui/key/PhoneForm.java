@@ -83,7 +83,7 @@ final class PhoneForm extends JPanel {
         all.forEach(networks::addItem); // the first one is chosen with that
         networks.requestFocusInWindow();
         if (all.isEmpty()) {
-            say("▲ This computer is in no network: join that of the phones, and open this anew", SemanticColor.WARNING);
+            say("▲ This computer is in no network: join that of the phones, and open this again", SemanticColor.WARNING);
         }
     }
 
@@ -126,7 +126,7 @@ final class PhoneForm extends JPanel {
         });
     }
 
-    /** What is scanned gives way to what is compared, so that both have room in small windows. */
+    /** Hides the QR code while the check code is shown, so that both fit into small windows. */
     private void showCode(boolean shown) {
         code.setVisible(shown);
         steps.setVisible(shown);

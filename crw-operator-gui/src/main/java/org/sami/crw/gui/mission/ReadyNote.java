@@ -13,7 +13,7 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.table.TooltipLines;
 
-/** One line that says, before a mission starts, which boats are not ready for it; its tooltip says why. It takes room only where one is not. */
+/** One line that says, before a mission starts, which boats are not ready for it; its tooltip says why. It is visible only while one is not ready. */
 final class ReadyNote extends JLabel {
     private final OperatorContext context;
     private boolean room = true;

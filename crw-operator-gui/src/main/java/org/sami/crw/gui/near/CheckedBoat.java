@@ -16,7 +16,7 @@ import org.sami.palette.SemanticColor;
 
 /** A boat near as a row shows it: with its check, if the session knows it. */
 record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchCheck> check) {
-    /** The boats of a list, those first that something is wrong with: in a low window the others are out of sight. */
+    /** The boats of a list, those with problems first: in a low window the others may not be visible. */
     static List<CheckedBoat> of(NearList list, OperatorModels models, long nowMillis) {
         return list.rows().stream()
                 .map(row -> of(row, models, nowMillis))

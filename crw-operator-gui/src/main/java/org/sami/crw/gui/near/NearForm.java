@@ -176,7 +176,7 @@ final class NearForm extends JPanel {
         table.selected().map(CheckedBoat::row).ifPresent(pairing);
     }
 
-    /** Does with the selected boat what it needs next. */
+    /** Connects or pairs the selected boat, whichever it needs next. */
     private void open() {
         if (whyNotConnect().isEmpty()) {
             connectSelected();

@@ -14,7 +14,7 @@ import org.sami.picture.photo.Photo;
 import org.sami.picture.photo.PhotoReader;
 import org.sami.ui.EventThread;
 
-/** Reads pictures on a thread of its own, and keeps those that were shown last, within a bound of pixels. On the event thread. */
+/** Reads pictures on a separate thread, and caches the latest that were shown, up to a number of pixels. On the event thread. */
 final class PhotoLoader implements AutoCloseable {
     private static final long MOST_PIXELS = 24_000_000;
     private static final int IDLE_S = 10;
@@ -56,7 +56,7 @@ final class PhotoLoader implements AutoCloseable {
         return here;
     }
 
-    /** Few sizes, so that a picture is not read again for each pixel by which a panel grows. */
+    /** Rounds sizes down to steps, so that a picture is not read again for each pixel by which a panel grows. */
     private static int step(int px) {
         int step = px < 64 ? 1 : px < 512 ? 32 : 256;
         return px / step * step;

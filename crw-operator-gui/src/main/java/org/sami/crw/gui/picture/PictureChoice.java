@@ -6,9 +6,9 @@ import org.sami.crw.operator.picture.BoatPicture;
 import org.sami.crw.operator.picture.PanoramaPictures;
 
 /**
- * One of a boat's pictures.
+ * One picture of a panorama. Immutable.
  *
- * @param of what was taken with it
+ * @param of the panorama
  * @param index from 0
  */
 public record PictureChoice(PanoramaPictures of, int index) {

@@ -99,7 +99,7 @@ final class PictureView extends JPanel {
         zoomAt(new Point(getWidth() / 2, getHeight() / 2), 1 / STEP);
     }
 
-    /** What is below a point stays there. */
+    /** Enlarges or reduces about a point, which stays where it is. */
     private void zoomAt(Point at, double factor) {
         Dimension before = pictureSize();
         double x = centreX + (at.x - getWidth() / 2.0) / before.width;
@@ -141,7 +141,7 @@ final class PictureView extends JPanel {
                 (int) Math.max(1, Math.round(width * zoom)), (int) Math.max(1, Math.round(width / wide * zoom)));
     }
 
-    /** Decoded once for each doubling, not for each step. */
+    /** The picture is decoded again only when its size doubles, not at each step. */
     private Optional<Photo> photo(PictureChoice shown) {
         double decoded = Math.pow(2, Math.ceil(Math.log(zoom) / Math.log(2) - 1e-9));
         int width = (int) Math.min(MOST_DECODED_PX, Math.max(1, getWidth() * decoded));

@@ -9,9 +9,9 @@ import java.util.OptionalDouble;
 import org.sami.crw.operator.boat.BoatSnapshot;
 
 /**
- * Which boats of a fleet are ready for a mission.
+ * Which boats of a fleet are ready for a mission. Immutable.
  *
- * @param checks of each boat by its id, in the order of the fleet; no motor counts as tried
+ * @param checks of each boat by its id, in the order of the fleet, without the trial of the motor
  */
 public record FleetCheck(Map<String, LaunchCheck> checks) {
     private static final int MOST_NAMES = 4;

@@ -11,14 +11,14 @@ import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.proxy.status.BoatReading;
 
 /**
- * Judges what boats report of their phones: heat, storage, log and date. A value has to be clearly better before its alarm is over, so that one on the limit
- * raises no series of alarms. For one thread.
+ * Judges what boats report of their phones: heat, storage, log and date. An alarm ends only when its value is clearly better than the limit, so that a value
+ * near the limit does not raise a series of alarms. For one thread.
  */
 final class PhoneCheck {
     private static final double COOL_AGAIN_C = PhoneReadings.HOT_C - 2;
     private static final double ROOM_AGAIN_MB = PhoneReadings.LITTLE_STORAGE_MB * 1.1;
 
-    /** What a phone repeats while it is so is over after three readings have not come. */
+    /** A fault that a phone repeats while it lasts is over after this time without a reading (three periods). */
     private static final long REPEATED_WITHIN_MS = 3 * PhoneReadings.PERIOD_MS;
 
     /** A date that was set, which is reported once, is an alarm for this time. */
@@ -103,7 +103,7 @@ final class PhoneCheck {
         return Map.of(subject.kind(), Optional.of(text));
     }
 
-    /** Alarms that are over because nothing more was said of them; each is returned once. */
+    /** Alarms that are over because their readings have stopped; each is returned once. */
     Set<Subject> over(long nowMillis) {
         Set<Subject> over = new HashSet<>();
         untilMillis.entrySet().removeIf(entry -> entry.getValue() < nowMillis && over.add(entry.getKey()));

@@ -5,7 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * One picture of a boat.
+ * One picture that a boat took. Immutable.
  *
  * @param name of its file on board
  * @param file where it is on this machine; empty while it is not here

@@ -8,7 +8,7 @@ import org.sami.crw.markup.MapRelevance;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * The pictures that a boat took for one command.
+ * The pictures that a boat took for one command. Immutable.
  *
  * @param panorama id of the command
  * @param mission whose command it was

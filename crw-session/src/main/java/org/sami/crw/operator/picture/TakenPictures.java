@@ -8,7 +8,7 @@ import org.sami.crw.fleet.FleetEvent.PanoramaTaken;
 import org.sami.crw.fleet.FleetEvent.PictureFetched;
 import org.sami.crw.fleet.FleetEvent.PictureMissed;
 
-/** Gathers what the fleet's events say of pictures; the oldest panoramas go when there are too many. For one thread. */
+/** Collects the fleet's events about pictures; removes the oldest panoramas when there are too many. For one thread. */
 public final class TakenPictures {
     private static final int MOST = 1000;
 
@@ -49,7 +49,7 @@ public final class TakenPictures {
                 panorama.files().stream().map(BoatPicture::coming).toList()));
     }
 
-    /** Those that came last are looked at first. */
+    /** Searches the newest first. */
     private void change(String boat, String panorama, BoatPicture picture) {
         for (int i = taken.size() - 1; i >= 0; i--) {
             PanoramaPictures one = taken.get(i);

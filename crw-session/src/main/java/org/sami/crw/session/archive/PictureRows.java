@@ -60,7 +60,7 @@ public final class PictureRows {
         return JSON.createObjectNode().put("panorama", panorama).put("name", name);
     }
 
-    /** The event that a row tells of; empty where it is of another kind. */
+    /** The event of a row; empty if the row is of another kind. */
     public Optional<FleetEvent> event(TelemetryRow row, JsonNode json) {
         return switch (row.kind()) {
             case TAKEN -> Optional.of(taken(row.proxy(), json));
@@ -100,7 +100,7 @@ public final class PictureRows {
         return name;
     }
 
-    /** Gives what the rows tell of pictures, in order, with its time. A row that makes no sense is left out. */
+    /** Replays the events about pictures from the rows, in order, with their times. Damaged rows are left out and logged. */
     public void read(List<TelemetryRow> rows, ObjLongConsumer<FleetEvent> then) {
         for (TelemetryRow row : rows) {
             if (row.kind().equals(TAKEN) || row.kind().equals(PICTURE)) {

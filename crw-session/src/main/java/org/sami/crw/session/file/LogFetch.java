@@ -155,7 +155,7 @@ public final class LogFetch {
         changed.run();
     }
 
-    /** Ends it soon: what has come is kept, and a later fetch goes on there. */
+    /** Ends the fetch soon: what has come is kept, and a later fetch continues there. */
     public void cancel() {
         cancelled = running.isPresent();
         running.ifPresent(FleetFileFetch::cancel);
@@ -166,7 +166,7 @@ public final class LogFetch {
         return running.isPresent();
     }
 
-    /** What goes on, or what came of the last fetch, in words. */
+    /** Progress of the fetch, or the result of the last one, in words. */
     public String said() {
         return said;
     }
@@ -176,7 +176,7 @@ public final class LogFetch {
         return bad;
     }
 
-    /** Fifty pieces a second of each boat come on their threads: the front hears of the newest. */
+    /** Up to fifty pieces a second of each boat arrive on other threads: the front is notified only of the newest. */
     private void post(BoatAddress address, Function<LogRow, LogRow> change) {
         synchronized (news) {
             boolean told = !news.isEmpty();

@@ -6,17 +6,17 @@ import org.sami.crw.proxy.file.FleetFileFetch;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /**
- * How the fetching of one boat's logs stands.
+ * Progress of the fetch of one boat's logs. Immutable.
  *
  * @param boat its name
- * @param state how it stands
- * @param words the same for people
+ * @param state the progress
+ * @param words the same in words for people
  */
 public record LogRow(String boat, BoatAddress address, State state, String words) {
     private static final double MEGABYTE = 1e6;
     private static final double KILOBYTE = 1e3;
 
-    /** How it stands. */
+    /** Progress of a fetch. */
     public enum State {
         /** Nothing is asked of it. */
         IDLE,

@@ -14,7 +14,7 @@ import org.sami.crw.proxy.phone.PhoneOffer;
 
 /**
  * The code for phones as a person watches it: this base offers the app and the pairing while the code is shown, phone after phone; a person compares the check code
- * of each. To be used on the thread of its front, on which changes are told; disk and network are used by threads of its own.
+ * of each. To be used on the front's thread, on which changes are notified; separate threads use disk and network.
  */
 public final class PhoneInvitation {
     private final BaseKeys keys;
@@ -55,7 +55,7 @@ public final class PhoneInvitation {
      * Begins.
      *
      * @param address of this computer in the phones' network
-     * @param front runs what this tells
+     * @param front runs the notifications
      * @param changed is called there after each change
      */
     public static PhoneInvitation begin(InetAddress address, BaseKeys keys, Executor front, Runnable changed) {

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /**
- * Which boats of a list one press connects, and which not.
+ * Which boats of a list one press connects, and which it does not. Immutable.
  *
  * @param connects the addresses to connect to
  * @param left why others are not connected, a line each that begins with the boat
@@ -41,7 +41,7 @@ public record ConnectAll(List<BoatAddress> connects, List<String> left) {
         return new ConnectAll(connects, left);
     }
 
-    /** What has come of the press, in words, and what is not connected now. */
+    /** The result of the press in words: how many are connected, and which are not and why. */
     public String words(NearList now) {
         Set<BoatAddress> asked = Set.copyOf(connects);
         long connected = now.rows().stream()
@@ -54,7 +54,7 @@ public record ConnectAll(List<BoatAddress> connects, List<String> left) {
         return rest.isEmpty() ? done : done + ". Not connected: " + rest;
     }
 
-    /** The boats that are not connected now, those together that are for one reason; the rows say more. */
+    /** The boats that are not connected now, grouped by reason. */
     private static String leftWords(NearList now) {
         Map<String, List<String>> byReason = new LinkedHashMap<>();
         for (NearRow row : now.rows()) {

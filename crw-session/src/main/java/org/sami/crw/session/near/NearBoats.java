@@ -23,7 +23,7 @@ import org.sami.crw.session.Session;
 
 /**
  * The boats near a session, live: looks for announcements and at the session's links until it is closed, on a thread of its own, which also reads this base's
- * keys. To be used on the session's front, on which changes are told.
+ * keys. To be used on the session's front, on which changes are notified.
  */
 public final class NearBoats implements Closeable {
     private static final long PERIOD_MS = 500; // links change without an announcement
@@ -73,7 +73,7 @@ public final class NearBoats implements Closeable {
             problems.addAll(found.unreadable());
             List<NearBoat> near = near(found, problems);
             session.fleet().links().whenComplete((links, fault) -> {
-                if (fault == null) { // else the session ends
+                if (fault == null) { // otherwise the session is ending
                     front.execute(() -> show(near, links, problems));
                 }
             });

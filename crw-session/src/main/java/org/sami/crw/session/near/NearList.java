@@ -31,7 +31,7 @@ public record NearList(List<NearRow> rows, List<String> problems) {
         problems = List.copyOf(problems);
     }
 
-    /** What is announced, and the session's links, put together by address. */
+    /** Merges announcements and the session's links by address. */
     static NearList of(List<NearBoat> near, List<LinkReport> links, List<String> problems) {
         Map<BoatAddress, LinkReport> byAddress = new HashMap<>();
         Map<String, BoatAddress> carriers = new HashMap<>();

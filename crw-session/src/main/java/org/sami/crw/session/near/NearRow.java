@@ -22,7 +22,7 @@ public record NearRow(
         Optional<LinkReport> link,
         Optional<BoatAddress> elsewhere) {
 
-    /** How the session stands to the boat. */
+    /** State of the session's link to the boat. */
     public enum Link {
         /** It is linked. */
         CONNECTED,
@@ -42,7 +42,7 @@ public record NearRow(
         Objects.requireNonNull(elsewhere, "elsewhere");
     }
 
-    /** How the session stands to it. */
+    /** State of the session's link to it. */
     public Link state() {
         if (link.isEmpty()) {
             return Link.NONE;
@@ -73,7 +73,7 @@ public record NearRow(
                         .isPresent();
     }
 
-    /** How it stands, in words, such as {@code connected}, {@code not paired} or {@code does not answer}. */
+    /** The state in words, such as {@code connected}, {@code not paired} or {@code does not answer}. */
     public String words() {
         return switch (state()) {
             case CONNECTED -> "connected";
@@ -90,7 +90,7 @@ public record NearRow(
         return tried.boatId().isPresent() ? "link lost" : tried.refused() ? "refused" : "does not answer";
     }
 
-    /** What connects it where one press does not, or why it does not answer; empty text where nothing needs to be done, or nothing can be. */
+    /** What to do so that it can be connected, or why it does not answer; empty text if nothing needs to be done, or nothing can be. */
     public String advice() {
         if (state() == Link.FAILING) {
             String why = link.orElseThrow().lastEvent();
@@ -108,7 +108,7 @@ public record NearRow(
         };
     }
 
-    /** Why one press does not connect it, and what does; empty where it does, or where it is linked already. */
+    /** Why one press does not connect it, and what to do; empty if it does, or if the boat is linked already. */
     public Optional<String> whyNot() {
         if (canConnect() || state() == Link.CONNECTED || state() == Link.CONNECTING) {
             return Optional.empty();

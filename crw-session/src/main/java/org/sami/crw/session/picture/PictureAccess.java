@@ -8,8 +8,8 @@ import org.sami.crw.proxy.file.BoatFileFetch.NamedFiles;
 /** A way to the pictures that one boat keeps. */
 public interface PictureAccess {
     /**
-     * Fetches pictures by their names into a folder, each of which comes or is missed. Waits for the boat, so not for the fleet's thread. What has come of a picture by an earlier
-     * call is not fetched again.
+     * Fetches pictures by their names into a folder, and reports each as fetched or missed. Blocks until the boat has answered, so it must not be called on the
+     * fleet's thread. Parts of a picture that an earlier call has fetched are not fetched again.
      *
      * @throws org.sami.crw.proxy.file.FileFetchException if the boat gives none
      * @throws IOException if the boat is not reached, or this was cancelled: the rest may come later

@@ -29,8 +29,9 @@ import org.sami.crw.proxy.file.FileFetchException;
 import org.sami.crw.proxy.status.LinkState;
 
 /**
- * Fetches the pictures of each panorama as soon as the boat reports it, one panorama of a boat after the other, on threads of its own. What a lost link leaves open is fetched when
- * the link is back, or after some time. What becomes of each picture is an event of the fleet. Takes part in the fleet's thread and never holds it up.
+ * Fetches the pictures of each panorama as soon as the boat reports it, one panorama of a boat after the other, on separate threads. After a lost link the rest
+ * is fetched when the link is back, or after 20 s. The result for each picture is published as an event of the fleet. For the fleet's thread, which it never
+ * blocks.
  */
 public final class PictureFetcher implements Closeable {
     private static final long AGAIN_AFTER_MS = 20_000;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.sami.boat.link.KeptFile;
 
 /**
- * How much a session fetches of a boat's pictures.
+ * Limits of what a session fetches of a boat's pictures.
  *
  * @param bytesOfOne most bytes of a picture
  * @param picturesOfBoat most pictures of a boat

@@ -40,7 +40,7 @@ public final class SessionPictures implements Closeable {
         return new SessionPictures(folder.toAbsolutePath(), false);
     }
 
-    /** In a folder of the system's for temporary files, which goes when this is closed. */
+    /** In a temporary folder, which is deleted when this is closed. */
     public static SessionPictures temporary() {
         Path system = Path.of(System.getProperty("java.io.tmpdir"));
         return new SessionPictures(system.resolve("sami-pictures-" + UUID.randomUUID()), true);
@@ -69,14 +69,14 @@ public final class SessionPictures implements Closeable {
         return fileName(boat) + "/" + fileName(panorama) + "/" + name;
     }
 
-    /** Ids are mostly names of files already; others get one that is as distinct. */
+    /** Most ids are valid file names; the others are replaced by a UUID that is computed from them. */
     private static String fileName(String id) {
         return KeptFile.isName(id) && id.length() <= 100
                 ? id
                 : UUID.nameUUIDFromBytes(id.getBytes(StandardCharsets.UTF_8)).toString();
     }
 
-    /** A file of it as it is noted: also right after the folder has been moved with its journal. */
+    /** The path of a file as it is written down: relative, so it stays valid when the folder is moved with its journal. */
     public String noted(Path file) {
         return root.relativize(file.toAbsolutePath()).toString().replace('\\', '/');
     }

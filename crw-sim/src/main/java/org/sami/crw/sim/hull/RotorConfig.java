@@ -1,7 +1,7 @@
 package org.sami.crw.sim.hull;
 
 /**
- * What a simulated copter can do besides moving in the plane.
+ * Vertical speeds, ceiling and consumption of a simulated copter. Immutable.
  *
  * @param climbMps speed up in m/s
  * @param descentMps speed down in m/s

@@ -1,7 +1,7 @@
 package org.sami.crw.sim.hull;
 
 /**
- * What keeps a copter in the air: climbs and descends at constant speeds to the altitude that was set. Metres above the place of the take-off.
+ * The vertical motion of a copter: it climbs and descends at constant speeds to the altitude that was set. Metres above the place of the take-off.
  */
 final class Rotors {
     private static final double AT_ALTITUDE_M = 0.5;

@@ -6,8 +6,8 @@ import java.util.SplittableRandom;
 import org.sami.boat.server.vehicle.LocalFrame;
 
 /**
- * Where there is something on the ground that aircraft search for: one place in about seven cells of a thousandth of a degree. The places follow from the
- * seed alone and are the same for all aircraft of one world.
+ * The simulated targets on the ground: one in about seven cells of 0.001° by 0.001°. Their places depend only on the seed, so they are the same for all
+ * aircraft of one world.
  */
 final class TargetField {
     private static final double CELL_DEG = 0.001;

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.DoubleSupplier;
 import org.sami.boat.server.vehicle.Sensor;
 
-/** The wind as a simulated copter estimates it from how it leans, in m/s; every five seconds. */
+/** The wind as a simulated copter estimates it from its tilt, in m/s; every five seconds. */
 final class WindSensor implements Sensor {
     private final DoubleSupplier windMps;
 

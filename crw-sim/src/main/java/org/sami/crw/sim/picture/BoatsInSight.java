@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.sami.crw.sim.picture.Scene.SeenBoat;
 
-/** Where the boats of one water are, for each other's cameras. Safe for use by several threads. */
+/** The positions of all boats of one simulated water, which their cameras draw. Safe for use by several threads. */
 public final class BoatsInSight {
     private final Map<String, SeenBoat> boats = new ConcurrentHashMap<>();
 

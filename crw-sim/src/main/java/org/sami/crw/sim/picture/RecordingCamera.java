@@ -14,8 +14,8 @@ import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.crw.sim.picture.Scene.SeenBoat;
 
 /**
- * The camera of a boat in simulated time: it only notes what is before it, and the picture is drawn when somebody fetches it. So a run at which nobody looks takes no longer, and
- * equal runs have equal pictures. It remembers as many scenes as a boat keeps pictures.
+ * The camera of a boat in simulated time: it only records the scene, and the picture is drawn when it is fetched. So a run whose pictures are not fetched takes
+ * no longer, and equal runs have equal pictures. It remembers as many scenes as a boat keeps pictures.
  *
  * <p>{@link #take} is for the thread that ticks the boat, all else for the clock's.
  */
@@ -60,7 +60,7 @@ public final class RecordingCamera implements Camera {
         unfinished.clear();
     }
 
-    /** What was before the camera when it took a picture; empty if it is no longer known. */
+    /** The scene of a picture; empty if it is no longer stored. */
     public Optional<Scene> scene(String name) {
         return Optional.ofNullable(scenes.get(name));
     }

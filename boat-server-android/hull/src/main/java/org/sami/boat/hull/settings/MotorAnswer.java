@@ -12,13 +12,13 @@ public enum MotorAnswer {
     NOTHING("nothing moved"),
     /** A motor stopped, or a controller or the board restarted. */
     FALTERED("no: a motor stopped or the board restarted"),
-    /** It bore that much thrust, and more is not needed. */
+    /** Everything ran at that thrust, and more is not needed. */
     ENOUGH("yes, and that is enough thrust"),
     /** The hull turned to the left. */
     PULLS_LEFT("it turns left"),
     /** The hull turned to the right. */
     PULLS_RIGHT("it turns right"),
-    /** It is left as it was before the check. */
+    /** The setting stays as it was before the check. */
     LATER("not now: leave it as it was");
 
     private final String words;

@@ -28,11 +28,11 @@ public enum MotorStep {
             MotorAnswer.YES,
             MotorAnswer.REVERSED,
             MotorAnswer.NOTHING),
-    /** How much thrust motors, controllers and battery bear: more with each yes. */
+    /** The most thrust at which motors, controllers and battery keep running: raised with each yes. */
     MOST_THRUST(
             "thrust at %s %% of full: did everything keep running?",
             MotorAnswer.YES, MotorAnswer.ENOUGH, MotorAnswer.FALTERED, MotorAnswer.LATER),
-    /** Whether the hull goes straight, afloat: its trim becomes more with each answer that it turns. */
+    /** Whether the hull goes straight, afloat: each answer that it turns changes the trim. */
     STRAIGHT(
             "afloat, on a long line: straight ahead with trim %s %%: does it go straight?",
             MotorAnswer.YES, MotorAnswer.PULLS_LEFT, MotorAnswer.PULLS_RIGHT, MotorAnswer.LATER);

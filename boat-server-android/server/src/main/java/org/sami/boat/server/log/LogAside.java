@@ -5,9 +5,9 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** The thread on which the boats of this process wait for their disk. It is there while it has work. */
+/** The thread on which logs of all boats of this process wait for the disk. It exists only while it has work. */
 final class LogAside {
-    /** Runs one after the other. */
+    /** Runs tasks one after the other. */
     static final Executor THREAD = made();
 
     private LogAside() {}

@@ -16,7 +16,7 @@ import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.Set;
 
-/** What a boat's log does to its disk, step by step; tests let a step fail, or the power go after it. */
+/** The file operations of a boat's log; tests let one fail, or simulate a loss of power after it. */
 class LogDisk {
     private static final Set<PosixFilePermission> OWNERS =
             EnumSet.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE);
@@ -57,7 +57,7 @@ class LogDisk {
         }
     }
 
-    /** Waits until what was written outlives a loss of power. */
+    /** Forces what was written to the disk, so that it survives a loss of power. */
     void force(FileChannel channel) throws IOException {
         channel.force(true);
     }
@@ -67,7 +67,7 @@ class LogDisk {
         Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
     }
 
-    /** Waits until names outlive a loss of power, on systems that can. */
+    /** Forces the names in a folder to the disk, on systems that can. */
     void forceFolder(Path folder) {
         try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
             channel.force(true);

@@ -4,7 +4,7 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.RememberedCommand;
 
-/** Receives what stands in a boat's log, in its order. */
+/** Receives the entries of a boat's log in their order. */
 public interface LogEntries {
     /** A command was answered. */
     void answered(LoggedCommand entry);

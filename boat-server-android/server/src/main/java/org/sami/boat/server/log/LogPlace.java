@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 
-/** Where a boat's log is kept, and how much of it. Immutable. */
+/** Path and size limit of a boat's log. Immutable. */
 public final class LogPlace {
     private final Path file;
     private final long limitBytes;

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A new file of the log in the making. Its head is written, and waits for the disk, on another thread than the boat's; lines that come meanwhile are collected.
- * Then the boat's thread adds those and gives the file its name. Until then it is nothing but a {@code .part} that the next start removes.
+ * A change to a new file of the log. Another thread than the boat's writes the file's head and forces it to the disk; new lines are collected meanwhile. Then
+ * the boat's thread adds these lines and renames the file. Until then it is a {@code .part} file, which the next start removes.
  */
 final class LogTurn {
     private final LogDisk disk;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.sami.boat.server.log.LogFaults;
 
-/** Says on a boat's console when its log cannot be kept as it should be. */
+/** Reports on a boat's console when its log cannot be written or continued, and when that is over. */
 public final class LogFaultReports implements LogFaults {
     private final Path file;
     private final TcpServerListener listener;

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** A disk at which the process dies before a certain step, maybe with the power, or on which nothing more has room. */
+/** A disk on which the process ends before a given step, with or without a loss of power, or which is full. */
 final class FailingDisk extends LogDisk {
     private final Map<FileChannel, Path> paths = new HashMap<>();
     private final Map<Path, Long> forcedBytes = new HashMap<>();
