@@ -66,7 +66,7 @@ enum SamiModule {
                     "org.sami.spn.wizard.."),
             List.of(SPN_CORE, SPN_LANGUAGE)),
     BOAT_LINK("boat-link", 90, List.of("org.sami.boat.link.."), List.of()),
-    BOAT_SERVER("boat-server-android/server", 78, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    BOAT_SERVER("boat-server-android/server", 95, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     /** Control board, position and motors of a real hull, on streams. */
     BOAT_HULL("boat-server-android/hull", 45, List.of("org.sami.boat.hull.."), List.of(BOAT_SERVER, BOAT_LINK)),
     /** The app on the phone of a hull: Android around server and hull. */
@@ -136,7 +136,7 @@ enum SamiModule {
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
-            21,
+            26,
             List.of("org.sami.crw.mavlink.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */

@@ -41,7 +41,7 @@ class UavWindowTest {
             author.mark("fly", "Fly To");
             JList<?> palette = author.palette();
             int offered = WindowRobot.ask(() -> palette.getModel().getSize());
-            assertThat(offered).isEqualTo(4); // two groups with an event of that word each, none of the boats
+            assertThat(offered).isEqualTo(5); // two groups with Fly To, Fly Path and Cannot Fly, none of the boats
 
             draw(author);
             author.robot.untilSaid("count-errors", "0");
