@@ -11,8 +11,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.security.KeyRing;
+import org.sami.boat.link.security.KeyStoreFolder;
+import org.sami.boat.link.security.Peer;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.crw.cli.CrwProcess;
@@ -29,19 +34,33 @@ final class BoatProcesses implements AutoCloseable {
 
     private final Path folder;
     private final Map<String, Boat> boats = new LinkedHashMap<>();
+    private final Optional<Path> keys;
 
     /** Where a boat's server listens, and where the boat lies at its start. */
     private record Boat(CrwProcess process, int port, double lonDeg) {}
 
     /** A fleet that keeps logs and what is said in a folder. */
     BoatProcesses(Path folder) {
+        this(folder, Optional.empty());
+    }
+
+    private BoatProcesses(Path folder, Optional<Path> keys) {
         this.folder = folder;
+        this.keys = keys;
+    }
+
+    /** A fleet over protected links: each boat has a key of its own and is paired with the base whose keys lie in that folder. */
+    static BoatProcesses paired(Path folder, Path baseKeys) {
+        return new BoatProcesses(folder, Optional.of(baseKeys));
     }
 
     /** Starts boats; they answer when this returns. */
     BoatProcesses with(String... names) throws IOException {
         Map<String, CrwProcess> starting = new LinkedHashMap<>();
         for (String name : names) {
+            if (keys.isPresent()) {
+                pair(name, keys.get());
+            }
             starting.put(name, start(name, freePort(), lonDeg(starting.size()), folder));
         }
         for (Map.Entry<String, CrwProcess> one : starting.entrySet()) {
@@ -49,6 +68,17 @@ final class BoatProcesses implements AutoCloseable {
             boats.put(one.getKey(), new Boat(one.getValue(), port, lonDeg(boats.size())));
         }
         return this;
+    }
+
+    private void pair(String name, Path baseKeys) throws IOException {
+        KeyRing base = new KeyStoreFolder(baseKeys).open();
+        KeyRing boat = new KeyStoreFolder(keysOf(name)).open();
+        boat.add(new Peer(base.identity().fingerprint(), "base", Role.COMMANDER));
+        base.add(new Peer(boat.identity().fingerprint(), name, Role.COMMANDER));
+    }
+
+    private Path keysOf(String name) {
+        return folder.resolve("keys").resolve(name);
     }
 
     /** Below those that the system gives to outgoing connections, one of which might have it when the boat is started again. */
@@ -74,20 +104,22 @@ final class BoatProcesses implements AutoCloseable {
     }
 
     private CrwProcess start(String name, int port, double lonDeg, Path logs) throws IOException {
-        return CrwProcess.start(
-                Files.createDirectories(folder.resolve("said")),
-                List.of(
-                        "boat",
-                        "--port",
-                        "" + port,
-                        "--name",
-                        name,
-                        "--at",
-                        LAT_DEG + "," + lonDeg,
-                        "--sensor",
-                        "temperature",
-                        "--log",
-                        logs.toString()));
+        List<String> command = new ArrayList<>(List.of(
+                "boat",
+                "--port",
+                "" + port,
+                "--name",
+                name,
+                "--at",
+                LAT_DEG + "," + lonDeg,
+                "--sensor",
+                "temperature",
+                "--log",
+                logs.toString()));
+        if (keys.isPresent()) {
+            command.addAll(List.of("--boat-keys", keysOf(name).toString()));
+        }
+        return CrwProcess.start(Files.createDirectories(folder.resolve("said")), command);
     }
 
     /** The addresses, as {@code --connect} takes them. */

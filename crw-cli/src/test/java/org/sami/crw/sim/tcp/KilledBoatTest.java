@@ -8,9 +8,11 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -34,25 +36,25 @@ class KilledBoatTest {
     @TempDir
     private Path folder;
 
-    private CrwProcess run(String addresses) throws Exception {
-        return CrwProcess.start(
-                folder,
-                List.of(
-                        "run",
-                        "clv",
-                        "--connect",
-                        addresses,
-                        "--area",
-                        "40",
-                        "--locations",
-                        "4",
-                        "--answer-after",
-                        "2",
-                        "--for",
-                        "270",
-                        "--json",
-                        "--report",
-                        folder.resolve("report").toString()));
+    private CrwProcess run(String addresses, String... more) throws Exception {
+        List<String> command = new ArrayList<>(List.of(
+                "run",
+                "clv",
+                "--connect",
+                addresses,
+                "--area",
+                "40",
+                "--locations",
+                "4",
+                "--answer-after",
+                "2",
+                "--for",
+                "270",
+                "--json",
+                "--report",
+                folder.resolve("report").toString()));
+        command.addAll(List.of(more));
+        return CrwProcess.start(folder, command);
     }
 
     private Path state(boolean kept) {
@@ -65,16 +67,30 @@ class KilledBoatTest {
     void killedInMidPathItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
         try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert");
                 CrwProcess run = run(fleet.addresses())) {
-            Await.until("bert is under way", () -> executed(fleet, "bert", StartWaypoints.class) > 0);
-            run.awaitErr("visited 1/4");
-            fleet.kill("bert");
-            run.awaitErr("The link to bert is lost; its commands wait");
-            fleet.startAgain("bert", state(withItsState));
-            run.awaitErr("bert has started anew; it does not move until it is allowed to");
-
-            assertThat(run.await(END_S)).as(run.err()).isZero();
-            assertEndedAfterTheOperatorWasAsked(fleet, run);
+            killBertInMidPath(fleet, run, state(withItsState));
         }
+    }
+
+    @Test
+    @Execution(ExecutionMode.CONCURRENT)
+    void killedInMidPathAPairedBoatIsKnownByItsKeyAgainAndTheMissionEnds() throws Exception {
+        Path keys = folder.resolve("base-keys");
+        try (BoatProcesses fleet = BoatProcesses.paired(folder, keys).with("anna", "bert");
+                CrwProcess run = run(fleet.addresses(), "--keys", keys.toString())) {
+            killBertInMidPath(fleet, run, folder);
+        }
+    }
+
+    private void killBertInMidPath(BoatProcesses fleet, CrwProcess run, Path state) throws Exception {
+        Await.until("bert is under way", () -> executed(fleet, "bert", StartWaypoints.class) > 0);
+        run.awaitErr("visited 1/4");
+        fleet.kill("bert");
+        run.awaitErr("The link to bert is lost; its commands wait");
+        fleet.startAgain("bert", state);
+        run.awaitErr("bert has started anew; it does not move until it is allowed to");
+
+        assertThat(run.await(END_S)).as(run.err()).isZero();
+        assertEndedAfterTheOperatorWasAsked(fleet, run);
     }
 
     @ParameterizedTest

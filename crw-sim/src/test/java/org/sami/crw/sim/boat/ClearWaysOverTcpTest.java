@@ -29,13 +29,18 @@ class ClearWaysOverTcpTest {
     @TempDir
     Path logs;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     private static GeoPoint at(double eastM, double northM) {
         return Geodesy.offset(TcpTestFleet.PIER, eastM, northM);
     }
 
     @Test
     void boatSaysHowFarItMayBeBesideItsWayDrivesAroundTheRockAndKnowsItsWaysHome() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, links())) {
             BoatOnTcp boat = fleet.boat("anna");
             Base base = fleet.base("base");
             base.connect(boat.address(), "anna");

@@ -31,6 +31,11 @@ class GivingWayOverTcpTest {
     @TempDir
     Path logs;
 
+    /** How boats and bases are linked. */
+    TestLinks links() {
+        return TestLinks.plain();
+    }
+
     private static GeoPoint north(double metres) {
         return at(0, metres);
     }
@@ -41,7 +46,7 @@ class GivingWayOverTcpTest {
 
     @Test
     void boatsThatMeetHeadOnPassEachOtherByWhatTheirBaseRelays() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER, links())) {
             BoatOnTcp anna = fleet.boat("anna", north(0));
             BoatOnTcp bert = fleet.boat("bert", north(16));
             Base base = fleet.base("base");
@@ -66,7 +71,7 @@ class GivingWayOverTcpTest {
         List<GeoPoint> rock = List.of(at(-6, -10), at(-0.9, -10), at(-0.9, 30), at(-6, 30)); // west of both ways
         Water water = Water.of(TcpTestFleet.PIER, List.of(new GeoArea(rock, List.of())), Optional.empty())
                 .drivenWith(CrossTrackError.CALM);
-        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER)) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER, links())) {
             BoatOnTcp anna = fleet.boat("anna", north(0));
             BoatOnTcp bert = fleet.boat("bert", north(16));
             Base base = fleet.base("base");
