@@ -38,6 +38,7 @@ class BorderTest {
                 "SPN_LANGUAGE",
                 "SPN_CORE",
                 "SPN_AUTHORING",
+                "PETRI",
                 "BOAT_LINK",
                 "BOAT_SERVER",
                 "CRW_SERVICES",

@@ -41,6 +41,7 @@ class ThirdPartyNoticeTest {
             "domain-config",
             "lessons",
             "net-picture",
+            "petri",
             "server",
             "spn-authoring",
             "spn-core",

@@ -1,0 +1,270 @@
+package org.sami.petri.graph;
+
+import java.util.BitSet;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.LongSupplier;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.sami.petri.net.PetriNet;
+
+/**
+ * Builds the reachability graph of a net breadth first, so that the run to each state that it keeps is a shortest one. Of a state it keeps the packed marking, the
+ * state from which it was found and a slot of the hash table, nothing else (thesis, section 4.2.1). For one thread, once.
+ */
+public final class ReachabilitySearch {
+    /** After so many states the clock, the memory and the watch are looked at. */
+    private static final int CHECK_EVERY = 2048;
+
+    private final PetriNet net;
+    private final SearchSettings settings;
+    private final GraphWatch watch;
+    private final LongSupplier nanos;
+    private final EnabledTransitions enabledTransitions;
+    private final @Nullable StubbornSets stubborn;
+    private final @Nullable MarkingTest goal;
+    private final @Nullable MarkingSymmetry symmetry;
+    private final StateSpace space;
+    private final IntChunks parents = new IntChunks();
+    private final @Nullable StateEdges edges;
+    private final IntChunks deadlocks = new IntChunks();
+    private final BitSet fired;
+    private final int[] mostTokens;
+    private final int[] marking;
+    private final int[] after;
+    private final int[] enabled;
+    private long[] state;
+    private long[] next;
+    private long edgeCount;
+    private int looked;
+    private int checkAt;
+    private @Nullable SearchEnd end;
+    private OptionalInt found = OptionalInt.empty();
+
+    private ReachabilitySearch(PetriNet net, SearchSettings settings, GraphWatch watch, LongSupplier nanos) {
+        this.net = net;
+        this.settings = settings;
+        this.watch = watch;
+        this.nanos = nanos;
+        enabledTransitions = new EnabledTransitions(net);
+        stubborn = settings.isReduced() ? new StubbornSets(net) : null;
+        goal = settings.goal().orElse(null);
+        symmetry = settings.symmetry().orElse(null);
+        space = new StateSpace(net);
+        edges = settings.keepsEdges() ? new StateEdges() : null;
+        fired = new BitSet(net.transitionCount());
+        mostTokens = new int[net.placeCount()];
+        marking = new int[net.placeCount()];
+        after = new int[net.placeCount()];
+        enabled = new int[net.transitionCount()];
+        state = new long[space.words()];
+        next = new long[space.words()];
+    }
+
+    /** Searches a net without being watched. */
+    public static ReachabilityGraph explore(PetriNet net, SearchSettings settings) {
+        return explore(net, settings, GraphWatch.NONE, System::nanoTime);
+    }
+
+    /**
+     * Searches a net.
+     *
+     * @param nanos a clock that never goes back, for the budget of time and the time that the search took
+     */
+    public static ReachabilityGraph explore(
+            PetriNet net, SearchSettings settings, GraphWatch watch, LongSupplier nanos) {
+        return new ReachabilitySearch(net, settings, watch, nanos).run();
+    }
+
+    private ReachabilityGraph run() {
+        long start = nanos.getAsLong();
+        long most = settings.budget().time().toNanos();
+        int[] initial = net.initialMarking();
+        if (symmetry != null) {
+            symmetry.normalize(initial);
+        }
+        space.pack(initial, next);
+        space.table().add(next);
+        parents.add(-1);
+        while (end == null && looked < space.table().count()) {
+            if (looked % CHECK_EVERY == 0) {
+                check(nanos.getAsLong() - start >= most);
+            }
+            if (end == null) {
+                look(looked);
+                looked++;
+            }
+        }
+        if (end != null && end.isBounded()) {
+            lookAtWaiting();
+        }
+        return new ReachabilityGraph(
+                net,
+                end == null ? SearchEnd.COMPLETE : end,
+                settings,
+                space,
+                parents,
+                Optional.ofNullable(edges),
+                new ReachabilityGraph.Facts(
+                        looked,
+                        edgeCount,
+                        deadlocks,
+                        fired,
+                        IntStream.of(mostTokens).boxed().toList(),
+                        found,
+                        nanos.getAsLong() - start));
+    }
+
+    private void check(boolean isLate) {
+        watch.looked(looked, space.table().count() - looked);
+        if (watch.isCancelled()) {
+            end = SearchEnd.CANCELLED;
+        } else if (isLate) {
+            end = SearchEnd.TIME;
+        } else if (bytes() > settings.budget().bytes()) {
+            end = SearchEnd.MEMORY;
+        }
+    }
+
+    private long bytes() {
+        return space.bytes() + parents.bytes() + (edges == null ? 0 : edges.bytes());
+    }
+
+    /** Looks at a state and adds those that follow it. */
+    private void look(int number) {
+        space.load(number, state, marking);
+        if (note(number)) {
+            return;
+        }
+        int count = enabledTransitions.find(marking, enabled);
+        if (count == 0) {
+            noteDeadlock(number);
+        } else if (stubborn != null) {
+            count = stubborn.choose(marking, enabled, count);
+        }
+        if (edges != null) {
+            edges.begin();
+        }
+        for (int i = 0; i < count; i++) {
+            int target = follow(enabled[i], number);
+            if (target < 0) {
+                return;
+            }
+            fired.set(enabled[i]);
+            edgeCount++;
+            if (edges != null) {
+                edges.add(target);
+            }
+        }
+    }
+
+    /** Enters a marking into the bounds of places; whether it is the goal. */
+    private boolean note(int number) {
+        for (int place = 0; place < marking.length; place++) {
+            if (marking[place] > mostTokens[place]) {
+                mostTokens[place] = marking[place];
+            }
+        }
+        if (goal != null && goal.test(marking)) {
+            foundAt(number);
+            return true;
+        }
+        return false;
+    }
+
+    private void foundAt(int number) {
+        found = OptionalInt.of(number);
+        end = SearchEnd.FOUND;
+    }
+
+    /** What is known of states that were found and not followed any more counts for bounds, goals and deadlocks. */
+    private void lookAtWaiting() {
+        for (int number = looked; number < space.table().count() && found.isEmpty(); number++) {
+            space.load(number, state, marking);
+            if (!note(number) && enabledTransitions.find(marking, enabled) == 0) {
+                noteDeadlock(number);
+            }
+        }
+    }
+
+    private void noteDeadlock(int number) {
+        deadlocks.add(number);
+        if (settings.stopsAtDeadlock()) {
+            foundAt(number);
+        }
+    }
+
+    /** The state after a firing; -1 where the search ends. */
+    private int follow(int transition, int from) {
+        int place = space.firing().overflow(transition, marking);
+        while (place != PackedFiring.FITS) {
+            if (!widen(place, space.firing().tokensAfter(transition, place, marking))) {
+                return -1;
+            }
+            place = space.firing().overflow(transition, marking);
+        }
+        space.firing().fire(transition, state, marking, next);
+        if (symmetry != null && !normalize(symmetry)) {
+            return -1;
+        }
+        StateTable table = space.table();
+        if (table.count() >= checkAt && !hasRoom(table)) {
+            return table.find(next);
+        }
+        int known = table.count();
+        int target = table.add(next);
+        if (target == known) {
+            parents.add(from);
+        }
+        return target;
+    }
+
+    private boolean normalize(MarkingSymmetry like) {
+        space.unpack(next, after);
+        like.normalize(after);
+        int place = space.overflow(after);
+        while (place != PackedFiring.FITS) {
+            if (!widen(place, after[place])) {
+                return false;
+            }
+            place = space.overflow(after);
+        }
+        space.pack(after, next);
+        return true;
+    }
+
+    /** Whether there may be a new state; where not, the search ends with the next one that would be new. */
+    private boolean hasRoom(StateTable table) {
+        SearchEnd reason = null;
+        if (table.count() >= settings.budget().states() || !table.canGrow()) {
+            reason = SearchEnd.STATES;
+        } else if (bytes() + table.bytesToGrow() > settings.budget().bytes()) {
+            reason = SearchEnd.MEMORY;
+        }
+        if (reason == null) {
+            checkAt = Math.min(table.nextGrowth(), settings.budget().states());
+            return true;
+        }
+        if (table.find(next) < 0) {
+            end = reason;
+        }
+        return false;
+    }
+
+    private boolean widen(int place, long tokens) {
+        if (tokens > Integer.MAX_VALUE) {
+            end = SearchEnd.TOKENS;
+            return false;
+        }
+        if (2 * space.bytes() + parents.bytes() > settings.budget().bytes()) {
+            end = SearchEnd.MEMORY;
+            return false;
+        }
+        space.widen(place, (int) tokens);
+        state = new long[space.words()];
+        next = new long[space.words()];
+        space.pack(marking, state);
+        checkAt = 0;
+        return true;
+    }
+}

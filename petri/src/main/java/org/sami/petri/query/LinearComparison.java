@@ -1,0 +1,43 @@
+package org.sami.petri.query;
+
+import java.util.List;
+
+/**
+ * A comparison of a weighted sum of tokens with a number: {@code sum of factor * tokens, relation, constant}.
+ *
+ * @param terms one for each place at most
+ */
+public record LinearComparison(List<Term> terms, Relation relation, long constant) implements MarkingCondition {
+    public LinearComparison {
+        terms = List.copyOf(terms);
+    }
+
+    /** A place and how often its tokens count; a factor is below 2^31 in size, so that no sum over a million places overflows. */
+    public record Term(int place, int factor) {}
+
+    /** How two numbers are compared. */
+    public enum Relation {
+        LESS,
+        AT_MOST,
+        EQUAL,
+        NOT_EQUAL,
+        AT_LEAST,
+        MORE
+    }
+
+    @Override
+    public boolean test(int[] marking) {
+        long sum = 0;
+        for (Term term : terms) {
+            sum += (long) term.factor() * marking[term.place()];
+        }
+        return switch (relation) {
+            case LESS -> sum < constant;
+            case AT_MOST -> sum <= constant;
+            case EQUAL -> sum == constant;
+            case NOT_EQUAL -> sum != constant;
+            case AT_LEAST -> sum >= constant;
+            case MORE -> sum > constant;
+        };
+    }
+}

@@ -1,0 +1,163 @@
+package org.sami.petri.query;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.sami.petri.graph.FiringSequence;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.HomeStates;
+import org.sami.petri.graph.ReachabilityGraph;
+import org.sami.petri.graph.ReachabilitySearch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.graph.SearchSettings;
+import org.sami.petri.net.PetriNet;
+import org.sami.petri.query.MarkingCondition.All;
+import org.sami.petri.query.MarkingCondition.Not;
+import org.sami.petri.query.MarkingCondition.NothingEnabled;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
+
+/**
+ * Answers queries by searches. A query about deadlocks is answered by a reduced search; where that finds one, a search without reduction looks for the nearest,
+ * within the same budget. For one thread.
+ */
+public final class QueryRunner {
+    private final PetriNet net;
+    private final SearchBudget budget;
+    private final boolean reduces;
+    private final GraphWatch watch;
+    private final LongSupplier nanos;
+
+    /**
+     * A runner for a net.
+     *
+     * @param budget of each search
+     * @param reduces whether queries about deadlocks use stubborn sets
+     * @param nanos a clock that never goes back
+     */
+    public QueryRunner(PetriNet net, SearchBudget budget, boolean reduces, GraphWatch watch, LongSupplier nanos) {
+        this.net = net;
+        this.budget = budget;
+        this.reduces = reduces;
+        this.watch = watch;
+        this.nanos = nanos;
+    }
+
+    /** Answers a query about the net. */
+    public QueryAnswer answer(NetQuery query) {
+        if (query instanceof NetQuery.Reachable reachable) {
+            return found(search(settings().withGoal(reachable.condition())), true, "such a marking");
+        } else if (query instanceof NetQuery.Invariant invariant) {
+            return found(
+                    search(settings().withGoal(new Not(invariant.condition()))), false, "a marking that breaks it");
+        } else if (query instanceof NetQuery.Deadlock deadlock) {
+            return deadlock(deadlock);
+        } else if (query instanceof NetQuery.Home home) {
+            return home(home.condition());
+        } else if (query instanceof NetQuery.Bound bound) {
+            return bound(bound.place());
+        }
+        throw new IllegalArgumentException("a query of an unknown kind: " + query);
+    }
+
+    private SearchSettings settings() {
+        return SearchSettings.within(budget);
+    }
+
+    private ReachabilityGraph search(SearchSettings settings) {
+        return ReachabilitySearch.explore(net, settings, watch, nanos);
+    }
+
+    /** The answer of a search that ends where it finds something. */
+    private static QueryAnswer found(ReachabilityGraph graph, boolean whenFound, String what) {
+        if (graph.found().isPresent()) {
+            FiringSequence run = graph.runTo(graph.found().getAsInt());
+            return new QueryAnswer(
+                    whenFound ? NetVerdict.YES : NetVerdict.NO,
+                    what + " is reached by " + run.transitions().size() + " firings",
+                    Optional.of(run),
+                    graph);
+        }
+        return graph.isComplete()
+                ? new QueryAnswer(
+                        whenFound ? NetVerdict.NO : NetVerdict.YES, what + " is never reached", Optional.empty(), graph)
+                : unknown(graph, what + " was not found");
+    }
+
+    private static QueryAnswer unknown(ReachabilityGraph graph, String words) {
+        return new QueryAnswer(
+                NetVerdict.UNKNOWN,
+                words + " among " + graph.states() + " states: bounded search only, as "
+                        + graph.end().words(),
+                Optional.empty(),
+                graph);
+    }
+
+    private QueryAnswer deadlock(NetQuery.Deadlock query) {
+        MarkingCondition goal = new All(List.of(new NothingEnabled(net), new Not(query.end())));
+        String what = "a deadlock";
+        if (!reduces) {
+            return found(search(settings().withGoal(goal)), true, what);
+        }
+        QueryAnswer reduced = found(search(settings().withGoal(goal).withReduction()), true, what);
+        if (reduced.verdict() != NetVerdict.YES) {
+            return reduced;
+        }
+        QueryAnswer nearest = found(search(settings().withGoal(goal)), true, what);
+        return nearest.verdict() == NetVerdict.YES
+                ? nearest
+                : new QueryAnswer(
+                        NetVerdict.YES,
+                        reduced.words() + "; there may be a nearer one, which the budget did not find",
+                        reduced.witness(),
+                        reduced.graph());
+    }
+
+    private QueryAnswer home(MarkingCondition condition) {
+        ReachabilityGraph graph = search(settings().withEdges());
+        if (!graph.isComplete()) {
+            return unknown(graph, "not every run was followed to its end");
+        }
+        if (graph.bytes() + HomeStates.bytes(graph) > budget.bytes()) {
+            return new QueryAnswer(
+                    NetVerdict.UNKNOWN,
+                    "the graph has " + graph.states()
+                            + " states, and the way back through it needs more memory than the budget",
+                    Optional.empty(),
+                    graph);
+        }
+        HomeStates states = HomeStates.of(graph, condition);
+        if (states.firstWithout().isEmpty()) {
+            return new QueryAnswer(
+                    NetVerdict.YES,
+                    "from each of the " + graph.states() + " states such a marking can be reached",
+                    Optional.empty(),
+                    graph);
+        }
+        FiringSequence run = graph.runTo(states.firstWithout().getAsInt());
+        return new QueryAnswer(
+                NetVerdict.NO,
+                "from " + (graph.states() - states.count()) + " of " + graph.states()
+                        + " states no such marking can be reached any more; the nearest is reached by "
+                        + run.transitions().size() + " firings",
+                Optional.of(run),
+                graph);
+    }
+
+    private QueryAnswer bound(int place) {
+        ReachabilityGraph graph = search(settings());
+        int most = graph.mostTokens(place);
+        Optional<FiringSequence> run = graph.first(marking -> marking[place] == most).stream()
+                .mapToObj(graph::runTo)
+                .findFirst();
+        String words = "place " + net.placeId(place) + " has ";
+        return graph.isComplete()
+                ? new QueryAnswer(NetVerdict.YES, words + "at most " + most + " tokens", run, graph)
+                : new QueryAnswer(
+                        NetVerdict.UNKNOWN,
+                        words + "up to " + most + " tokens among " + graph.states()
+                                + " states: bounded search only, as "
+                                + graph.end().words(),
+                        run,
+                        graph);
+    }
+}

@@ -1,0 +1,120 @@
+package org.sami.petri.query;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.model.ExampleNets;
+import org.sami.petri.net.PetriNet;
+import org.sami.petri.net.PetriNetBuilder;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
+
+class QueryRunnerTest {
+    private static QueryAnswer ask(PetriNet net, int states, boolean reduces, String query) throws QueryFaultException {
+        QueryRunner runner =
+                new QueryRunner(net, SearchBudget.ofStates(states), reduces, GraphWatch.NONE, System::nanoTime);
+        return runner.answer(QueryParser.query(net, query));
+    }
+
+    private static QueryAnswer ask(PetriNet net, String query) throws QueryFaultException {
+        return ask(net, 100_000, true, query);
+    }
+
+    @Test
+    void whatIsReachableHasAShortestRunThatCanBeReplayed() throws QueryFaultException {
+        PetriNet net = ExampleNets.philosophers(5);
+
+        QueryAnswer answer = ask(net, "reachable m(eats0) = 1 and m(eats2) = 1");
+
+        assertThat(answer.verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(answer.words()).isEqualTo("such a marking is reached by 4 firings");
+        int[] reached = answer.witness().orElseThrow().replay(net);
+        assertThat(QueryParser.condition(net, "m(eats0) = 1 and m(eats2) = 1").test(reached))
+                .isTrue();
+    }
+
+    @Test
+    void neighboursNeverEatTogether() throws QueryFaultException {
+        PetriNet net = ExampleNets.philosophers(5);
+
+        assertThat(ask(net, "invariant m(eats0) + m(eats1) <= 1").verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(ask(net, "reachable m(eats0) + m(eats1) = 2").verdict()).isEqualTo(NetVerdict.NO);
+        assertThat(ask(net, "invariant m(eats0) + m(eats2) <= 1").verdict()).isEqualTo(NetVerdict.NO);
+    }
+
+    @Test
+    void whatABoundedSearchDidNotFindIsUnknown() throws QueryFaultException {
+        QueryAnswer answer =
+                ask(ExampleNets.producerConsumer(0), 1000, true, "reachable m(buffer) = 1 and m(buffer) = 2");
+
+        assertThat(answer.verdict()).isEqualTo(NetVerdict.UNKNOWN);
+        assertThat(answer.words())
+                .isEqualTo(
+                        "such a marking was not found among 1000 states: bounded search only, as the budget of states"
+                                + " was used up");
+        assertThat(answer.witness()).isEmpty();
+    }
+
+    @Test
+    void deadlocksAreTheSameWithAndWithoutReduction() throws QueryFaultException {
+        PetriNet net = ExampleNets.philosophers(7);
+
+        QueryAnswer reduced = ask(net, "deadlock");
+        QueryAnswer plain = ask(net, 100_000, false, "deadlock");
+
+        assertThat(reduced.verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(plain.verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(reduced.witness().orElseThrow().transitions()).hasSize(7);
+        assertThat(plain.witness().orElseThrow().transitions()).hasSize(7);
+        assertThat(ask(ExampleNets.kanban(2), "deadlock").verdict()).isEqualTo(NetVerdict.NO);
+    }
+
+    @Test
+    void deadlockThatIsAnEndIsNone() throws QueryFaultException {
+        PetriNet net = ExampleNets.agents(2);
+
+        assertThat(ask(net, "deadlock").verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(ask(net, "deadlock unless m(step0.10) + m(step1.10) = 2").verdict())
+                .isEqualTo(NetVerdict.NO);
+        assertThat(ask(net, "deadlock unless m(step0.10) = 0")
+                        .witness()
+                        .orElseThrow()
+                        .transitions())
+                .hasSize(20);
+    }
+
+    @Test
+    void homeSaysWhetherEveryRunCanStillEnd() throws QueryFaultException {
+        PetriNetBuilder builder = new PetriNetBuilder("trap");
+        builder.place("start", 1);
+        builder.place("lost", 0);
+        builder.place("end", 0);
+        builder.move("finish", List.of("start"), List.of("end"));
+        builder.move("lose", List.of("start"), List.of("lost"));
+        builder.move("stay", List.of("lost"), List.of("lost"));
+        PetriNet net = builder.build();
+
+        QueryAnswer answer = ask(net, "home m(end) = 1");
+
+        assertThat(answer.verdict()).isEqualTo(NetVerdict.NO);
+        assertThat(answer.witness().orElseThrow().ids(net)).containsExactly("lose");
+        assertThat(ask(ExampleNets.kanban(1), "home m(kanban1) = 1 and m(kanban4) = 1")
+                        .verdict())
+                .isEqualTo(NetVerdict.YES);
+    }
+
+    @Test
+    void boundOfAPlaceHasARunThatReachesIt() throws QueryFaultException {
+        PetriNet net = ExampleNets.producerConsumer(3);
+
+        QueryAnswer answer = ask(net, "bound buffer");
+
+        assertThat(answer.words()).isEqualTo("place buffer has at most 3 tokens");
+        assertThat(answer.witness().orElseThrow().transitions()).hasSize(6);
+        assertThat(ask(ExampleNets.producerConsumer(0), 1000, true, "bound buffer")
+                        .verdict())
+                .isEqualTo(NetVerdict.UNKNOWN);
+    }
+}
