@@ -156,8 +156,8 @@ public final class PicturesPanel extends JPanel {
                 one.of().coming() == 0 && one.of().here() == one.of().pictures().size()
                         ? ""
                         : " · " + one.of().words();
-        return one.words() + " · taken by "
+        return one.words() + " · taken at "
                 + SessionClock.text(one.of().atMillis())
-                + String.format(Locale.ROOT, " at %.5f, %.5f", from.latDeg(), from.lonDeg()) + missing;
+                + String.format(Locale.ROOT, " from %.5f, %.5f", from.latDeg(), from.lonDeg()) + missing;
     }
 }
