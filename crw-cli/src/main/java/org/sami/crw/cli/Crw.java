@@ -1,6 +1,7 @@
 package org.sami.crw.cli;
 
 import java.util.Map;
+import org.sami.crw.cli.analysis.AnalyseCommand;
 import org.sami.crw.cli.board.BoardCommand;
 import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.key.KeysCommand;
@@ -62,6 +63,7 @@ import picocli.CommandLine.Spec;
             GradeCommand.class,
             DrawCommand.class,
             PhasesCommand.class,
+            AnalyseCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
             ComponentsCommand.class,

@@ -1,0 +1,195 @@
+package org.sami.crw.cli.analysis;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.ProgressDisplay;
+import org.sami.crw.cli.output.StopOnInterrupt;
+import org.sami.crw.cli.output.Terminal;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.ReachabilitySearch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.graph.SearchSettings;
+import org.sami.petri.net.PetriNet;
+import org.sami.petri.pnml.PnmlReading;
+import org.sami.petri.pnml.PnmlWriter;
+import org.sami.petri.query.NetQuery;
+import org.sami.petri.query.QueryFaultException;
+import org.sami.petri.query.QueryParser;
+import org.sami.petri.query.QueryRunner;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw analyse}: which markings a Petri net can reach. */
+@Command(
+        name = "analyse",
+        mixinStandardHelpOptions = true,
+        description =
+                "Searches the reachable markings of a Petri net, and answers questions about them by proof or by a run"
+                        + " that shows it.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:done; no query has found a fault",
+            "1:the file has errors, or a query has found a fault: a broken invariant, a deadlock, a run that cannot"
+                    + " come home",
+            "2:wrong usage, a query that makes no sense, or there is no such file",
+            "5:the budget was used up before all was known"
+        },
+        footerHeading = "%nQueries:%n",
+        footer = {
+            "  reachable CONDITION          is there such a marking?",
+            "  invariant CONDITION          are all markings such?",
+            "  home CONDITION               can every run still come to such a marking?",
+            "  deadlock [unless CONDITION]  is there a marking without an enabled transition, and not such?",
+            "  bound PLACE                  how many tokens does a place have at most?",
+            "A CONDITION compares tokens, m(PLACE), and has and, or, not, brackets, enabled(TRANSITION), deadlock.",
+            "",
+            "Examples:",
+            "  crw analyse line.pnml",
+            "  crw analyse line.pnml --query 'invariant m(gate) + m(inside) = 1' --query deadlock",
+            "  crw analyse kanban-4 --query 'reachable m(out4) >= 2 and m(kanban1) = 0'",
+            "  crw analyse philosophers-8 --write philosophers-8.pnml"
+        })
+public final class AnalyseCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE|NET", description = "A PNML file, or an example net by its name, such as kanban-5.")
+    private String name = "";
+
+    @Option(names = "--query", paramLabel = "QUERY", description = "Answer this query; may be given several times.")
+    private List<String> queries = new ArrayList<>();
+
+    @Mixin
+    private SearchOptions options = new SearchOptions();
+
+    @Option(names = "--json", description = "Print one JSON object.")
+    private boolean json;
+
+    @Option(names = "--write", paramLabel = "FILE", description = "Only write the net as PNML; search nothing.")
+    private @Nullable Path file;
+
+    @Override
+    public Integer call() throws IOException {
+        SearchBudget budget = options.budget();
+        PnmlReading reading = NetArgument.read(name);
+        PrintWriter out = spec.commandLine().getOut();
+        Optional<PetriNet> net = reading.net();
+        if (net.isEmpty()) {
+            if (json) {
+                out.println(AnalysisJson.of(name, reading.findings()).toPrettyString());
+            } else {
+                NetArgument.print(out, name, reading.findings());
+            }
+            out.flush();
+            return ExitCode.FINDINGS;
+        }
+        if (file != null) {
+            NetArgument.print(spec.commandLine().getErr(), name, reading.findings());
+            return write(net.get(), file);
+        }
+        List<NetQuery> asked = parsed(net.get());
+        if (!json) {
+            NetArgument.print(out, name, reading.findings());
+            out.println(net.get());
+        }
+        List<NetAnalysis> analyses = analyses(net.get(), asked, budget);
+        print(out, reading, analyses);
+        out.flush();
+        if (analyses.stream().anyMatch(NetAnalysis::hasFound)) {
+            return ExitCode.FINDINGS;
+        }
+        return analyses.stream().anyMatch(NetAnalysis::isOpen) ? ExitCode.RUNNING : ExitCode.OK;
+    }
+
+    private List<NetQuery> parsed(PetriNet net) {
+        List<NetQuery> parsed = new ArrayList<>();
+        for (String query : queries) {
+            try {
+                parsed.add(QueryParser.query(net, query));
+            } catch (QueryFaultException fault) {
+                throw new UsageFault("--query '" + query + "', " + fault.words());
+            }
+        }
+        return parsed;
+    }
+
+    private List<NetAnalysis> analyses(PetriNet net, List<NetQuery> asked, SearchBudget budget) {
+        ProgressDisplay progress =
+                new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
+        List<NetAnalysis> analyses = new ArrayList<>();
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            GraphWatch watch = watch(progress, stop);
+            if (asked.isEmpty()) {
+                analyses.add(NetAnalysis.of(
+                        ReachabilitySearch.explore(net, SearchSettings.within(budget), watch, System::nanoTime)));
+            }
+            QueryRunner runner = new QueryRunner(net, budget, options.reduces(), watch, System::nanoTime);
+            for (int i = 0; i < asked.size(); i++) {
+                analyses.add(NetAnalysis.of(queries.get(i), runner.answer(asked.get(i))));
+            }
+            progress.end();
+        }
+        return analyses;
+    }
+
+    private static GraphWatch watch(ProgressDisplay progress, StopOnInterrupt stop) {
+        return new GraphWatch() {
+            @Override
+            public void looked(int states, int waiting) {
+                progress.show(() -> states + " states looked at, " + waiting + " known and waiting");
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return stop.getAsBoolean();
+            }
+        };
+    }
+
+    /** Without queries, the members of the whole graph stand in the object itself; else there is an object for each query. */
+    private void print(PrintWriter out, PnmlReading reading, List<NetAnalysis> analyses) {
+        if (!json) {
+            analyses.forEach(analysis -> new AnalysisText(out, analysis).print());
+            return;
+        }
+        ObjectNode object = AnalysisJson.of(name, reading.findings());
+        if (queries.isEmpty()) {
+            AnalysisJson.put(object, analyses.get(0));
+        } else {
+            ArrayNode list = object.putArray("queries");
+            analyses.forEach(analysis -> AnalysisJson.put(list.addObject(), analysis));
+        }
+        out.println(object.toPrettyString());
+    }
+
+    private int write(PetriNet net, Path to) throws IOException {
+        boolean isThere = Files.exists(to);
+        if (to.getParent() != null) {
+            Files.createDirectories(to.getParent());
+        }
+        try (OutputStream out = Files.newOutputStream(to)) {
+            PnmlWriter.write(net, out);
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        out.println((isThere ? "replaced " : "written to ") + to);
+        out.flush();
+        return ExitCode.OK;
+    }
+}

@@ -1,0 +1,66 @@
+package org.sami.crw.cli.analysis;
+
+import java.time.Duration;
+import org.sami.crw.cli.option.SecondsConverter;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.petri.graph.SearchBudget;
+import picocli.CommandLine.Option;
+
+/** How far a search may go. */
+final class SearchOptions {
+    /** The heap has to hold a hash table twice while it grows, and the program itself. */
+    private static final double MOST_OF_HEAP = 0.85;
+
+    private static final double STANDARD_PART = 0.5;
+    private static final int MEGABYTE = 1_000_000;
+
+    @Option(
+            names = "--budget",
+            paramLabel = "STATES",
+            defaultValue = "100000000",
+            description = "How many states are looked at. Default: ${DEFAULT-VALUE}.")
+    private int states;
+
+    @Option(
+            names = "--memory",
+            paramLabel = "MB",
+            defaultValue = "0",
+            description = "How much memory the states may take, in megabytes; 0: half of what the program may use. "
+                    + "Default: ${DEFAULT-VALUE}.")
+    private int megabytes;
+
+    @Option(
+            names = "--time",
+            paramLabel = "SECONDS",
+            defaultValue = "0",
+            converter = SecondsConverter.class,
+            description = "How long a search may take; 0: as long as it takes. Default: ${DEFAULT-VALUE}.")
+    private long millis;
+
+    @Option(
+            names = "--no-reduction",
+            negatable = false,
+            description = "Answer questions about deadlocks from the whole graph, without stubborn sets.")
+    private boolean isWhole;
+
+    SearchBudget budget() {
+        if (states < 1 || states > SearchBudget.MOST_STATES) {
+            throw new UsageFault("--budget is 1 to " + SearchBudget.MOST_STATES + ", not " + states);
+        }
+        long heap = Runtime.getRuntime().maxMemory();
+        long most = (long) (heap * MOST_OF_HEAP);
+        long bytes = (long) megabytes * MEGABYTE;
+        if (megabytes < 0 || bytes > most) {
+            throw new UsageFault("--memory is 0 to " + most / MEGABYTE + ", not " + megabytes
+                    + "; more by JAVA_OPTS=-Xmx" + Math.max(1, (long) (bytes / MOST_OF_HEAP) / MEGABYTE + 1) + "m");
+        }
+        return new SearchBudget(
+                states,
+                megabytes == 0 ? (long) (heap * STANDARD_PART) : bytes,
+                millis == 0 ? Duration.ofDays(365) : Duration.ofMillis(millis));
+    }
+
+    boolean reduces() {
+        return !isWhole;
+    }
+}

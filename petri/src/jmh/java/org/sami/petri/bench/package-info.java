@@ -1,0 +1,2 @@
+/** Benchmarks of the analysis of nets. */
+package org.sami.petri.bench;
