@@ -15,6 +15,7 @@ public final class SettingsReport extends LinkMessage {
     private static final String ERROR = "error";
     private static final String STOPPED_BY = "stoppedBy";
     private static final String BOARD = "board";
+    private static final String PERFORMANCE = "performance";
 
     private final Gains heading;
     private final Gains speed;
@@ -24,6 +25,7 @@ public final class SettingsReport extends LinkMessage {
     private final Optional<TrackingError> error;
     private final String stoppedBy;
     private final Optional<BoardCondition> board;
+    private final BoatPerformance performance;
 
     /** The report of an older boat, which sends neither its home nor its errors. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
@@ -70,6 +72,28 @@ public final class SettingsReport extends LinkMessage {
             Optional<TrackingError> error,
             String stoppedBy,
             Optional<BoardCondition> board) {
+        this(
+                heading,
+                speed,
+                velocityMultiplier,
+                lostLinkAction,
+                home,
+                error,
+                stoppedBy,
+                board,
+                BoatPerformance.UNKNOWN);
+    }
+
+    private SettingsReport(
+            Gains heading,
+            Gains speed,
+            double velocityMultiplier,
+            LostLinkAction lostLinkAction,
+            Optional<Waypoint> home,
+            Optional<TrackingError> error,
+            String stoppedBy,
+            Optional<BoardCondition> board,
+            BoatPerformance performance) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
@@ -78,7 +102,14 @@ public final class SettingsReport extends LinkMessage {
         this.home = Objects.requireNonNull(home, "home");
         this.error = Objects.requireNonNull(error, "error");
         this.stoppedBy = Checks.optionalName(STOPPED_BY, stoppedBy);
-        this.board = Objects.requireNonNull(board, "board");
+        this.board = Objects.requireNonNull(board, BOARD);
+        this.performance = Objects.requireNonNull(performance, PERFORMANCE);
+    }
+
+    /** The same report of a boat that says how far, how fast and how narrowly it drives. */
+    public SettingsReport with(BoatPerformance newPerformance) {
+        return new SettingsReport(
+                heading, speed, velocityMultiplier, lostLinkAction, home, error, stoppedBy, board, newPerformance);
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -90,7 +121,8 @@ public final class SettingsReport extends LinkMessage {
                 in.has(HOME) ? Optional.of(WaypointRows.readRow(in.array(HOME), "/" + HOME)) : Optional.empty(),
                 in.has(ERROR) ? Optional.of(TrackingError.read(in.object(ERROR))) : Optional.empty(),
                 in.textOrEmpty(STOPPED_BY),
-                in.has(BOARD) ? Optional.of(in.word(BOARD, BoardCondition.class)) : Optional.empty());
+                in.has(BOARD) ? Optional.of(in.word(BOARD, BoardCondition.class)) : Optional.empty(),
+                in.has(PERFORMANCE) ? BoatPerformance.read(in.object(PERFORMANCE)) : BoatPerformance.UNKNOWN);
     }
 
     /** Gains of a control loop. */
@@ -128,6 +160,11 @@ public final class SettingsReport extends LinkMessage {
         return board;
     }
 
+    /** How far, how fast and how narrowly the boat drives; {@link BoatPerformance#UNKNOWN} for older boats. */
+    public BoatPerformance performance() {
+        return performance;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -157,6 +194,11 @@ public final class SettingsReport extends LinkMessage {
         }
         if (board.isPresent()) {
             out.writeStringField(BOARD, board.get().name());
+        }
+        if (!performance.isUnknown()) {
+            out.writeObjectFieldStart(PERFORMANCE);
+            performance.write(out);
+            out.writeEndObject();
         }
     }
 }

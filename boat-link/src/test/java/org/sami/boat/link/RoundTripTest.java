@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -87,6 +88,12 @@ class RoundTripTest {
                         Optional.empty(),
                         "base2",
                         Optional.of(BoardCondition.SILENT)),
+                new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
+                        .with(new BoatPerformance(
+                                OptionalDouble.of(15), OptionalDouble.of(2.25), OptionalDouble.of(0))),
+                new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
+                        .with(new BoatPerformance(
+                                OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(4.5))),
                 new SetWaysHome("c", "l", List.of(List.of(), List.of(List.of()), List.of(path, path.subList(0, 1)))),
                 new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12),
                 new ListFiles("r", KeptFile.LOG, "anna.log"),

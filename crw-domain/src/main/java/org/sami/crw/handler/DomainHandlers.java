@@ -3,11 +3,8 @@ package org.sami.crw.handler;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
-import java.util.function.Function;
 import org.sami.crw.handler.boat.ConnectExistingProxyHandler;
 import org.sami.crw.handler.boat.ConnectExistingProxyIdHandler;
 import org.sami.crw.handler.boat.CreateSimulatedProxyHandler;
@@ -34,6 +31,7 @@ import org.sami.crw.handler.motion.ResendWaypointsHandler;
 import org.sami.crw.handler.motion.StationKeepHandler;
 import org.sami.crw.handler.planning.AllocationHandler;
 import org.sami.crw.handler.planning.AssembleHandler;
+import org.sami.crw.handler.planning.BoatReach;
 import org.sami.crw.handler.planning.CompareDistanceHandler;
 import org.sami.crw.handler.planning.Computations;
 import org.sami.crw.handler.planning.CrwServices;
@@ -46,16 +44,13 @@ import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.handler.subscription.MeasurementHandler;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatConnector;
-import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.BoatPositions;
-import org.sami.crw.service.reach.Range;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.Registration;
-import org.sami.spn.value.GeoPoint;
 
 /** The handlers of the domain's output events, by the event's name; {@link CrwDomain} adds them subject by subject. */
 final class DomainHandlers {
@@ -68,7 +63,7 @@ final class DomainHandlers {
     private final Computations computations;
     private final NearPlaces near;
     private final BoatPositions positions;
-    private final Function<String, Optional<GeoPoint>> homes;
+    private final BoatReach reach;
 
     DomainHandlers(
             ProxyRegistry boats,
@@ -86,7 +81,7 @@ final class DomainHandlers {
         near = new NearPlaces(messages, errors);
         positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
-        homes = boat -> boats.find(boat).flatMap(BoatProxy::home);
+        reach = new BoatReach(boats);
     }
 
     /** The events handled so far, by name. */
@@ -120,22 +115,13 @@ final class DomainHandlers {
         byType.put(
                 ExploreAreaHandler.TYPE,
                 new ExploreAreaHandler(
-                        services.coverage(),
-                        positions,
-                        motion,
-                        messages,
-                        computations,
-                        errors,
-                        this::rangeM,
-                        homes,
-                        explored));
+                        services.coverage(), positions, motion, messages, computations, errors, reach, explored));
     }
 
     void addPlanning() {
         byType.put(
                 AllocationHandler.TYPE,
-                new AllocationHandler(
-                        services.allocation(), positions, this::rangeM, homes, messages, computations, errors));
+                new AllocationHandler(services.allocation(), positions, reach, messages, computations, errors));
         byType.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations, errors));
         byType.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, near, errors));
         byType.put(
@@ -175,12 +161,5 @@ final class DomainHandlers {
         byType.put(TaskCompleteHandler.TYPE, new TaskCompleteHandler());
         byType.put(RefreshTasksHandler.TYPE, new RefreshTasksHandler(tasks));
         byType.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
-    }
-
-    private OptionalDouble rangeM(String boat) {
-        return boats.find(boat)
-                .flatMap(proxy -> proxy.status().battery())
-                .map(battery -> OptionalDouble.of(Range.sureM(battery.percent())))
-                .orElse(OptionalDouble.empty());
     }
 }

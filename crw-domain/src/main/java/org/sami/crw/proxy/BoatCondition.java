@@ -1,6 +1,7 @@
 package org.sami.crw.proxy;
 
 import java.util.Optional;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.crw.proxy.execution.ExpectedWayHome;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.explanation.Obstacle;
@@ -70,6 +71,9 @@ final class BoatCondition {
 
     /** How far the boat may be off its path, as it has reported; empty without a report. */
     Optional<CrossTrackError> error = Optional.empty();
+
+    /** How far, how fast and how narrowly the boat drives, as it has reported. */
+    BoatPerformance performance = BoatPerformance.UNKNOWN;
 
     BoatCondition(String boatId, ProxyLink link) {
         this.link = link;

@@ -105,6 +105,7 @@ final class BoatMessages {
             condition.stoppedBy = report.stoppedBy();
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
+            condition.performance = report.performance();
             settings.reported(report);
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);

@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
@@ -29,6 +30,7 @@ import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
@@ -45,7 +47,7 @@ import org.sami.spn.value.GeoPoint;
 public final class BoatProxy {
     private final String boatId;
     private final ProxyLink link;
-    private final double cruiseSpeedMps;
+    private final double usualSpeedMps;
     private final PendingRequests fleetRequests; // what stops or releases the whole fleet
     private final HandOver handOver;
     private final DeferredEvents announcements;
@@ -62,13 +64,20 @@ public final class BoatProxy {
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, Consumer<? super FleetEvent> listener, ProxyConfig config) {
         this.boatId = Objects.requireNonNull(boatId, "boatId");
-        cruiseSpeedMps = config.cruiseSpeedMps();
+        usualSpeedMps = config.cruiseSpeedMps();
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
         fleetRequests = new PendingRequests(link, config);
         announcements = new DeferredEvents(Objects.requireNonNull(listener, "listener"));
         condition = new BoatCondition(boatId, link);
         driver = new CommandDriver(
-                boatId, config, link, announcements, this::position, () -> condition.flies, condition.wayHome);
+                boatId,
+                config,
+                link,
+                announcements,
+                this::position,
+                this::cruiseSpeedMps,
+                () -> condition.flies,
+                condition.wayHome);
         handOver = new HandOver(boatId, link, config, announcements, condition, driver::wireId);
         settings = new ProxySettings(boatId, link, config, announcements, condition, driver::wireId, this::settle);
         messages = new BoatMessages(boatId, condition, link, handOver, settings, fleetRequests, driver, announcements);
@@ -98,6 +107,29 @@ public final class BoatProxy {
         return condition.error;
     }
 
+    /**
+     * How far the boat may be off its path: as it has reported, and at least by its turning circle, as it leaves its path by that in corners.
+     *
+     * @param stated that of a boat which has reported none
+     */
+    public CrossTrackError errorOr(CrossTrackError stated) {
+        CrossTrackError straight = condition.error.orElse(stated);
+        return condition.performance.turningRadiusM().stream()
+                .mapToObj(straight::turning)
+                .findFirst()
+                .orElse(straight);
+    }
+
+    /** Its battery's charge, and how far that takes it; empty before it has reported a charge. */
+    public Optional<Charge> charge() {
+        return condition.status.battery().map(battery -> battery.charge(condition.performance));
+    }
+
+    /** How far, how fast and how narrowly it drives, as it has reported. */
+    public BoatPerformance performance() {
+        return condition.performance;
+    }
+
     /** How it is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard. */
     public Optional<Drift> drift() {
         return condition.drift();
@@ -125,9 +157,9 @@ public final class BoatProxy {
         return boatId;
     }
 
-    /** The speed in m/s at which it follows paths that name none. */
+    /** The speed in m/s at which it follows paths that name none: its own, or this base's for a boat that does not say it. */
     public double cruiseSpeedMps() {
-        return cruiseSpeedMps;
+        return condition.performance.cruiseMps().orElse(usualSpeedMps);
     }
 
     /** The latest that is known of the boat. */

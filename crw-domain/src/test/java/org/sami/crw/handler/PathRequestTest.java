@@ -8,8 +8,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.TrackingError;
 import org.sami.crw.event.PathOption;
 import org.sami.crw.event.ProxyMaps;
@@ -84,6 +86,29 @@ class PathRequestTest {
         assertThat(clearanceM(paths, "far", at(-100, 10))).isBetween(8.6, 9.0); // 0.6 + 3 * 2 + 4 * 0.5
     }
 
+    @Test
+    void boatWithATurningCircleIsKeptOffByItsRadius() {
+        Map<String, GeoPoint> points = Map.of("west", at(80, 0), "wide", at(80, 10));
+        world.addBoat(
+                "wide",
+                -100,
+                10,
+                hull -> hull.performance =
+                        new BoatPerformance(OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(5)));
+        world.run(1);
+
+        world.happens(
+                engine,
+                asking().with("points", ProxyMaps.toValue(points))
+                        .with("avoid", new ListValue(List.of(ISLAND)))
+                        .of("west", "wide")
+                        .effect());
+
+        Map<String, GeoPath> paths = paths(answer(), 0);
+        assertThat(clearanceM(paths, "west", at(-100, 0))).isBetween(0.6, 1.0);
+        assertThat(clearanceM(paths, "wide", at(-100, 10))).isBetween(5.0, 5.4);
+    }
+
     private static double clearanceM(Map<String, GeoPath> paths, String boat, GeoPoint from) {
         List<GeoPoint> whole = new ArrayList<>(List.of(from));
         whole.addAll(paths.get(boat).points());
@@ -133,9 +158,8 @@ class PathRequestTest {
                         .effect());
 
         assertThat(messages())
-                .anyMatch(
-                        text -> text.matches(
-                                "Paths: west keeps 10\\.0 m where there is room, [1-4]\\.\\d m near 45\\.\\d{5},10\\.\\d{5}.*"));
+                .anyMatch(text -> text.matches("Paths: west keeps 10\\.0 m where there is room, [1-4]\\.\\d m near"
+                        + " 45\\.\\d{5},10\\.\\d{5}.*"));
     }
 
     /** A session that was begun with it goes on with the vocabulary in its journal. */

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.TrackingError;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
@@ -102,6 +104,58 @@ class RequestTest {
         assertThat(allocation.paths().get("east").points()).containsExactly(behind);
         assertThat(allocation.longestM()).isBetween(109.9, 110.1);
         assertThat(messages()).anyMatch(text -> text.startsWith("location 2, at ") && text.contains("no boat"));
+    }
+
+    /** 1 % takes the boat 2 m: its charge lasts for 181 m, and for the way home as well for half of that. */
+    @Test
+    void boatThatSaysAShortRangeGetsWhatItsChargeLastsFor() {
+        world.addBoat(
+                "short",
+                0,
+                50,
+                hull -> hull.performance =
+                        new BoatPerformance(OptionalDouble.of(2), OptionalDouble.empty(), OptionalDouble.empty()));
+        world.run(1);
+
+        Allocation allocation = allocated(List.of(at(0, 60), at(0, 160), at(0, 260)), "west", "short");
+
+        assertThat(allocation.paths().get("short").points()).containsExactly(at(0, 60));
+        assertThat(allocation.paths().get("west").points()).hasSize(2);
+    }
+
+    @Test
+    void fasterBoatGetsMore() {
+        world.addBoat(
+                "fast",
+                0,
+                50,
+                hull -> hull.performance =
+                        new BoatPerformance(OptionalDouble.empty(), OptionalDouble.of(3), OptionalDouble.empty()));
+        world.addBoat(
+                "slow",
+                0,
+                50,
+                hull -> hull.performance =
+                        new BoatPerformance(OptionalDouble.empty(), OptionalDouble.of(0.5), OptionalDouble.empty()));
+        world.run(1);
+
+        Allocation allocation = allocated(List.of(at(30, 50), at(-30, 50), at(60, 50)), "slow", "fast");
+
+        assertThat(allocation.paths().get("slow").points()).isEmpty();
+        assertThat(allocation.paths().get("fast").points()).hasSize(3);
+    }
+
+    private Allocation allocated(List<GeoPoint> locations, String... boats) {
+        world.happens(
+                engine,
+                new TestActivations("AllocationRequest")
+                        .with("locations", new ListValue(List.copyOf(locations)))
+                        .of(boats)
+                        .effect());
+        Value option = ((ListValue) only("AllocationResponse").values().get("allocations"))
+                .items()
+                .get(0);
+        return Allocation.of(option);
     }
 
     private static GeoArea area(double west, double south, double east, double north) {

@@ -3,6 +3,7 @@ package org.sami.crw.handler;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.TrackingError;
 import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.CameraShot;
@@ -18,6 +19,9 @@ final class TestHull implements Vehicle {
 
     /** How far the boat says that it may be beside its ways. */
     Optional<TrackingError> error = Optional.empty();
+
+    /** How far, how fast and how narrowly the boat says that it drives. */
+    BoatPerformance performance = BoatPerformance.UNKNOWN;
 
     private GeoPoint position;
     private double headingRad;

@@ -129,6 +129,7 @@ final class TestWorld implements HostClock {
     void startServer(String id, String bootId) {
         BoatProxy proxy = boats.find(id).orElseThrow();
         ServerConfig.Builder config = ServerConfig.of(id, bootId).fullThrustSpeedMps(3);
+        config.performance(hulls.get(id).performance);
         hulls.get(id).error.ifPresent(config::trackingError);
         BoatServer server = new BoatServer(config.build(), hulls.get(id));
         servers.put(id, server);

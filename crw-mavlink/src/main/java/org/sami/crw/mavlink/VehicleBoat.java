@@ -1,6 +1,7 @@
 package org.sami.crw.mavlink;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -8,6 +9,7 @@ import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
+import org.sami.boat.link.SettingsReport;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
@@ -18,6 +20,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * over all connections of the base. For the gateway's thread.
  */
 final class VehicleBoat implements BaseSession.Boat {
+    private static final System.Logger LOG = System.getLogger(VehicleBoat.class.getName());
     private static final long HEARTBEAT_MS = 900; // so that it comes once a second at least
     private static final long TICK_MS = 100;
     private static final long BATTERY_MS = 10_000;
@@ -25,6 +28,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final String name;
     private final VehicleOrders orders;
     private final VehicleSettings settings;
+    private final VehiclePerformance performance;
     private final OtherHands others = new OtherHands();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
@@ -39,6 +43,8 @@ final class VehicleBoat implements BaseSession.Boat {
         name = "mav" + first.id();
         vehicle = first;
         settings = new VehicleSettings(base, first.id(), thread, this::reportSettings);
+        performance = new VehiclePerformance(
+                base, first.id(), thread, files.consumption(name), counted -> keep(files, counted));
         orders = new VehicleOrders(
                 base, first, thread, settings, this::broadcast, kept -> keep(files, kept), files.read(name));
     }
@@ -53,17 +59,26 @@ final class VehicleBoat implements BaseSession.Boat {
         }
     }
 
+    private void keep(VehicleFiles files, VehicleConsumption counted) {
+        try {
+            files.write(name, counted);
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "how far " + name + " drives on its charge is counted anew by the next base", e);
+        }
+    }
+
     private void broadcast(LinkMessage message) {
-        session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(message));
+        LinkMessage whole = message instanceof SettingsReport report ? report.with(performance.now()) : message;
+        session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(whole));
     }
 
     private void reportSettings() {
         broadcast(orders.settings());
     }
 
-    /** Whether the id of its autopilot's start is known, which a base needs at the welcome. */
+    /** Whether the id of its autopilot's start is known, which a base needs at the welcome, and its speed, by which lists are compared. */
     boolean isKnown() {
-        return settings.bootId().isPresent();
+        return settings.bootId().isPresent() && performance.isRead();
     }
 
     /** The base has a new connection to it; the earlier one is ended. */
@@ -78,6 +93,9 @@ final class VehicleBoat implements BaseSession.Boat {
     /** This is how it reports itself. */
     void reported(VehicleSnapshot now, long atMs) {
         vehicle = now;
+        if (performance.reported(now)) {
+            reportSettings();
+        }
         if (orders.reported(now, atMs)) {
             String who = others.who(now, atMs);
             session.ifPresent(told -> {
@@ -91,6 +109,7 @@ final class VehicleBoat implements BaseSession.Boat {
     void happened(VehicleEvent event, long atMs) {
         if (event instanceof VehicleEvent.Restarted) {
             settings.read();
+            performance.read();
             orders.restarted();
             session.ifPresent(told -> {
                 told.givenBack();

@@ -15,7 +15,7 @@ import org.sami.boat.link.UploadWaypoints;
 
 /**
  * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, and who latched its
- * fleet stop. After a crash the next base finds the list again. One small file for each vehicle, replaced as a whole. For one thread at a time.
+ * fleet stop; and how far it drove on how much charge. After a crash the next base finds the list again. Two small files for each vehicle, each replaced as a whole. For one thread at a time.
  */
 public final class VehicleFiles {
     private static final System.Logger LOG = System.getLogger(VehicleFiles.class.getName());
@@ -84,13 +84,48 @@ public final class VehicleFiles {
      * @throws IOException if it cannot be written; what was kept before stays
      */
     void write(String name, Kept kept) throws IOException {
-        Files.createDirectories(folder);
-        Path next = folder.resolve(name + ".next");
         String list = kept.list()
                 .map(upload -> new String(LinkCodec.body(upload), StandardCharsets.UTF_8))
                 .orElse("");
-        Files.writeString(next, kept.stoppedBy() + "\n" + list + "\n");
-        Files.move(next, file(name), StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        replace(name, file(name), kept.stoppedBy() + "\n" + list + "\n");
+    }
+
+    /** What was counted of a vehicle's consumption; nothing where nothing was, or its file is damaged. */
+    VehicleConsumption consumption(String name) {
+        Path file = consumptionFile(name);
+        try {
+            List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of("0", "0");
+            double metres = Double.parseDouble(lines.get(0));
+            double percent = Double.parseDouble(lines.get(1));
+            boolean whole = metres >= 0 && percent >= 0 && Double.isFinite(metres + percent);
+            return whole ? new VehicleConsumption(metres, percent) : new VehicleConsumption(0, 0);
+        } catch (IOException | IndexOutOfBoundsException | NumberFormatException e) {
+            LOG.log(
+                    Level.WARNING,
+                    file + " cannot be read; the vehicle's consumption is counted from the beginning",
+                    e);
+            return new VehicleConsumption(0, 0);
+        }
+    }
+
+    /**
+     * Keeps what was counted of a vehicle's consumption in place of what was kept.
+     *
+     * @throws IOException if it cannot be written; what was kept before stays
+     */
+    void write(String name, VehicleConsumption counted) throws IOException {
+        replace(name, consumptionFile(name), counted.metres() + "\n" + counted.percent() + "\n");
+    }
+
+    private void replace(String name, Path file, String text) throws IOException {
+        Files.createDirectories(folder);
+        Path next = folder.resolve(name + ".next");
+        Files.writeString(next, text);
+        Files.move(next, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private Path consumptionFile(String name) {
+        return folder.resolve(name + ".consumption");
     }
 
     private Path file(String name) {

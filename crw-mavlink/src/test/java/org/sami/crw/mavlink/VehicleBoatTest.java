@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
@@ -93,6 +95,15 @@ class VehicleBoatTest {
         assertThat(boat.isArmed()).isFalse();
         assertThat(world.is(
                         BOAT, proxy -> proxy.status().battery().orElseThrow().percent() == 87))
+                .isTrue();
+    }
+
+    @Test
+    void saysItsSpeedAndItsTurnsByItsParameters() {
+        BoatPerformance performance =
+                new BoatPerformance(OptionalDouble.empty(), OptionalDouble.of(1.5), OptionalDouble.of(2));
+
+        assertThat(world.is(BOAT, proxy -> proxy.performance().equals(performance)))
                 .isTrue();
     }
 

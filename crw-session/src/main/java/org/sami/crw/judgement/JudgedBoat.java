@@ -2,7 +2,7 @@ package org.sami.crw.judgement;
 
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalDouble;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
@@ -10,7 +10,7 @@ import org.sami.spn.value.GeoPoint;
  * A boat that an answer would send, in its present state. Immutable.
  *
  * @param from its position, if known
- * @param batteryPercent its charge in percent of full, if known
+ * @param charge that of its battery, if known
  * @param home where it returns to, if known
  * @param error how far it may be off its path
  * @param cruiseMps its speed on paths that name none, in m/s
@@ -18,15 +18,20 @@ import org.sami.spn.value.GeoPoint;
 public record JudgedBoat(
         String name,
         Optional<GeoPoint> from,
-        OptionalDouble batteryPercent,
+        Optional<Charge> charge,
         Optional<GeoPoint> home,
         CrossTrackError error,
         double cruiseMps) {
     public JudgedBoat {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(from, "from");
-        Objects.requireNonNull(batteryPercent, "batteryPercent");
+        Objects.requireNonNull(charge, "charge");
         Objects.requireNonNull(home, "home");
         Objects.requireNonNull(error, "error");
+    }
+
+    /** How far its charge is sure to last, in metres; infinite where it is not known. */
+    double sureM() {
+        return charge.map(Charge::sureM).orElse(Double.POSITIVE_INFINITY);
     }
 }

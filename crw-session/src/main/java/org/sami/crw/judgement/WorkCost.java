@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import org.sami.crw.judgement.Judgement.Remark;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
-import org.sami.crw.service.reach.Range;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
@@ -30,7 +30,7 @@ final class WorkCost {
      */
     private record Leg(JudgedBoat boat, double outM, Optional<Double> homeM) {
         double usedPercent() {
-            return outM / Range.METRES_PER_PERCENT;
+            return boat.charge().orElse(Charge.usual(0)).usedPercent(outM);
         }
 
         double seconds() {
@@ -39,17 +39,16 @@ final class WorkCost {
 
         /** Whether the charge is sure to last for the way; true where the charge is not known. */
         boolean lasts() {
-            return outM <= sureM();
+            return outM <= boat.sureM();
         }
 
         boolean comesHome() {
-            return outM + homeM.orElse(0.0) <= sureM();
+            return outM + homeM.orElse(0.0) <= boat.sureM();
         }
 
-        double sureM() {
-            return boat.batteryPercent().isPresent()
-                    ? Range.sureM(boat.batteryPercent().getAsDouble())
-                    : Double.POSITIVE_INFINITY;
+        /** In percent of full; 0 where it is not known. */
+        double chargePercent() {
+            return boat.charge().map(Charge::percent).orElse(0.0);
         }
     }
 
@@ -118,16 +117,17 @@ final class WorkCost {
             return Optional.of(Remark.cost("Batteries are to be swapped on the way of " + names(some)));
         }
         Leg worst = some.stream()
-                .max(Comparator.comparingDouble(leg -> leg.outM() - leg.sureM()))
+                .max(Comparator.comparingDouble(leg -> leg.outM() - leg.boat().sureM()))
                 .orElseThrow();
         return Optional.of(Remark.doubt(String.format(
                 Locale.ROOT,
-                "The way of %s is longer than the charge lasts: %s has %s to go, and its charge of %.0f %% is sure to last for %s",
+                "The way of %s is longer than the charge lasts: %s has %s to go, and its charge of %.0f %% is sure to"
+                        + " last for %s",
                 names(some),
                 worst.boat().name(),
                 Amounts.length(worst.outM()),
-                worst.boat().batteryPercent().orElse(0),
-                Amounts.length(worst.sureM()))));
+                worst.chargePercent(),
+                Amounts.length(worst.boat().sureM()))));
     }
 
     private Optional<Remark> notHome() {
@@ -137,7 +137,8 @@ final class WorkCost {
             return Optional.empty();
         }
         Leg worst = some.stream()
-                .max(Comparator.comparingDouble(leg -> leg.outM() + leg.homeM().orElse(0.0) - leg.sureM()))
+                .max(Comparator.comparingDouble(
+                        leg -> leg.outM() + leg.homeM().orElse(0.0) - leg.boat().sureM()))
                 .orElseThrow();
         return Optional.of(Remark.doubt(String.format(
                 Locale.ROOT,
@@ -146,8 +147,8 @@ final class WorkCost {
                 worst.boat().name(),
                 Amounts.length(worst.outM()),
                 Amounts.length(worst.homeM().orElse(0.0)),
-                worst.boat().batteryPercent().orElse(0),
-                Amounts.length(worst.sureM()))));
+                worst.chargePercent(),
+                Amounts.length(worst.boat().sureM()))));
     }
 
     private static String names(List<Leg> some) {

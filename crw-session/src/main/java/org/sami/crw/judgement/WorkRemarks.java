@@ -18,7 +18,6 @@ import org.sami.crw.service.allocation.WorkItem;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageProblem;
 import org.sami.crw.service.coverage.Ranges;
-import org.sami.crw.service.reach.Range;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayCheck;
 import org.sami.crw.service.reach.WayDoubt;
@@ -92,7 +91,7 @@ final class WorkRemarks {
         double trackM = Areas.polygon(area, new LocalPlane(area.outline().get(0)), "The area")
                         .getArea()
                 / spacingM;
-        double lastsM = boats.stream().mapToDouble(WorkRemarks::sureM).sum();
+        double lastsM = boats.stream().mapToDouble(JudgedBoat::sureM).sum();
         if (trackM > MOST_TRACK_M) {
             return List.of(Remark.doubt("The area takes about " + Amounts.length(trackM) + " of track in lanes "
                     + Amounts.length(spacingM) + " apart"
@@ -109,10 +108,12 @@ final class WorkRemarks {
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
         Map<String, Double> metres = new LinkedHashMap<>();
         Map<String, GeoPoint> homes = new LinkedHashMap<>();
+        Map<String, Double> speedsMps = new LinkedHashMap<>();
         for (JudgedBoat boat : boats) {
             from.put(boat.name(), boat.from());
-            boat.batteryPercent().ifPresent(percent -> metres.put(boat.name(), Range.sureM(percent)));
+            boat.charge().ifPresent(charge -> metres.put(boat.name(), charge.sureM()));
             boat.home().ifPresent(home -> homes.put(boat.name(), home));
+            speedsMps.put(boat.name(), boat.cruiseMps());
         }
         Optional<Boolean> keep =
                 values.get("keepHome") instanceof BooleanValue flag ? Optional.of(flag.value()) : Optional.empty();
@@ -127,7 +128,7 @@ final class WorkRemarks {
                 .map(JudgedBoat::error)
                 .reduce(CrossTrackError::atLeast)
                 .orElse(CrossTrackError.NONE);
-        return new CoverageProblem(from, area, spacingM, avoid, within, error, ranges);
+        return new CoverageProblem(from, area, spacingM, avoid, within, error, ranges, speedsMps);
     }
 
     private List<Remark> explore(Coverage coverage, double spacingM) {
@@ -167,12 +168,11 @@ final class WorkRemarks {
         List<WorkItem> work = new ArrayList<>();
         for (JudgedBoat boat : boats) {
             if (boat.from().isPresent()) {
-                Candidate candidate = Candidate.at(boat.name(), boat.from().get());
-                candidates.add(
-                        boat.batteryPercent().isPresent()
-                                ? candidate.within(
-                                        Range.sureM(boat.batteryPercent().getAsDouble()))
-                                : candidate);
+                Candidate candidate =
+                        Candidate.at(boat.name(), boat.from().get()).atSpeed(boat.cruiseMps());
+                candidates.add(boat.charge()
+                        .map(charge -> candidate.within(charge.sureM()))
+                        .orElse(candidate));
             }
         }
         places.forEach(place -> work.add(WorkItem.visit("place " + (work.size() + 1), place)));
@@ -241,19 +241,13 @@ final class WorkRemarks {
         Way way = new Way(
                 boat.name(),
                 boat.from(),
-                boat.batteryPercent(),
+                boat.charge(),
                 points,
                 List.of(),
                 points.size() <= MOST_PLACES ? water(boat, points) : Optional.empty());
         return WayCheck.doubt(way)
                 .filter(doubt -> doubt.kind() == WayDoubt.Kind.PLACE)
                 .map(doubt -> Remark.doubt(doubt.words()));
-    }
-
-    private static double sureM(JudgedBoat boat) {
-        return boat.batteryPercent().isPresent()
-                ? Range.sureM(boat.batteryPercent().getAsDouble())
-                : Double.POSITIVE_INFINITY;
     }
 
     static List<GeoPoint> places(Value value) {

@@ -22,7 +22,7 @@ public record BoatStart(GeoPoint at, CrossTrackError error) {
         return boat.status()
                 .pose()
                 .map(BoatPose::position)
-                .map(at -> new BoatStart(at, boat.error().orElse(services.error())));
+                .map(at -> new BoatStart(at, boat.errorOr(services.error())));
     }
 
     /** The way along a path from a boat's position, within these limits. Computes ways around no-go areas. */

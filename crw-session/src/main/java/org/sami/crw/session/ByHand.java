@@ -4,7 +4,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
@@ -25,7 +24,6 @@ import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
-import org.sami.crw.proxy.status.BatteryState;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.EngineHost;
@@ -138,10 +136,7 @@ public final class ByHand {
     private WayByHand.Start start(BoatProxy boat) {
         BoatStart at = BoatStart.of(boat, services)
                 .orElseThrow(() -> new RefusedException(boat.boatId() + " has not said where it is"));
-        OptionalDouble percent = boat.status().battery().map(BatteryState::percent).stream()
-                .mapToDouble(Double::doubleValue)
-                .findFirst();
-        return new WayByHand.Start(boat.boatId(), at, percent, boat.home());
+        return new WayByHand.Start(boat.boatId(), at, boat.charge(), boat.home());
     }
 
     private static Limits limits(String boat, EngineView view) {

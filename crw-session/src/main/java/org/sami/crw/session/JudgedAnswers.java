@@ -3,7 +3,6 @@ package org.sami.crw.session;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
@@ -17,7 +16,6 @@ import org.sami.crw.judgement.QuestionReader;
 import org.sami.crw.judgement.StartReader;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.Value;
@@ -84,15 +82,12 @@ public final class JudgedAnswers {
     }
 
     private JudgedBoat judged(BoatProxy boat) {
-        OptionalDouble percent = boat.status().battery().map(BatteryState::percent).stream()
-                .mapToDouble(Double::doubleValue)
-                .findFirst();
         return new JudgedBoat(
                 boat.boatId(),
                 boat.status().pose().map(BoatPose::position),
-                percent,
+                boat.charge(),
                 boat.home(),
-                boat.error().orElse(services.error()),
+                boat.errorOr(services.error()),
                 boat.cruiseSpeedMps());
     }
 }

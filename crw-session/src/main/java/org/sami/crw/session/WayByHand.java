@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayBack;
 import org.sami.crw.service.reach.WayCheck;
@@ -46,14 +46,14 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
     /**
      * What a way begins with.
      *
-     * @param batteryPercent the boat's charge, if that is known
+     * @param charge that of the boat's battery, if it is known
      * @param home where the boat returns to, if that is known
      */
-    record Start(String boat, BoatStart at, OptionalDouble batteryPercent, Optional<GeoPoint> home) {
+    record Start(String boat, BoatStart at, Optional<Charge> charge, Optional<GeoPoint> home) {
         Start {
             Objects.requireNonNull(boat, "boat");
             Objects.requireNonNull(at, "at");
-            Objects.requireNonNull(batteryPercent, "batteryPercent");
+            Objects.requireNonNull(charge, "charge");
             Objects.requireNonNull(home, "home");
         }
     }
@@ -94,8 +94,8 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
         GeoPoint to = command.points().get(0);
         List<GeoPoint> points = new ArrayList<>(List.of(from));
         points.addAll(command.way(from));
-        Way way = new Way(
-                start.boat(), Optional.of(from), start.batteryPercent(), command.points(), List.of(), command.water());
+        Way way =
+                new Way(start.boat(), Optional.of(from), start.charge(), command.points(), List.of(), command.water());
         List<String> doubts = new ArrayList<>();
         fence.flatMap(area -> new WayLimits(List.of(), fence)
                         .water(Optional.empty(), command.points(), start.at().error()))

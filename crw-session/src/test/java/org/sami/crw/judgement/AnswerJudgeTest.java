@@ -7,12 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoArea;
@@ -44,7 +44,7 @@ class AnswerJudgeTest {
         return new JudgedBoat(
                 name,
                 Optional.of(at(300, 500)),
-                OptionalDouble.of(percent),
+                Optional.of(Charge.usual(percent)),
                 Optional.of(at(300, 500)),
                 CrossTrackError.NONE,
                 1.5);
@@ -188,12 +188,14 @@ class AnswerJudgeTest {
         assertThat(judged.costs()).containsExactly("anna: 1.0 km, about 11 min, 29 % of a full charge");
         assertThat(judged.doubts())
                 .containsExactly(
-                        "anna may not come home: anna has 1.0 km to go and 721 m back, and its charge of 40 % is sure to last for 1.3 km");
+                        "anna may not come home: anna has 1.0 km to go and 721 m back, and its charge of 40 % is sure"
+                                + " to last for 1.3 km");
         assertThat(new AnswerJudge(CrwServices.STANDARD)
                         .judge(question, List.of(boat("anna", 20)), draft)
                         .doubts())
                 .containsExactly(
-                        "The way of anna is longer than the charge lasts: anna has 1.0 km to go, and its charge of 20 % is sure to last for 636 m");
+                        "The way of anna is longer than the charge lasts: anna has 1.0 km to go, and its charge of 20"
+                                + " % is sure to last for 636 m");
     }
 
     @Test

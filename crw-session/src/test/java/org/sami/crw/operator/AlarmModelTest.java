@@ -5,10 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BoatPerformance;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.alarm.Alarm;
@@ -24,7 +28,9 @@ import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.queue.TurnWait;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
@@ -39,6 +45,7 @@ class AlarmModelTest {
     private final ModelWorld world = new ModelWorld();
     private final OperatorModels models = world.models;
     private double batteryPercent = 90;
+    private Optional<BoatTuning> settings = Optional.empty();
     private BatteryLevel level = BatteryLevel.NOMINAL;
     private Optional<BoatCommand> command = Optional.empty();
     private int visited;
@@ -77,7 +84,10 @@ class AlarmModelTest {
                                 visited,
                                 0,
                                 new BoatExplanation(true, cause, ""),
-                                List.of())));
+                                Optional.empty(),
+                                StopLatch.NONE,
+                                List.of(),
+                                settings)));
         world.settle();
     }
 
@@ -121,6 +131,25 @@ class AlarmModelTest {
         visited = 1;
         see("anna", at(0, 505), NORTH, 1);
         assertThat(isActive(Kind.RANGE)).isFalse();
+    }
+
+    @Test
+    void batteryAlarmSaysHowFarItLastsForABoatThatSaysItsRange() {
+        batteryPercent = 20;
+        level = BatteryLevel.LOW;
+        Gains gains = new Gains(1, 0, 0);
+        settings = Optional.of(new BoatTuning(
+                gains,
+                gains,
+                1,
+                LostLinkAction.HOLD,
+                Optional.empty(),
+                new BoatPerformance(OptionalDouble.of(180), OptionalDouble.empty(), OptionalDouble.empty())));
+        see("anna", HOME, NORTH, 0);
+
+        assertThat(alarm(Kind.BATTERY_LOW))
+                .map(Alarm::text)
+                .contains("The battery of anna is low: 20 %, for about 3600 m");
     }
 
     @Test

@@ -65,8 +65,21 @@ public final class SmallBoat implements AutoCloseable {
         made.setDaemon(true);
         return made;
     });
-    private final Map<String, Float> parameters =
-            new HashMap<>(Map.of("STAT_BOOTCNT", 41f, "FS_GCS_ENABLE", 0f, "FS_ACTION", 2f));
+    private final Map<String, Float> parameters = new HashMap<>(Map.of(
+            "STAT_BOOTCNT",
+            41f,
+            "FS_GCS_ENABLE",
+            0f,
+            "FS_ACTION",
+            2f,
+            "WP_SPEED",
+            1.5f,
+            "CRUISE_SPEED",
+            2f,
+            "TURN_RADIUS",
+            0.5f,
+            "WP_RADIUS",
+            2f));
     private Socket client = new Socket();
     private MavlinkConnection codec;
     private int mode = SmallBoatMotion.HOLD;

@@ -61,7 +61,7 @@ final class CommandExecutor {
 
     /** The settings in force. */
     SettingsReport settings() {
-        return new SettingsReport(
+        SettingsReport inForce = new SettingsReport(
                 modes.steering().gains(GainAxis.HEADING),
                 modes.steering().gains(GainAxis.SPEED),
                 modes.path().velocityMultiplier(),
@@ -70,6 +70,7 @@ final class CommandExecutor {
                 config.trackingError(),
                 isFleetStopped() ? stoppedBy : "",
                 modes.board());
+        return inForce.with(config.performance());
     }
 
     /**

@@ -2,6 +2,7 @@ package org.sami.boat.server;
 
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LostLinkAction;
@@ -28,7 +29,7 @@ public final class ServerConfig {
     private final double telemetryHz;
     private final double lowBatteryPercent;
     private final double criticalBatteryPercent;
-    private final double metresPerPercent;
+    private final BoatPerformance performance;
     private final int maxWaypoints;
     private final Optional<TrackingError> trackingError;
     private final Optional<LocalFrame> home;
@@ -48,7 +49,7 @@ public final class ServerConfig {
         telemetryHz = builder.telemetryHz;
         lowBatteryPercent = builder.lowBatteryPercent;
         criticalBatteryPercent = builder.criticalBatteryPercent;
-        metresPerPercent = builder.metresPerPercent;
+        performance = builder.performance;
         maxWaypoints = builder.maxWaypoints;
         trackingError = builder.trackingError;
         home = builder.home;
@@ -131,7 +132,12 @@ public final class ServerConfig {
 
     /** Mean distance on one percent of charge, in metres; 0 where unknown. */
     public double metresPerPercent() {
-        return metresPerPercent;
+        return performance.metresPerPercent().orElse(0);
+    }
+
+    /** What bases are told of how far, how fast and how narrowly the boat drives. */
+    public BoatPerformance performance() {
+        return performance;
     }
 
     /** The longest waypoint list that the boat takes. */
@@ -165,7 +171,7 @@ public final class ServerConfig {
         private double telemetryHz = LinkDefaults.TELEMETRY_HZ;
         private double lowBatteryPercent = BoatDefaults.LOW_BATTERY_PERCENT;
         private double criticalBatteryPercent = BoatDefaults.CRITICAL_BATTERY_PERCENT;
-        private double metresPerPercent;
+        private BoatPerformance performance = BoatPerformance.UNKNOWN;
         private int maxWaypoints = BoatDefaults.MAX_WAYPOINTS;
         private Optional<TrackingError> trackingError = Optional.empty();
         private Optional<LocalFrame> home = Optional.empty();
@@ -246,10 +252,11 @@ public final class ServerConfig {
         }
 
         /**
-         * Mean distance on one percent of charge, in metres. With it the battery is also critical when its charge only just lasts for the way home.
+         * How far, how fast and how narrowly the boat drives: bases plan with it. If it says the distance on one percent of charge, the battery is also
+         * critical when its charge only just lasts for the way home.
          */
-        public Builder metresPerPercent(double value) {
-            metresPerPercent = positive("way for a percent of charge", value);
+        public Builder performance(BoatPerformance value) {
+            performance = Objects.requireNonNull(value, "performance");
             return this;
         }
 

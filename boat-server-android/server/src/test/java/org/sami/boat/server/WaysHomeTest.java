@@ -3,10 +3,12 @@ package org.sami.boat.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
@@ -23,7 +25,8 @@ class WaysHomeTest {
     private static final List<Waypoint> PATH = List.of(at(0, 400), at(200, 400));
 
     /** 1 % takes the boat 10 m: 400 m north of home the straight way needs 56 %, one of 800 m more than it has. */
-    private final ServerTestBench bench = new ServerTestBench(config -> config.metresPerPercent(10));
+    private final ServerTestBench bench = new ServerTestBench(config -> config.performance(
+            new BoatPerformance(OptionalDouble.of(10), OptionalDouble.empty(), OptionalDouble.empty())));
 
     private static Waypoint at(double eastM, double northM) {
         return new Waypoint(FRAME.latDeg(eastM, northM), FRAME.lonDeg(eastM, northM), 1);

@@ -179,7 +179,8 @@ final class FleetValues {
                         "range",
                         Range.METRES_PER_PERCENT,
                         "m",
-                        "Mean distance that one percent of charge takes a boat; simulated boats drive as far.")
+                        "Mean distance that one percent of charge takes a boat which does not say it; simulated boats"
+                                + " drive as far without --range.")
                 .number(
                         "costliest metre",
                         Range.COSTLIEST_METRE,

@@ -121,8 +121,9 @@ public final class ScenarioOptions {
             names = "--script",
             paramLabel = "FILE",
             description =
-                    "Play this script in place of a plan, a command of the console a line: 'start PLAN [NAME=VALUE ...]', "
-                            + "'press INTERRUPT [BOAT ...]', 'wait SECONDS'. Its plans are those of PLAN|FILE, else of the library.")
+                    "Play this script in place of a plan, a command of the console a line: 'start PLAN [NAME=VALUE"
+                            + " ...]', 'press INTERRUPT [BOAT ...]', 'wait SECONDS'. Its plans are those of PLAN|FILE,"
+                            + " else of the library.")
     private Path script;
 
     private Optional<RunScript> read = Optional.empty(); // the script, once it was needed
@@ -132,6 +133,13 @@ public final class ScenarioOptions {
             paramLabel = "PERCENT[,PERCENT...]",
             description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
     private String battery;
+
+    @Option(
+            names = "--range",
+            paramLabel = "METRES",
+            description =
+                    "How far a full battery takes each boat of this process on average; 100 to 1000000 (default 3500).")
+    private Double rangeM;
 
     /** What determines a run in addition to these options. */
     public record Rest(long seed, Conditions water, Speed speed, List<BoatAddress> addresses) {}
@@ -151,11 +159,7 @@ public final class ScenarioOptions {
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
         within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
         try {
-            return RunSettings.of(
-                            plan,
-                            mission,
-                            new RunSettings.Fleet(
-                                    count, locations, areaM, rest.seed(), rest.water(), charges(), site()))
+            return RunSettings.of(plan, mission, fleet(count, rest))
                     .speed(rest.speed())
                     .limit(Optional.ofNullable(limitMillis)
                             .map(OptionalLong::of)
@@ -233,6 +237,12 @@ public final class ScenarioOptions {
             read = Optional.of(RunScript.read(folder.resolve(script)));
         }
         return read;
+    }
+
+    private RunSettings.Fleet fleet(int count, Rest rest) {
+        RunSettings.Fleet fleet =
+                new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site());
+        return rangeM == null ? fleet : fleet.withRangeM(rangeM);
     }
 
     private Site site() {

@@ -127,6 +127,12 @@ public final class BoatServerCommand implements Callable<Integer> {
             description = "Speed at full thrust in still water (default ${DEFAULT-VALUE}).")
     private double topSpeedMps;
 
+    @Option(
+            names = "--range",
+            paramLabel = "METRES",
+            description = "How far a full battery takes it on average, which it tells its base (default 3500).")
+    private @Nullable Double rangeM;
+
     @Mixin
     private ConditionsOptions conditions;
 
@@ -305,7 +311,8 @@ public final class BoatServerCommand implements Callable<Integer> {
             throw new IllegalArgumentException(
                     "the top speed is at most " + MOST_TOP_SPEED_MPS + " m/s, not " + topSpeedMps);
         }
-        return HullConfig.DEFAULT.withTopSpeedMps(topSpeedMps);
+        HullConfig hull = HullConfig.DEFAULT.withTopSpeedMps(topSpeedMps);
+        return rangeM == null ? hull : hull.withRangeM(rangeM);
     }
 
     /** Says on standard error who comes and goes. */

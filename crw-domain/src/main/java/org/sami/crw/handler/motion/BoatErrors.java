@@ -1,7 +1,6 @@
 package org.sami.crw.handler.motion;
 
 import java.util.List;
-import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.water.CrossTrackError;
 
@@ -20,7 +19,7 @@ public final class BoatErrors {
 
     /** That of a boat. */
     public CrossTrackError of(String boat) {
-        return boats.find(boat).flatMap(BoatProxy::error).orElse(stated);
+        return boats.find(boat).map(proxy -> proxy.errorOr(stated)).orElse(stated);
     }
 
     /** What none of some boats exceeds; what is stated where there are none. */

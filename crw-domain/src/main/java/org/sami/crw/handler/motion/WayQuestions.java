@@ -8,7 +8,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
@@ -23,9 +22,9 @@ import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayBack;
 import org.sami.crw.service.reach.WayCheck;
@@ -160,24 +159,17 @@ public final class WayQuestions implements HostListener {
         List<GeoPoint> points = move.command().unvisitedPoints();
         String boat = move.addressee().boat();
         Optional<BoatStatus> status = boats.find(boat).map(BoatProxy::status);
-        OptionalDouble percent =
-                status.filter(known -> !flies(boat)).flatMap(BoatStatus::battery).map(BatteryState::percent).stream()
-                        .mapToDouble(Double::doubleValue)
-                        .findFirst();
+        Optional<Charge> charge =
+                boats.find(boat).filter(known -> !known.isFlying()).flatMap(BoatProxy::charge); // aircraft pay for time
         return points.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new Way(
                         boat,
                         status.flatMap(BoatStatus::pose).map(BoatPose::position),
-                        percent,
+                        charge,
                         points,
                         avoid,
                         move.command().water()));
-    }
-
-    /** How far a boat gets on its charge is known; aircraft pay for time. */
-    private boolean flies(String robot) {
-        return boats.find(robot).filter(BoatProxy::isFlying).isPresent();
     }
 
     private void askUnlessAnswered(Held one) {

@@ -5,8 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.Function;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
@@ -29,7 +27,6 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
-import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
@@ -45,8 +42,7 @@ public final class AllocationHandler implements ActivationHandler {
 
     private final AllocationService service;
     private final BoatPositions positions;
-    private final Function<String, OptionalDouble> rangesM;
-    private final Function<String, Optional<GeoPoint>> homes;
+    private final BoatReach reach;
     private final MessageSink messages;
     private final Computations computations;
     private final BoatErrors errors;
@@ -54,21 +50,18 @@ public final class AllocationHandler implements ActivationHandler {
     /**
      * A handler.
      *
-     * @param rangesM how far the charge of each boat is sure to take it, in metres; empty for one that has not said
-     * @param homes where each boat returns to, if that is known
+     * @param reach how far and how fast each boat gets, and where it returns to
      */
     public AllocationHandler(
             AllocationService service,
             BoatPositions positions,
-            Function<String, OptionalDouble> rangesM,
-            Function<String, Optional<GeoPoint>> homes,
+            BoatReach reach,
             MessageSink messages,
             Computations computations,
             BoatErrors errors) {
         this.service = service;
         this.positions = positions;
-        this.rangesM = rangesM;
-        this.homes = homes;
+        this.reach = reach;
         this.messages = messages;
         this.computations = computations;
         this.errors = errors;
@@ -77,11 +70,7 @@ public final class AllocationHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) throws Exception {
         AllocationQuestion question = AllocationQuestion.of(
-                activation,
-                context,
-                positions,
-                rangesM,
-                PlannedSwaps.keepWaysHome(activation, context) ? homes : boat -> Optional.empty());
+                activation, context, positions, reach, PlannedSwaps.keepWaysHome(activation, context));
         if (!question.unknown().isEmpty()) {
             tell(
                     activation,

@@ -6,9 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.function.Function;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.ActivationFields;
@@ -48,15 +46,15 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
      * Reads the request. The work is the rest of the field {@code previous}, otherwise the field {@code locations}, otherwise the entering tasks. The
      * boats are those that entered, or those of the mission where only tasks did.
      *
-     * @param rangesM distance for which each boat's charge certainly lasts, in metres; empty for a boat that has not reported
-     * @param homes homes for whose ways charges have to last too
+     * @param reach how far and how fast each boat gets, and where it returns to
+     * @param keepWaysHome whether charges have to last for the ways home too
      */
     static AllocationQuestion of(
             Activation activation,
             HandlerContext context,
             BoatPositions positions,
-            Function<String, OptionalDouble> rangesM,
-            Function<String, Optional<GeoPoint>> homes) {
+            BoatReach reach,
+            boolean keepWaysHome) {
         Optional<Allocation> previous = activation.value(PREVIOUS).map(Allocation::of);
         Map<String, TaskId> tasks =
                 previous.isPresent() || activation.value(LOCATIONS).isPresent() ? Map.of() : tasks(activation);
@@ -72,7 +70,13 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
                     .positionOf(boat)
                     .ifPresentOrElse(
                             at -> candidates.add(new Candidate(
-                                    boat, at, offers(boat, activation), begun, rangesM.apply(boat), homes.apply(boat))),
+                                    boat,
+                                    at,
+                                    offers(boat, activation),
+                                    begun,
+                                    reach.rangeM(boat),
+                                    keepWaysHome ? reach.home(boat) : Optional.empty(),
+                                    reach.cruiseMps(boat))),
                             () -> unknown.add(boat));
         }
         if (candidates.isEmpty()) {

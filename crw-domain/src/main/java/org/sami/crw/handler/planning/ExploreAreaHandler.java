@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
@@ -60,8 +59,7 @@ public final class ExploreAreaHandler implements ActivationHandler {
     private final MessageSink messages;
     private final Computations computations;
     private final BoatErrors errors;
-    private final Function<String, OptionalDouble> rangesM;
-    private final Function<String, Optional<GeoPoint>> homes;
+    private final BoatReach reach;
     private final ExploredAreas explored;
     /** What waits until an area is divided, by mission and area. */
     private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
@@ -73,11 +71,9 @@ public final class ExploreAreaHandler implements ActivationHandler {
             MessageSink messages,
             Computations computations,
             BoatErrors errors,
-            Function<String, OptionalDouble> rangesM,
-            Function<String, Optional<GeoPoint>> homes,
+            BoatReach reach,
             ExploredAreas explored) {
-        this.rangesM = rangesM;
-        this.homes = homes;
+        this.reach = reach;
         this.explored = explored;
         this.algorithm = algorithm;
         this.positions = positions;
@@ -171,6 +167,8 @@ public final class ExploreAreaHandler implements ActivationHandler {
     private void divide(List<Addressee> boats, Exploration one) throws Exception {
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
         boats.forEach(boat -> from.put(boat.boat(), positions.positionOf(boat.boat())));
+        Map<String, Double> speedsMps = new LinkedHashMap<>();
+        from.keySet().forEach(boat -> reach.cruiseMps(boat).ifPresent(mps -> speedsMps.put(boat, mps)));
         CoverageProblem problem = new CoverageProblem(
                 from,
                 one.area,
@@ -178,7 +176,8 @@ public final class ExploreAreaHandler implements ActivationHandler {
                 one.context.query(view -> PlanAreas.avoided(one.activation, view)),
                 Restrictions.within(one.activation),
                 errors.of(List.copyOf(from.keySet())),
-                ranges(boats, one));
+                ranges(boats, one),
+                speedsMps);
         underWay.put(one.name(), new ArrayList<>());
         boolean[] begun = new boolean[1];
         try {
@@ -193,12 +192,12 @@ public final class ExploreAreaHandler implements ActivationHandler {
 
     private Ranges ranges(List<Addressee> boats, Exploration one) {
         Map<String, Double> metres = new LinkedHashMap<>();
-        boats.forEach(boat -> rangesM.apply(boat.boat()).ifPresent(range -> metres.put(boat.boat(), range)));
+        boats.forEach(boat -> reach.rangeM(boat.boat()).ifPresent(range -> metres.put(boat.boat(), range)));
         if (!PlannedSwaps.keepWaysHome(one.activation, one.context)) {
             return Ranges.out(metres, one.context.query(view -> PlannedSwaps.areOf(one.activation.mission(), view)));
         }
         Map<String, GeoPoint> home = new LinkedHashMap<>();
-        boats.forEach(boat -> homes.apply(boat.boat()).ifPresent(at -> home.put(boat.boat(), at)));
+        boats.forEach(boat -> reach.home(boat.boat()).ifPresent(at -> home.put(boat.boat(), at)));
         boolean keepHome =
                 ActivationFields.flag(one.activation, PlannedSwaps.KEEP_HOME).orElse(false);
         return new Ranges(metres, home, false, keepHome);

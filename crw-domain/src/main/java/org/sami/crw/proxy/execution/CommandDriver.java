@@ -3,6 +3,7 @@ package org.sami.crw.proxy.execution;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
@@ -39,6 +40,7 @@ public final class CommandDriver {
     private final PlaceHold hold = new PlaceHold();
     private final Uploads uploads;
     private final Supplier<Optional<GeoPoint>> position;
+    private final DoubleSupplier cruiseMps;
     private final BooleanSupplier flies;
     private final ExpectedWayHome wayHome;
     private Optional<CommandRun> run = Optional.empty();
@@ -53,6 +55,7 @@ public final class CommandDriver {
      * A driver.
      *
      * @param position gives where the boat is, if that is known
+     * @param cruiseMps gives its speed on paths that name none, in m/s
      * @param flies gives whether it takes altitudes
      * @param wayHome learns what the boat knows of its ways home
      */
@@ -62,9 +65,11 @@ public final class CommandDriver {
             ProxyLink link,
             DeferredEvents announcements,
             Supplier<Optional<GeoPoint>> position,
+            DoubleSupplier cruiseMps,
             BooleanSupplier flies,
             ExpectedWayHome wayHome) {
         this.position = position;
+        this.cruiseMps = cruiseMps;
         this.flies = flies;
         this.wayHome = wayHome;
         this.boatId = boatId;
@@ -284,7 +289,7 @@ public final class CommandDriver {
     }
 
     private CommandRun run(QueuedCommand queued, String wireId) {
-        double speedMps = config.cruiseSpeedMps();
+        double speedMps = cruiseMps.getAsDouble();
         if (queued.command() instanceof FollowPath path) {
             noGoEdges = path.water().map(NearbyEdges::new);
             return new PathRun(

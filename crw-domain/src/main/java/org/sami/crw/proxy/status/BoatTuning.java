@@ -3,26 +3,39 @@ package org.sami.crw.proxy.status;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.BoardCondition;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SettingsReport;
 
 /**
- * The settings in force on a boat, and how its control board is, as it has reported.
+ * The settings in force on a boat, how its control board is, and how far, how fast and how narrowly it drives, as it has reported.
  *
  * @param heading gains of the heading loop
  * @param speed gains of the speed loop
  * @param velocityMultiplier factor on the speed of every leg
  * @param lostLinkAction action when the link to its commander is lost
  * @param board how its control board is; empty for a boat without one, or an earlier one
+ * @param performance how far, how fast and how narrowly it drives, where it says so
  */
 public record BoatTuning(
         Gains heading,
         Gains speed,
         double velocityMultiplier,
         LostLinkAction lostLinkAction,
-        Optional<BoardCondition> board) {
+        Optional<BoardCondition> board,
+        BoatPerformance performance) {
+    /** Those of a boat that says nothing of what it can do. */
+    public BoatTuning(
+            Gains heading,
+            Gains speed,
+            double velocityMultiplier,
+            LostLinkAction lostLinkAction,
+            Optional<BoardCondition> board) {
+        this(heading, speed, velocityMultiplier, lostLinkAction, board, BoatPerformance.UNKNOWN);
+    }
+
     /** Those of a boat without a control board. */
     public BoatTuning(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
         this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty());
@@ -33,6 +46,7 @@ public record BoatTuning(
         Objects.requireNonNull(speed, "speed");
         Objects.requireNonNull(lostLinkAction, "lostLinkAction");
         Objects.requireNonNull(board, "board");
+        Objects.requireNonNull(performance, "performance");
     }
 
     /** Those of a report. */
@@ -42,6 +56,7 @@ public record BoatTuning(
                 report.gains(GainAxis.SPEED),
                 report.velocityMultiplier(),
                 report.lostLinkAction(),
-                report.board());
+                report.board(),
+                report.performance());
     }
 }

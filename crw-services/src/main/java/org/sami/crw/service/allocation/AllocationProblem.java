@@ -77,6 +77,15 @@ public record AllocationProblem(List<Candidate> boats, List<WorkItem> work, Opti
         return ways.map(lengths -> lengths.lengthM(boat.at(), path)).orElseGet(() -> Geodesy.lengthM(boat.at(), path));
     }
 
+    /** How much longer each metre takes a boat than the fastest one: 1 for the fastest, and for a boat whose speed is not known. */
+    double slowness(Candidate boat) {
+        double fastestMps = boats.stream()
+                .flatMapToDouble(one -> one.speedMps().stream())
+                .max()
+                .orElse(1);
+        return boat.speedMps().isPresent() ? fastestMps / boat.speedMps().getAsDouble() : 1;
+    }
+
     /** The work that no boat can do, and what is missing for it. */
     public List<Unallocated> impossible() {
         return work.stream()

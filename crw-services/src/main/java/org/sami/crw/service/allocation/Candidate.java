@@ -16,6 +16,7 @@ import org.sami.spn.value.GeoPoint;
  * @param begun work that it has begun and keeps, in its order; new work comes after it
  * @param rangeM distance for which its charge certainly lasts, in metres; empty where unknown
  * @param home where it returns to, if its charge has to last for the way there too
+ * @param speedMps its speed on its paths, in m/s; empty where unknown, as of the fastest boat then
  */
 public record Candidate(
         String boat,
@@ -23,7 +24,8 @@ public record Candidate(
         Set<String> offers,
         List<WorkItem> begun,
         OptionalDouble rangeM,
-        Optional<GeoPoint> home) {
+        Optional<GeoPoint> home,
+        OptionalDouble speedMps) {
     public Candidate {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(at, "at");
@@ -31,21 +33,29 @@ public record Candidate(
         begun = List.copyOf(begun);
         Objects.requireNonNull(rangeM, "rangeM");
         Objects.requireNonNull(home, "home");
+        if (!(speedMps.orElse(1) > 0)) {
+            throw new IllegalArgumentException(boat + " drives at more than 0 m/s, not at " + speedMps);
+        }
     }
 
-    /** A boat of whose charge nothing is known. */
+    /** A boat of whose charge and speed nothing is known. */
     public Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun) {
-        this(boat, at, offers, begun, OptionalDouble.empty(), Optional.empty());
+        this(boat, at, offers, begun, OptionalDouble.empty(), Optional.empty(), OptionalDouble.empty());
     }
 
     /** The same boat with a charge that is sure to take it so far, in metres. */
     public Candidate within(double metres) {
-        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres), home);
+        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres), home, speedMps);
     }
 
     /** The same boat, which is to come home as well. */
     public Candidate returning(GeoPoint to) {
-        return new Candidate(boat, at, offers, begun, rangeM, Optional.of(to));
+        return new Candidate(boat, at, offers, begun, rangeM, Optional.of(to), speedMps);
+    }
+
+    /** The same boat at a speed, in m/s. */
+    public Candidate atSpeed(double mps) {
+        return new Candidate(boat, at, offers, begun, rangeM, home, OptionalDouble.of(mps));
     }
 
     /** A boat that has begun nothing and offers nothing in particular. */

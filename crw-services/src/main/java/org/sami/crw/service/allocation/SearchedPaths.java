@@ -12,6 +12,7 @@ final class SearchedPaths {
     private static final int NOBODY = -1;
 
     private final TravelCosts legs;
+    private final Objective objective;
     /** From work, and from where the boats are free (their index after the last work's), to work. */
     private final double[][] legM;
 
@@ -30,8 +31,9 @@ final class SearchedPaths {
     private final int[] keptSize;
     private final boolean[] changed;
 
-    SearchedPaths(AllocationProblem problem, TravelCosts legs, List<List<Integer>> shares) {
+    SearchedPaths(AllocationProblem problem, TravelCosts legs, Objective objective, List<List<Integer>> shares) {
         this.legs = legs;
+        this.objective = objective;
         legM = legs.matrix();
         workCount = problem.work().size();
         int boats = shares.size();
@@ -67,7 +69,7 @@ final class SearchedPaths {
     }
 
     private double weightOf(int boat, double length) {
-        double power = legs.cost(boat, length) / unitM;
+        double power = legs.cost(objective, boat, length) / unitM;
         for (int i = 0; i < doublings; i++) {
             power *= power;
         }
@@ -87,7 +89,7 @@ final class SearchedPaths {
     double greatestCostM() {
         double longest = 0;
         for (int boat = 0; boat < lengthM.length; boat++) {
-            longest = Math.max(longest, legs.cost(boat, lengthM[boat]));
+            longest = Math.max(longest, legs.cost(objective, boat, lengthM[boat]));
         }
         return longest;
     }
@@ -96,7 +98,7 @@ final class SearchedPaths {
     double totalCostM() {
         double total = 0;
         for (int boat = 0; boat < lengthM.length; boat++) {
-            total += legs.cost(boat, lengthM[boat]);
+            total += legs.cost(objective, boat, lengthM[boat]);
         }
         return total;
     }

@@ -11,7 +11,8 @@ import org.sami.crw.service.choice.Merit;
  * of its whole path with the location added to those it has won: the nearest-neighbour path from its position. The lowest bid wins; among equal bids,
  * that of the boat named first.
  *
- * <p>A bid is the length of the whole path and not the increase, so boats with long paths lose and the work spreads.
+ * <p>A bid is the length of the whole path and not the increase, so boats with long paths lose and the work spreads. Boats of different speeds bid the
+ * time that they take for it.
  *
  * <p>Cost: L locations and B boats with k locations each take at most O(L B k²) steps; a bid computes only the part of the path that the location
  * changes, and stops once it has lost. After {@link #LIMIT} distances the auction ends: each remaining location goes to the boat whose path it
@@ -59,7 +60,7 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
         int winner = -1;
         for (int boat = 0; boat < paths.size(); boat++) {
             if (legs.canDo(boat, location)) {
-                double bid = paths.get(boat).lengthWith(location, best);
+                double bid = legs.timeM(boat, paths.get(boat).lengthWith(location, legs.lengthM(boat, best)));
                 if (winner < 0 || bid < best) {
                     best = bid;
                     winner = boat;

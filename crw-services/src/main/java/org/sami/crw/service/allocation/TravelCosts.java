@@ -21,6 +21,7 @@ final class TravelCosts {
     private final double[] homeY;
     private final double[] begunM;
     private final double[] rangeM;
+    private final double[] slowness;
     private final double[] x;
     private final double[] y;
     private final AllocationProblem problem;
@@ -48,6 +49,7 @@ final class TravelCosts {
         rangeM = boats.stream()
                 .mapToDouble(boat -> boat.rangeM().orElse(Double.POSITIVE_INFINITY))
                 .toArray();
+        slowness = boats.stream().mapToDouble(problem::slowness).toArray();
         x = problem.work().stream().mapToDouble(one -> plane.x(one.location())).toArray();
         y = problem.work().stream().mapToDouble(one -> plane.y(one.location())).toArray();
         wayM = problem.ways()
@@ -83,9 +85,20 @@ final class TravelCosts {
         return begunM[boat];
     }
 
-    /** What a path of a length costs its boat: what is longer than its charge lasts for counts tenfold. */
-    double cost(int boat, double lengthM) {
-        return lengthM <= rangeM[boat] ? lengthM : lengthM + BEYOND_RANGE * (lengthM - rangeM[boat]);
+    /** What a path of a length costs its boat: what is longer than its charge lasts for counts tenfold. Where the longest path counts, it counts by time. */
+    double cost(Objective objective, int boat, double lengthM) {
+        double metres = lengthM <= rangeM[boat] ? lengthM : lengthM + BEYOND_RANGE * (lengthM - rangeM[boat]);
+        return objective == Objective.LONGEST ? timeM(boat, metres) : metres;
+    }
+
+    /** The time that a boat takes for a path of a length, as metres of the fastest boat. */
+    double timeM(int boat, double lengthM) {
+        return lengthM * slowness[boat];
+    }
+
+    /** The length of a path for which a boat takes a time, which is given as metres of the fastest boat. */
+    double lengthM(int boat, double timeM) {
+        return timeM / slowness[boat];
     }
 
     private void count() {

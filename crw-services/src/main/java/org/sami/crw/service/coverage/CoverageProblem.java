@@ -21,6 +21,7 @@ import org.sami.spn.value.GeoPoint;
  * @param within the area to stay in, if there is one, also on the way
  * @param error how far boats may be off their tracks: tracks keep that distance from no-go areas
  * @param ranges how far the boats' charges last
+ * @param speedsMps the boats' speeds on their tracks, in m/s; a boat whose speed is not known is missing, and as fast as the fastest
  */
 public record CoverageProblem(
         Map<String, Optional<GeoPoint>> boats,
@@ -29,13 +30,15 @@ public record CoverageProblem(
         List<GeoArea> avoid,
         Optional<GeoArea> within,
         CrossTrackError error,
-        Ranges ranges) {
+        Ranges ranges,
+        Map<String, Double> speedsMps) {
     public CoverageProblem {
         Objects.requireNonNull(ranges, "ranges");
         Objects.requireNonNull(error, "error");
         boats = Collections.unmodifiableMap(new LinkedHashMap<>(boats));
         Objects.requireNonNull(area, "area");
         avoid = List.copyOf(avoid);
+        speedsMps = Map.copyOf(speedsMps);
         Objects.requireNonNull(within, "within");
         if (boats.isEmpty()) {
             throw new IllegalArgumentException("There is no boat to cover the area");
@@ -43,6 +46,18 @@ public record CoverageProblem(
         if (!(spacingM >= 0.1) || spacingM > 10_000) {
             throw new IllegalArgumentException("The spacing is at least 0.1 m and at most 10 km, not " + spacingM);
         }
+    }
+
+    /** An area for boats of one speed. */
+    public CoverageProblem(
+            Map<String, Optional<GeoPoint>> boats,
+            GeoArea area,
+            double spacingM,
+            List<GeoArea> avoid,
+            Optional<GeoArea> within,
+            CrossTrackError error,
+            Ranges ranges) {
+        this(boats, area, spacingM, avoid, within, error, ranges, Map.of());
     }
 
     /** An area for boats of which is not known how far they get. */
@@ -73,14 +88,28 @@ public record CoverageProblem(
 
     /** The same for boats that get so far. */
     public CoverageProblem with(Ranges others) {
-        return new CoverageProblem(boats, area, spacingM, avoid, within, error, others);
+        return new CoverageProblem(boats, area, spacingM, avoid, within, error, others, speedsMps);
+    }
+
+    /** The same for boats of these speeds, in m/s. */
+    public CoverageProblem at(Map<String, Double> othersMps) {
+        return new CoverageProblem(boats, area, spacingM, avoid, within, error, ranges, othersMps);
+    }
+
+    /** A boat's speed as a part of the fastest one's: above 0, up to 1. */
+    double pace(String boat) {
+        double fastestMps = boats.keySet().stream()
+                .mapToDouble(one -> speedsMps.getOrDefault(one, 0.0))
+                .max()
+                .orElse(0);
+        return speedsMps.containsKey(boat) ? speedsMps.getOrDefault(boat, fastestMps) / fastestMps : 1;
     }
 
     /** The same for fewer boats. */
     CoverageProblem withBoats(Collection<String> some) {
         Map<String, Optional<GeoPoint>> others = new LinkedHashMap<>(boats);
         others.keySet().retainAll(some);
-        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges);
+        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges, speedsMps);
     }
 
     /** The same without one boat. */

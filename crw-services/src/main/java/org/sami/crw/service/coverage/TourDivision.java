@@ -1,12 +1,13 @@
 package org.sami.crw.service.coverage;
 
+import java.util.Arrays;
 import java.util.function.DoublePredicate;
 import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.Interruption;
 
 /**
  * Divides a tour among boats. Each piece, with the ways to it and from it, is at most as long as its boat's charge certainly lasts; within that, all
- * pieces are equally long. Where all charges together do not last for the tour, its end is left out; or, where boats recharge on the way, all exceed
+ * pieces take equally long. Where all charges together do not last for the tour, its end is left out; or, where boats recharge on the way, all exceed
  * their charges by up to the same amount.
  */
 final class TourDivision {
@@ -18,6 +19,7 @@ final class TourDivision {
 
     private final TourPlaces tour;
     private final double[] rangeM;
+    private final double[] paces;
     private final boolean recharges;
     private final Ways ways;
     private int measured;
@@ -76,10 +78,12 @@ final class TourDivision {
      * A division to be found.
      *
      * @param rangeM how far each boat's charge is sure to last, in metres; infinite where that is not known
+     * @param paces each boat's speed as a part of the fastest one's
      */
-    TourDivision(TourPlaces tour, double[] rangeM, boolean recharges, Ways ways) {
+    TourDivision(TourPlaces tour, double[] rangeM, double[] paces, boolean recharges, Ways ways) {
         this.tour = tour;
         this.rangeM = rangeM.clone();
+        this.paces = paces.clone();
         this.recharges = recharges;
         this.ways = ways;
     }
@@ -114,18 +118,19 @@ final class TourDivision {
         order[j] = boat;
     }
 
-    /** The pieces of boats in this order: the shortest limit for all with which they reach the tour's end. */
+    /** The pieces of boats in this order: the shortest limit of time for all with which they reach the tour's end, as metres of the fastest boat. */
     private Cuts cuts(int[] order) {
         double wholeM = tour.lengthM();
-        Cuts most = cuts(order, wholeM, 0);
+        double mostM = wholeM / Arrays.stream(paces).min().orElse(1);
+        Cuts most = cuts(order, mostM, 0);
         if (most.endM() >= wholeM - EXACT_M) {
-            double limitM = least(0, wholeM, limit -> cuts(order, limit, 0).endM() >= wholeM - EXACT_M);
+            double limitM = least(0, mostM, limit -> cuts(order, limit, 0).endM() >= wholeM - EXACT_M);
             return cuts(order, limitM, 0);
         } else if (!recharges) {
             return most;
         }
-        double beyondM = least(0, wholeM, beyond -> cuts(order, wholeM, beyond).endM() >= wholeM - EXACT_M);
-        return cuts(order, wholeM, beyondM);
+        double beyondM = least(0, wholeM, beyond -> cuts(order, mostM, beyond).endM() >= wholeM - EXACT_M);
+        return cuts(order, mostM, beyondM);
     }
 
     /** One piece after the other, each as long as a limit and its boat's charge allow. */
@@ -133,9 +138,10 @@ final class TourDivision {
         double[] fromM = new double[order.length + 1];
         double longestM = 0;
         for (int piece = 0; piece < order.length; piece++) {
-            double lengthM = lengthM(order[piece], fromM[piece], limitM, beyondM);
+            double pace = paces[order[piece]];
+            double lengthM = lengthM(order[piece], fromM[piece], limitM * pace, beyondM);
             fromM[piece + 1] = fromM[piece] + lengthM;
-            longestM = Math.max(longestM, lengthM);
+            longestM = Math.max(longestM, lengthM / pace);
         }
         return new Cuts(order.clone(), fromM, beyondM, longestM);
     }

@@ -30,9 +30,7 @@ public record WayBack(String words, boolean isSure) {
      * @param home where the boat returns to
      */
     public static Optional<WayBack> of(Way way, GeoPoint home) {
-        if (way.from().isEmpty()
-                || way.batteryPercent().isEmpty()
-                || way.points().isEmpty()) {
+        if (way.from().isEmpty() || way.charge().isEmpty() || way.points().isEmpty()) {
             return Optional.empty();
         }
         GeoPoint from = way.from().get();
@@ -40,9 +38,10 @@ public record WayBack(String words, boolean isSure) {
         double outM = Geodesy.lengthM(from, Detour.along(from, way.points(), way.water()));
         Optional<Water> around = way.water().map(water -> water.leaving(home));
         double homeM = Geodesy.lengthM(end, Detour.along(end, List.of(home), around));
-        double percent = way.batteryPercent().getAsDouble();
-        double left = percent - (outM + homeM) / Range.METRES_PER_PERCENT;
-        double sureM = Range.sureM(percent);
+        Charge charge = way.charge().get();
+        double percent = charge.percent();
+        double left = percent - charge.usedPercent(outM + homeM);
+        double sureM = charge.sureM();
         if (left >= PLENTY_PERCENT || outM > sureM) {
             return Optional.empty();
         }
@@ -58,7 +57,8 @@ public record WayBack(String words, boolean isSure) {
                         : new WayBack(
                                 String.format(
                                         Locale.ROOT,
-                                        "%s may not come home from the end of its way: %.0f m there and %.0f m back, and its charge of %.0f %% is sure to last for %.0f m",
+                                        "%s may not come home from the end of its way: %.0f m there and %.0f m back,"
+                                                + " and its charge of %.0f %% is sure to last for %.0f m",
                                         way.boat(),
                                         outM,
                                         homeM,

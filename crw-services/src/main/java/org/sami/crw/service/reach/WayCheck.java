@@ -93,12 +93,12 @@ public final class WayCheck {
     }
 
     private static Optional<WayDoubt> beyondCharge(Way way, GeoPoint from) {
-        if (way.batteryPercent().isEmpty()) {
+        if (way.charge().isEmpty()) {
             return Optional.empty();
         }
         double lengthM = Geodesy.lengthM(from, Detour.along(from, way.points(), way.water()));
-        double percent = way.batteryPercent().getAsDouble();
-        double rangeM = Range.sureM(percent);
+        double percent = way.charge().get().percent();
+        double rangeM = way.charge().get().sureM();
         return lengthM <= rangeM
                 ? Optional.empty()
                 : Optional.of(new WayDoubt(

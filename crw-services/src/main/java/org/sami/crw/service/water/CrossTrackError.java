@@ -42,6 +42,11 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
         return new CrossTrackError(STEERING_M, positionM, driftMps);
     }
 
+    /** The same of a boat with a turning circle, which leaves its path in corners by the radius of its narrowest turn, in metres. */
+    public CrossTrackError turning(double radiusM) {
+        return radiusM > steeringM ? new CrossTrackError(radiusM, positionM, driftMps) : this;
+    }
+
     /** The larger of this and another, each part by itself. */
     public CrossTrackError atLeast(CrossTrackError other) {
         return new CrossTrackError(

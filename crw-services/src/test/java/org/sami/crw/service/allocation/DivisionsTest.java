@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.service.AreaOfTest;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
@@ -85,6 +86,43 @@ class DivisionsTest {
             Division balanced = new BalancedDivision().divide(problem);
 
             assertThat(balanced.longestM()).as("seed %s", seed).isCloseTo(leastOf(problem, false), within(0.01));
+        }
+    }
+
+    /** Locations 100 m apart in a line, twice as many to the east as to the west of two boats, one of twice the other's speed. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void boatOfTwiceTheSpeedGetsTheLongerWay(boolean few) {
+        GeoPoint middle = AreaOfTest.CENTRE;
+        List<WorkItem> work = new ArrayList<>();
+        int each = few ? 3 : 15;
+        for (int i = 1; i <= each; i++) {
+            work.add(WorkItem.visit("west " + i, Geodesy.offset(middle, -100.0 * i, 0)));
+            work.add(WorkItem.visit("east " + i, Geodesy.offset(middle, 100.0 * i, 0)));
+            work.add(WorkItem.visit("far east " + i, Geodesy.offset(middle, 100.0 * (each + i), 0)));
+        }
+        Candidate slow = Candidate.at("slow", middle).atSpeed(1);
+        Candidate fast = Candidate.at("fast", middle).atSpeed(2);
+
+        Division division = new BalancedDivision().divide(new AllocationProblem(List.of(slow, fast), work));
+
+        assertThat(division.paths().get("slow")).extracting(WorkItem::name).allMatch(name -> name.startsWith("west"));
+        assertThat(division.paths().get("fast")).hasSize(2 * each);
+        assertThat(division.longestM()).isCloseTo(200.0 * each, within(0.5));
+        assertThat(division.latestM()).isCloseTo(200.0 * each, within(0.5));
+    }
+
+    @Test
+    void boatsOfOneSpeedAreDividedAsBoatsWithoutOne() {
+        for (long seed = 1; seed <= 5; seed++) {
+            AllocationProblem unknown = problem(seed, 3, 12);
+            AllocationProblem known = new AllocationProblem(
+                    unknown.boats().stream().map(boat -> boat.atSpeed(0.7)).toList(), unknown.work());
+
+            for (AllocationAlgorithm algorithm : List.of(new SequentialSingleItemAuction(), new BalancedDivision())) {
+                assertThat(algorithm.divide(known).paths())
+                        .isEqualTo(algorithm.divide(unknown).paths());
+            }
         }
     }
 

@@ -72,6 +72,19 @@ class SequentialSingleItemAuctionTest {
     }
 
     @Test
+    void boatsBidTheTimeThatTheyTake() {
+        GeoPoint location = Geodesy.offset(AreaOfTest.CENTRE, 100, 0);
+        Candidate near = Candidate.at("near", AreaOfTest.CENTRE).atSpeed(0.5);
+        Candidate far =
+                Candidate.at("far", Geodesy.offset(AreaOfTest.CENTRE, -50, 0)).atSpeed(1.5);
+
+        Division division = auction.divide(
+                new AllocationProblem(List.of(near, far), List.of(WorkItem.visit("location 1", location))));
+
+        assertThat(division.boatOf()).containsEntry("location 1", "far");
+    }
+
+    @Test
     void eachBoatTakesTheLocationsOnItsSide() {
         Map<String, GeoPoint> boats = new LinkedHashMap<>();
         boats.put("west", Geodesy.offset(AreaOfTest.CENTRE, -200, 0));

@@ -24,6 +24,26 @@ class TourDivisionTest {
     }
 
     @Test
+    void boatsOfDifferentSpeedsTakeEquallyLongForTheirPieces() {
+        TourDivision.Cuts cuts =
+                cuts(new double[] {9e9, 2000, 2000}, new double[] {0.5, 1, 0.25}, false, 0, 0, 0, 0, 0, 0);
+
+        assertThat(cuts.lengthM(pieceOf(0, cuts))).isCloseTo(1090 * 2 / 7.0, within(0.5));
+        assertThat(cuts.lengthM(pieceOf(1, cuts))).isCloseTo(1090 * 4 / 7.0, within(0.5));
+        assertThat(cuts.lengthM(pieceOf(2, cuts))).isCloseTo(1090 / 7.0, within(0.5));
+        assertThat(cuts.endM()).isCloseTo(1090, within(0.1));
+    }
+
+    @Test
+    void aSlowWeakBoatHasWhatItsChargeLastsFor() {
+        TourDivision.Cuts cuts =
+                cuts(new double[] {100, 2000, 2000}, new double[] {0.5, 1, 1}, false, 0, 0, 0, 0, 0, 0);
+
+        assertThat(cuts.lengthM(pieceOf(0, cuts))).isLessThanOrEqualTo(100.001);
+        assertThat(cuts.endM()).isCloseTo(1090, within(0.1));
+    }
+
+    @Test
     void aWeakBoatHasWhatItsChargeLastsForAndTheOthersHaveTheRestEvenly() {
         TourDivision.Cuts cuts = cuts(new double[] {150, 2000, 2000}, false, -50, 0, -50, 0, -50, 0);
 
@@ -81,7 +101,12 @@ class TourDivisionTest {
     }
 
     private static TourDivision.Cuts cuts(double[] ranges, boolean swapped, double... at) {
-        return new TourDivision(TOUR, ranges, swapped, (boat, end, other) -> {
+        return cuts(
+                ranges, IntStream.range(0, ranges.length).mapToDouble(boat -> 1).toArray(), swapped, at);
+    }
+
+    private static TourDivision.Cuts cuts(double[] ranges, double[] paces, boolean swapped, double... at) {
+        return new TourDivision(TOUR, ranges, paces, swapped, (boat, end, other) -> {
                     Coordinate place = new Coordinate(at[2 * boat], at[2 * boat + 1]);
                     return Math.min(place.distance(end), place.distance(other));
                 })

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.water.CrossTrackError;
@@ -22,7 +21,13 @@ class WayBackTest {
 
     private static Optional<WayBack> back(double percent, Optional<Water> water, GeoPoint... points) {
         return WayBack.of(
-                new Way("anna", Optional.of(HOME), OptionalDouble.of(percent), List.of(points), List.of(), water),
+                new Way(
+                        "anna",
+                        Optional.of(HOME),
+                        Optional.of(Charge.usual(percent)),
+                        List.of(points),
+                        List.of(),
+                        water),
                 HOME);
     }
 
@@ -47,7 +52,8 @@ class WayBackTest {
     void whoMayNotComeHomeIsNamedWithTheWays() {
         assertThat(words(15, Optional.empty(), at(350, 0)))
                 .contains(
-                        "anna may not come home from the end of its way: 350 m there and 350 m back, and its charge of 15 % is sure to last for 477 m");
+                        "anna may not come home from the end of its way: 350 m there and 350 m back, and its charge of"
+                                + " 15 % is sure to last for 477 m");
         assertThat(back(15, Optional.empty(), at(350, 0)).orElseThrow().isSure())
                 .isFalse();
     }

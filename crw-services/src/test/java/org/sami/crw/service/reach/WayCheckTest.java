@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoArea;
@@ -15,7 +14,8 @@ class WayCheckTest {
     private static final GeoPoint HERE = GeoPoint.of(45.7, 10.72);
 
     private static Optional<WayDoubt> doubt(double percent, List<GeoArea> avoid, GeoPoint... points) {
-        return WayCheck.doubt(new Way("anna", Optional.of(HERE), OptionalDouble.of(percent), List.of(points), avoid));
+        return WayCheck.doubt(
+                new Way("anna", Optional.of(HERE), Optional.of(Charge.usual(percent)), List.of(points), avoid));
     }
 
     private static GeoPoint at(double eastM, double northM) {
@@ -63,9 +63,20 @@ class WayCheckTest {
     }
 
     @Test
+    void boatThatSaysAShorterRangeIsDoubtedForAShorterWay() {
+        Way way = new Way("anna", Optional.of(HERE), Optional.of(new Charge(20, 15)), List.of(at(300, 0)), List.of());
+
+        assertThat(WayCheck.doubt(way))
+                .contains(new WayDoubt(
+                        WayDoubt.Kind.CHARGE,
+                        "anna is to go 300 m, and its charge of 20 % is sure to last for 273 m, 27 m less"));
+        assertThat(doubt(20, List.of(), at(300, 0))).isEmpty();
+    }
+
+    @Test
     void nothingIsSaidOfABoatWhosePositionIsNotKnown() {
-        assertThat(WayCheck.doubt(
-                        new Way("anna", Optional.empty(), OptionalDouble.of(1), List.of(at(48_000, 0)), List.of())))
+        assertThat(WayCheck.doubt(new Way(
+                        "anna", Optional.empty(), Optional.of(Charge.usual(1)), List.of(at(48_000, 0)), List.of())))
                 .isEmpty();
     }
 }

@@ -5,10 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.service.Geodesy;
-import org.sami.crw.service.reach.Range;
 import org.sami.spn.value.GeoPoint;
 
 /** Whether what is left of a boat's charge takes it to the end of its path. For one thread. */
@@ -32,7 +33,9 @@ final class RangeCheck {
 
     /** How far the charge of a boat takes it, in metres; empty where it has not said. */
     static Optional<Double> rangeM(BoatSnapshot boat) {
-        return boat.battery().map(battery -> battery.percent() * Range.METRES_PER_PERCENT);
+        BoatPerformance performance =
+                boat.settings().map(BoatTuning::performance).orElse(BoatPerformance.UNKNOWN);
+        return boat.battery().map(battery -> battery.charge(performance).meanM());
     }
 
     void remove(String boat) {

@@ -178,7 +178,7 @@ public final class BoatLog {
                 .put("commanded", boat.isCommanding())
                 .put("shouldMove", why.shouldMove())
                 .put("cause", why.cause().name());
-        CrossTrackError error = boat.error().orElse(stated);
+        CrossTrackError error = boat.errorOr(stated);
         json.putArray(ERROR).add(error.steeringM()).add(error.positionM()).add(error.driftMps());
         if (!boat.wayHome().isEmpty()) {
             CommandJson.write(boat.wayHome(), json.putArray("wayHome"));

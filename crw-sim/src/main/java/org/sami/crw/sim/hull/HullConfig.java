@@ -2,6 +2,9 @@ package org.sami.crw.sim.hull;
 
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.boat.link.BoatPerformance;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.fleet.RobotKind;
@@ -75,6 +78,12 @@ public record HullConfig(
                 topSpeedMps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, percentPerM, rotors);
     }
 
+    /** The same hull with a battery that lasts for so many metres on average when it is full. */
+    public HullConfig withRangeM(double metres) {
+        positive("range", metres);
+        return withBatteryPercentPerM(100 / metres);
+    }
+
     /** The same hull with other motors. */
     public HullConfig withTopSpeedMps(double mps) {
         return new HullConfig(
@@ -84,10 +93,16 @@ public record HullConfig(
     /** What a boat server on it knows of it. */
     public ServerConfig.Builder describeTo(ServerConfig.Builder server) {
         ServerConfig.Builder told = server.fullThrustSpeedMps(topSpeedMps);
-        if (rotors.isPresent()) {
-            told = told.returnSpeedMps(RETURN_MPS).batteryThresholds(LOW_PERCENT, CRITICAL_PERCENT);
-        }
-        return batteryPercentPerM > 0 ? told.metresPerPercent(1 / batteryPercentPerM) : told;
+        return rotors.isPresent()
+                ? told.returnSpeedMps(RETURN_MPS).batteryThresholds(LOW_PERCENT, CRITICAL_PERCENT)
+                : told.performance(performance());
+    }
+
+    private BoatPerformance performance() {
+        return new BoatPerformance(
+                batteryPercentPerM > 0 ? OptionalDouble.of(1 / batteryPercentPerM) : OptionalDouble.empty(),
+                OptionalDouble.of(Math.min(MotionDefaults.CRUISE_SPEED_MPS, topSpeedMps)),
+                OptionalDouble.of(0)); // opposite thrust turns it on the spot
     }
 
     private static void positive(String name, double value) {

@@ -15,7 +15,7 @@ import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.TrackPoint;
-import org.sami.crw.service.reach.Range;
+import org.sami.crw.service.reach.Charge;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
@@ -51,9 +51,9 @@ class ExploredByChargeTest {
                 .singleElement()
                 .satisfies(question -> {
                     assertThat(question.prompt())
-                            .matches(
-                                    "boat1 may not come home from the end of its way: \\d+ m there and \\d+ m back, "
-                                            + "and its charge of 100 % is sure to last for 3182 m; boat2 .*; boat3 .*\\. Send them\\?");
+                            .matches("boat1 may not come home from the end of its way: \\d+ m there and \\d+ m back,"
+                                    + " and its charge of 100 % is sure to last for 3182 m; boat2 .*; boat3 .*\\."
+                                    + " Send them\\?");
                     assertThat(question.openedAtMillis()).isLessThan(15_000);
                 });
         assertAllIsExplored(report, 97.5);
@@ -67,9 +67,8 @@ class ExploredByChargeTest {
                 .filteredOn(decision -> decision.type().equals("LongWay"))
                 .singleElement()
                 .satisfies(question -> assertThat(question.prompt())
-                        .matches(
-                                "charges are sure to last for \\d\\d % of the area and the ways home: \\d+ m² stay unexplored, most near "
-                                        + "[0-9.,]+\\. Send them\\?"));
+                        .matches("charges are sure to last for \\d\\d % of the area and the ways home: \\d+ m² stay"
+                                + " unexplored, most near [0-9.,]+\\. Send them\\?"));
         Exploration explored = report.map().explorations().get(0);
         assertThat(explored.percent(explored.left().trueM2().orElseThrow())).isBetween(80.0, 95.0);
         assertAllMayComeHome(report);
@@ -94,9 +93,8 @@ class ExploredByChargeTest {
                 .singleElement()
                 .satisfies(question -> {
                     assertThat(question.prompt())
-                            .matches(
-                                    "charges are sure to last for \\d\\d % of the area: \\d+ m² stay unexplored, most near "
-                                            + "[0-9.,]+\\. Send them\\?");
+                            .matches("charges are sure to last for \\d\\d % of the area: \\d+ m² stay unexplored, most"
+                                    + " near [0-9.,]+\\. Send them\\?");
                     assertThat(question.openedAtMillis()).isLessThan(15_000);
                 });
         Exploration explored = report.map().explorations().get(0);
@@ -113,10 +111,9 @@ class ExploredByChargeTest {
 
         assertThat(report.notes())
                 .extracting(NoteResult::message)
-                .anyMatch(
-                        text -> text.startsWith("Exploring ")
-                                && text.endsWith(
-                                        "a boat more than its charge is sure to last for: batteries are to be swapped on the way"));
+                .anyMatch(text -> text.startsWith("Exploring ")
+                        && text.endsWith("a boat more than its charge is sure to last for: batteries are to be swapped"
+                                + " on the way"));
         assertThat(report.map().explorations().get(0).left().plannedM2().orElseThrow())
                 .isLessThan(100);
     }
@@ -140,7 +137,9 @@ class ExploredByChargeTest {
             TrackPoint home = boat.track().get(0);
             TrackPoint end = boat.track().get(boat.track().size() - 1);
             double homeM = Math.hypot(end.eastM() - home.eastM(), end.northM() - home.northM());
-            assertThat(Range.sureM(boat.batteryPercent())).as(boat.id()).isGreaterThanOrEqualTo(homeM);
+            assertThat(Charge.usual(boat.batteryPercent()).sureM())
+                    .as(boat.id())
+                    .isGreaterThanOrEqualTo(homeM);
         });
     }
 

@@ -318,6 +318,7 @@ public final class BoatOnPhone implements Closeable {
                     .home(home.originLatDeg(), home.originLonDeg())
                     .fullThrustSpeedMps(
                             BoatDefaults.FULL_THRUST_SPEED_MPS * board.hull().safeMaximum())
+                    .performance(board.hull().performance())
                     .trackingError(new TrackingError(errorM, USUAL_DRIFT_MPS))
                     .build();
             boat = new BoatServer(config, vehicle, this);

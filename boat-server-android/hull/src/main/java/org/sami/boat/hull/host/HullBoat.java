@@ -167,6 +167,7 @@ public final class HullBoat implements Closeable {
                 .lostLinkAction(lostLink)
                 .fullThrustSpeedMps(
                         BoatDefaults.FULL_THRUST_SPEED_MPS * vehicle.hull().safeMaximum())
+                .performance(vehicle.hull().performance())
                 .trackingError(new TrackingError(errorM, USUAL_DRIFT_MPS))
                 .build();
         ServerLog toFile = new FileLog();

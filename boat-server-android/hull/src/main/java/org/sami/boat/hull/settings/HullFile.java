@@ -123,6 +123,15 @@ public final class HullFile {
             case "battery":
                 battery(hull, value);
                 break;
+            case "metresPerPercent":
+                hull.metresPerPercent(number(value));
+                break;
+            case "cruiseMps":
+                hull.cruiseMps(number(value));
+                break;
+            case "turningRadiusM":
+                hull.turningRadiusM(number(value));
+                break;
             case "motorsChecked":
                 truth(value, hull::motorsChecked);
                 break;
@@ -199,6 +208,9 @@ public final class HullFile {
         } else {
             root.put("battery", hull.batteryName());
         }
+        hull.performance().metresPerPercent().ifPresent(metres -> root.put("metresPerPercent", metres));
+        hull.performance().cruiseMps().ifPresent(mps -> root.put("cruiseMps", mps));
+        hull.performance().turningRadiusM().ifPresent(metres -> root.put("turningRadiusM", metres));
         root.put("motorsChecked", hull.motorsChecked());
         return root.toPrettyString() + "\n";
     }

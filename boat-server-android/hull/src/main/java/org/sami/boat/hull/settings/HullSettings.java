@@ -1,6 +1,8 @@
 package org.sami.boat.hull.settings;
 
 import java.util.Objects;
+import java.util.OptionalDouble;
+import org.sami.boat.link.BoatPerformance;
 
 /**
  * How one hull is wired and how far its motors may go. Immutable; {@link Builder} refuses values out of range and names them.
@@ -18,6 +20,15 @@ public final class HullSettings {
     /** Fastest turn of a hull in radians a second. */
     public static final double MAX_TURN_RATE = 3;
 
+    /** Longest way for one percent of charge, in metres: 1000 km on one battery. */
+    public static final double MAX_METRES_PER_PERCENT = 10_000;
+
+    /** Fastest cruise speed in m/s. */
+    public static final double MAX_CRUISE_MPS = 20;
+
+    /** Largest turning radius in metres. */
+    public static final double MAX_TURNING_RADIUS_M = 100;
+
     private final HullKind kind;
     private final double safeMaximum;
     private final double trim;
@@ -30,6 +41,7 @@ public final class HullSettings {
     private final String batteryName;
     private final BatteryCurve battery;
     private final boolean motorsChecked;
+    private final BoatPerformance performance;
 
     private HullSettings(Builder from) {
         kind = from.kind;
@@ -44,6 +56,7 @@ public final class HullSettings {
         batteryName = from.batteryName;
         battery = from.battery;
         motorsChecked = from.motorsChecked;
+        performance = new BoatPerformance(from.metresPerPercent, from.cruiseMps, from.turningRadiusM);
     }
 
     /** A hull of a kind with the defaults: 70 % of full thrust, nothing reversed but the rudder, a lithium pack of four cells. */
@@ -65,6 +78,9 @@ public final class HullSettings {
         builder.batteryName = batteryName;
         builder.battery = battery;
         builder.motorsChecked = motorsChecked;
+        builder.metresPerPercent = performance.metresPerPercent();
+        builder.cruiseMps = performance.cruiseMps();
+        builder.turningRadiusM = performance.turningRadiusM();
         return builder;
     }
 
@@ -128,6 +144,11 @@ public final class HullSettings {
         return motorsChecked;
     }
 
+    /** How far, how fast and how narrowly the hull drives, as far as somebody has measured it: bases plan with it. */
+    public BoatPerformance performance() {
+        return performance;
+    }
+
     /** Collects what differs from the defaults. */
     public static final class Builder {
         private HullKind kind;
@@ -142,6 +163,9 @@ public final class HullSettings {
         private String batteryName = "lipo-4s";
         private BatteryCurve battery = curve(batteryName);
         private boolean motorsChecked;
+        private OptionalDouble metresPerPercent = OptionalDouble.empty();
+        private OptionalDouble cruiseMps = OptionalDouble.empty();
+        private OptionalDouble turningRadiusM = OptionalDouble.empty();
 
         private Builder(HullKind kind) {
             this.kind = Objects.requireNonNull(kind, "kind");
@@ -218,6 +242,25 @@ public final class HullSettings {
         /** Whether the motors were checked. */
         public Builder motorsChecked(boolean value) {
             motorsChecked = value;
+            return this;
+        }
+
+        /** Mean distance on one percent of charge, in metres. */
+        public Builder metresPerPercent(double value) {
+            metresPerPercent =
+                    OptionalDouble.of(within("way for a percent of charge", value, 0.1, MAX_METRES_PER_PERCENT));
+            return this;
+        }
+
+        /** Speed on paths that name none, in m/s. */
+        public Builder cruiseMps(double value) {
+            cruiseMps = OptionalDouble.of(within("cruise speed", value, 0.1, MAX_CRUISE_MPS));
+            return this;
+        }
+
+        /** Radius of the narrowest turn at that speed, in metres; 0 where the hull turns on the spot. */
+        public Builder turningRadiusM(double value) {
+            turningRadiusM = OptionalDouble.of(within("turning radius", value, 0, MAX_TURNING_RADIUS_M));
             return this;
         }
 

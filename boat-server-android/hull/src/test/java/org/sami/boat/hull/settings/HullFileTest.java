@@ -27,6 +27,9 @@ class HullFileTest {
                 .rudderReversed(false)
                 .steeringThrust(0.3)
                 .turnRateRadPerS(0.8)
+                .metresPerPercent(180)
+                .cruiseMps(1.8)
+                .turningRadiusM(2.5)
                 .battery(new BatteryCurve(new double[] {10, 11, 12.6}, new double[] {0, 40, 100}))
                 .motorsChecked(true)
                 .build();
@@ -52,16 +55,19 @@ class HullFileTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            'safeMaximum': 1.2             | /safeMaximum: the safe maximum is 0.1 to 1.0, not 1.2
-            'safeMaximum': 0.05            | /safeMaximum: the safe maximum is 0.1 to 1.0, not 0.05
-            'trim': 'left'                 | /trim: expected is a number, not "left"
-            'leftReversed': 1              | /leftReversed: expected is true or false, not 1
-            'speed': 3                     | /speed: there is no such setting
-            'battery': 'nuclear'           | /battery: there is no battery 'nuclear'; there are lipo-3s, lipo-4s, lifepo4-4s, nimh-10, lead-12v
-            'battery': {'volts':[12,'x'],'percent':[0,100]} | /battery/volts/1: expected is a number
-            'battery': {'volts':[12,11],'percent':[0,100]}  | /battery: volts and percents rise: 11.0 V, 100.0 %
-            'turnRateRadPerS': 1e99        | /turnRateRadPerS: the turn rate is 0.05 to 3.0, not 1.0E99
-            """)
+        'safeMaximum': 1.2             | /safeMaximum: the safe maximum is 0.1 to 1.0, not 1.2
+        'safeMaximum': 0.05            | /safeMaximum: the safe maximum is 0.1 to 1.0, not 0.05
+        'trim': 'left'                 | /trim: expected is a number, not "left"
+        'leftReversed': 1              | /leftReversed: expected is true or false, not 1
+        'speed': 3                     | /speed: there is no such setting
+        'battery': 'nuclear'           | /battery: there is no battery 'nuclear'; there are lipo-3s, lipo-4s, lifepo4-4s, nimh-10, lead-12v
+        'battery': {'volts':[12,'x'],'percent':[0,100]} | /battery/volts/1: expected is a number
+        'battery': {'volts':[12,11],'percent':[0,100]}  | /battery: volts and percents rise: 11.0 V, 100.0 %
+        'metresPerPercent': 0          | /metresPerPercent: the way for a percent of charge is 0.1 to 10000.0, not 0.0
+        'cruiseMps': 'fast'            | /cruiseMps: expected is a number, not "fast"
+        'turningRadiusM': -1           | /turningRadiusM: the turning radius is 0.0 to 100.0, not -1.0
+        'turnRateRadPerS': 1e99        | /turnRateRadPerS: the turn rate is 0.05 to 3.0, not 1.0E99
+        """)
     void whatIsWrongIsNamedWithItsPlace(String member, String said) {
         String text = "{\"format\":\"sami-hull-1\",\"kind\":\"rudder\"," + member.replace('\'', '"') + "}";
 
@@ -71,24 +77,30 @@ class HullFileTest {
     /** The schema is for editors; the reader holds the same limits. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            'safeMaximum': 1       | true
-            'safeMaximum': 1.01    | false
-            'safeMaximum': 0.09    | false
-            'trim': 0.3            | true
-            'trim': -0.31          | false
-            'steeringThrust': 0.5  | true
-            'steeringThrust': 0.51 | false
-            'turnRateRadPerS': 3   | true
-            'turnRateRadPerS': 3.1 | false
-            'motorsChecked': true  | true
-            'motorsChecked': 0     | false
-            'sail': 1              | false
-            'battery': 'nimh-10'   | true
-            'battery': 'AA'        | false
-            'battery': {'volts':[10,12],'percent':[0,100]} | true
-            'battery': {'volts':[10,61],'percent':[0,100]} | false
-            'battery': {'volts':[10],'percent':[0]}        | false
-            """)
+        'safeMaximum': 1       | true
+        'safeMaximum': 1.01    | false
+        'safeMaximum': 0.09    | false
+        'trim': 0.3            | true
+        'trim': -0.31          | false
+        'steeringThrust': 0.5  | true
+        'steeringThrust': 0.51 | false
+        'turnRateRadPerS': 3   | true
+        'metresPerPercent': 0.1 | true
+        'metresPerPercent': 0 | false
+        'cruiseMps': 20        | true
+        'cruiseMps': 21        | false
+        'turningRadiusM': 0    | true
+        'turningRadiusM': 101  | false
+        'turnRateRadPerS': 3.1 | false
+        'motorsChecked': true  | true
+        'motorsChecked': 0     | false
+        'sail': 1              | false
+        'battery': 'nimh-10'   | true
+        'battery': 'AA'        | false
+        'battery': {'volts':[10,12],'percent':[0,100]} | true
+        'battery': {'volts':[10,61],'percent':[0,100]} | false
+        'battery': {'volts':[10],'percent':[0]}        | false
+        """)
     void schemaAndReaderAgree(String member, boolean good) throws Exception {
         String text = "{\"format\":\"sami-hull-1\",\"kind\":\"rudder\"," + member.replace('\'', '"') + "}";
         ObjectMapper json = new ObjectMapper();

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.stream.IntStream;
 import org.sami.crw.fleet.RobotKind;
@@ -54,6 +55,7 @@ public record RunSettings(
      * @param charges of the batteries of boats in this process; others have their own
      * @param site where on earth that is
      * @param robots what they are; those of boats are named boats in this record
+     * @param rangeM how far a full battery takes boats in this process on average, in metres; empty for the usual range
      */
     public record Fleet(
             int boats,
@@ -63,7 +65,8 @@ public record RunSettings(
             Conditions conditions,
             InitialCharges charges,
             Site site,
-            RobotKind robots) {
+            RobotKind robots,
+            OptionalDouble rangeM) {
         /** The greatest number of boats. */
         public static final int MOST_BOATS = 250;
 
@@ -75,6 +78,12 @@ public record RunSettings(
 
         /** The longest side of the area, in metres: the plane of the simulated water is exact to there. */
         public static final double LONGEST_AREA_M = 20_000;
+
+        /** The shortest range, in metres. */
+        public static final double SHORTEST_RANGE_M = 100;
+
+        /** The longest range, in metres. */
+        public static final double LONGEST_RANGE_M = 1_000_000;
 
         /** A fleet within the limits. */
         public Fleet {
@@ -90,6 +99,13 @@ public record RunSettings(
             }
             Objects.requireNonNull(site, "site");
             Objects.requireNonNull(robots, "robots");
+            double metres = rangeM.orElse(SHORTEST_RANGE_M);
+            if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
+                throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
+            }
+            if (rangeM.isPresent() && robots != RobotKind.BOAT) {
+                throw new IllegalArgumentException("only boats have a range; copters fly for a time");
+            }
         }
 
         /** A fleet of boats. */
@@ -101,7 +117,7 @@ public record RunSettings(
                 Conditions conditions,
                 InitialCharges charges,
                 Site site) {
-            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT);
+            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT, OptionalDouble.empty());
         }
 
         /** A fleet with full batteries in calm water. */
@@ -111,32 +127,38 @@ public record RunSettings(
 
         /** The same fleet with more or fewer boats. */
         Fleet of(int otherBoats) {
-            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots);
+            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots);
+            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots, rangeM);
         }
 
         /** The same fleet, with other locations, batteries and all else that is drawn. */
         public Fleet drawnFrom(long otherSeed) {
-            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots);
+            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM);
         }
 
         /** The same fleet with other charges. */
         public Fleet with(InitialCharges others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots);
+            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots, rangeM);
+        }
+
+        /** The same fleet with batteries that last for so many metres on average when they are full. */
+        public Fleet withRangeM(double metres) {
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, charges, site, robots, OptionalDouble.of(metres));
         }
 
         /** The same fleet elsewhere. */
         public Fleet at(Site other) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots, rangeM);
         }
 
         /** The same fleet of other robots. */
         public Fleet of(RobotKind others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others, rangeM);
         }
 
         /** The names of the boats, in order. */
@@ -175,6 +197,9 @@ public record RunSettings(
         }
         if (!connect.isEmpty() && !fleet.charges().equals(InitialCharges.FULL)) {
             throw new IllegalArgumentException("boats behind TCP have their own batteries: see crw boat --help");
+        }
+        if (!connect.isEmpty() && fleet.rangeM().isPresent()) {
+            throw new IllegalArgumentException("boats behind TCP say their range themselves: see crw boat --help");
         }
         if (!connect.isEmpty() && fleet.site().quay().isPresent()) {
             throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run.settings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.sami.crw.fleet.RobotKind;
@@ -17,6 +18,7 @@ public final class SettingsMap {
     private static final String CONNECT = "connect";
     private static final String INTERRUPT = "interrupt.";
     private static final String ALSO = "also.";
+    private static final String RANGE = "rangeM";
     private static final String ROBOTS = "robots";
 
     private SettingsMap() {}
@@ -45,6 +47,7 @@ public final class SettingsMap {
         if (!fleet.charges().equals(InitialCharges.FULL)) {
             map.put(BATTERY, fleet.charges().toString());
         }
+        fleet.rangeM().ifPresent(metres -> map.put(RANGE, String.valueOf(metres)));
         if (fleet.robots() != RobotKind.BOAT) {
             map.put(ROBOTS, fleet.robots().word());
         }
@@ -74,7 +77,10 @@ public final class SettingsMap {
                 Conditions.fromMap(map),
                 map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
                 Site.fromMap(map),
-                map.containsKey(ROBOTS) ? RobotKind.of(map.get(ROBOTS)) : RobotKind.BOAT);
+                map.containsKey(ROBOTS) ? RobotKind.of(map.get(ROBOTS)) : RobotKind.BOAT,
+                map.containsKey(RANGE)
+                        ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
+                        : OptionalDouble.empty());
         RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
                 .speed(Speed.parse(needed(map, "speed")))
                 .parameters(parameters)

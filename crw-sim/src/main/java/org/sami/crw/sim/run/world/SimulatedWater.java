@@ -45,13 +45,17 @@ public final class SimulatedWater {
                 plane.latDeg(eastM, northM),
                 plane.lonDeg(eastM, northM),
                 listeners,
-                FleetConfig.DEFAULT
-                        .withHull(HullConfig.of(settings.robots()))
-                        .withoutTracks()
-                        .withConditions(settings.conditions()));
+                FleetConfig.DEFAULT.withHull(hull(settings)).withoutTracks().withConditions(settings.conditions()));
         for (int i = 0; i < settings.boats(); i++) {
             fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
         }
+    }
+
+    private static HullConfig hull(RunSettings.Fleet settings) {
+        HullConfig usual = HullConfig.of(settings.robots());
+        return settings.rangeM().isPresent()
+                ? usual.withRangeM(settings.rangeM().getAsDouble())
+                : usual;
     }
 
     public VirtualClock clock() {

@@ -1,0 +1,35 @@
+package org.sami.crw.handler.planning;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.service.reach.Charge;
+import org.sami.spn.value.GeoPoint;
+
+/** How far and how fast each boat gets, and where it returns to, as it has reported: what work is divided by. For the fleet's thread. */
+public final class BoatReach {
+    private final ProxyRegistry boats;
+
+    /** Of the boats that are known. */
+    public BoatReach(ProxyRegistry boats) {
+        this.boats = boats;
+    }
+
+    /** How far a boat's charge is sure to take it, in metres; empty for one that has not reported a charge. */
+    OptionalDouble rangeM(String boat) {
+        return boats.find(boat).flatMap(BoatProxy::charge).stream()
+                .mapToDouble(Charge::sureM)
+                .findFirst();
+    }
+
+    /** A boat's speed on paths that name none, in m/s; empty for an unknown boat. */
+    OptionalDouble cruiseMps(String boat) {
+        return boats.find(boat).stream().mapToDouble(BoatProxy::cruiseSpeedMps).findFirst();
+    }
+
+    /** Where a boat returns to; empty for one that has not said. */
+    Optional<GeoPoint> home(String boat) {
+        return boats.find(boat).flatMap(BoatProxy::home);
+    }
+}
