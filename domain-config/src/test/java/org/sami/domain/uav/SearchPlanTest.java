@@ -70,7 +70,7 @@ class SearchPlanTest {
     @Test
     void executionBranchesByWhatAnAircraftSeesAndTheOperatorSays() {
         assertThat(buttons("fly-there")).containsExactly("It arrives", "It cannot", "It is lost");
-        assertThat(buttons("search-there")).containsExactly("Target seen", "Nothing seen", "It is lost");
+        assertThat(buttons("search-there")).containsExactly("Target seen", "Nothing seen", "It cannot", "It is lost");
         assertThat(buttons("ask-target")).containsExactly("Yes", "No");
         assertThat(buttons("ask-retry")).containsExactly("Allocate anew", "Leave it out");
 
@@ -98,7 +98,7 @@ class SearchPlanTest {
                         "UAV 2 Search",
                         "UAV 3 Nothing seen",
                         "UAV 4 Return home");
-        assertThat(boxes(cannot)).contains("UAV 1 It cannot", "OPERATOR 2 Not reached", "OPERATOR 3 Leave it out");
+        assertThat(boxes(cannot)).contains("UAV 1 It cannot", "OPERATOR 2 Not searched", "OPERATOR 3 Leave it out");
         assertThat(CHART.view("Task execution", Map.of("fly-there", "lost-flying-event"))
                         .next())
                 .containsExactly("Task assignment");

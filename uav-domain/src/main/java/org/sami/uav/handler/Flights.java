@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import org.sami.crw.event.Numbers;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
@@ -21,9 +24,10 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Flights along points, for the handlers that need one. Altitudes are metres above the place of the take-off. An aircraft on the ground climbs on the
- * spot before it goes anywhere.
+ * spot before it goes anywhere. What depends on where an aircraft is waits until the aircraft has said it, as after a restart of the base. For the
+ * fleet's thread.
  */
-final class Flights {
+final class Flights implements Consumer<FleetEvent> {
     /** The legal ceiling of small aircraft in Europe, in metres above ground. */
     static final double CEILING_M = 120;
 
@@ -39,6 +43,14 @@ final class Flights {
 
     private final ProxyRegistry robots;
     private final MotionCommands motion;
+    private final List<Waiting> waiting = new ArrayList<>();
+
+    private record Waiting(
+            Activation activation,
+            HandlerContext context,
+            Addressee aircraft,
+            BiFunction<Addressee, GeoPoint, Flight> flight,
+            Reply reply) {}
 
     Flights(ProxyRegistry robots, MotionCommands motion) {
         this.robots = robots;
@@ -85,7 +97,12 @@ final class Flights {
         return activation.value(field).map(Numbers::real).orElse(otherwise);
     }
 
-    /** One aircraft's flight: how its plan is answered, and along what it flies; empty where it is not known where the aircraft is. */
+    /**
+     * One aircraft's flight.
+     *
+     * @param points along which it flies; empty where it is not known where the aircraft is, or where the flight begins in the air and it is not there
+     * @param isRemembered whether the mission remembers how far it came; without points there is nothing to do then
+     */
     record Flight(Addressee aircraft, List<GeoPoint> points, double speedMps, boolean isRemembered) {
         Flight {
             points = List.copyOf(points);
@@ -96,6 +113,7 @@ final class Flights {
     void send(Activation activation, HandlerContext context, List<Flight> flights, Reply reply) {
         List<Move> moves = new ArrayList<>();
         for (Flight flight : flights) {
+            forgetWaiting(activation.mission(), flight.aircraft());
             Optional<String> reason = refusal(flight);
             if (reason.isPresent()) {
                 motion.refuse(activation, context, flight.aircraft(), reply, reason.get());
@@ -106,13 +124,58 @@ final class Flights {
         motion.send(activation, context, moves);
     }
 
-    /** Why a flight cannot be flown; empty where it can. */
+    /** Sends flights that follow from where the aircraft are. One that has not said it yet, but is known, gets its flight when it has. */
+    void sendFromHere(
+            Activation activation,
+            HandlerContext context,
+            List<Addressee> all,
+            BiFunction<Addressee, GeoPoint, Flight> flight,
+            Reply reply) {
+        List<Flight> now = new ArrayList<>();
+        for (Addressee aircraft : all) {
+            Optional<GeoPoint> here = position(aircraft.boat());
+            if (here.isEmpty() && robots.find(aircraft.boat()).isPresent()) {
+                forgetWaiting(activation.mission(), aircraft);
+                waiting.add(new Waiting(activation, context, aircraft, flight, reply));
+            } else {
+                now.add(here.map(at -> flight.apply(aircraft, at))
+                        .orElseGet(() -> new Flight(aircraft, List.of(), SPEED_MPS, false)));
+            }
+        }
+        send(activation, context, now, reply);
+    }
+
+    /** What a mission asks of an aircraft replaces what it asked before, as with commands. */
+    private void forgetWaiting(long mission, Addressee aircraft) {
+        waiting.removeIf(one ->
+                one.activation.mission() == mission && one.aircraft.boat().equals(aircraft.boat()));
+    }
+
+    @Override
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            String aircraft = reported.status().boatId();
+            if (position(aircraft).isPresent()) {
+                List<Waiting> due = waiting.stream()
+                        .filter(one -> one.aircraft.boat().equals(aircraft))
+                        .toList();
+                waiting.removeAll(due);
+                due.stream()
+                        .filter(one -> one.aircraft.stands(one.activation, one.context))
+                        .forEach(one -> sendFromHere(
+                                one.activation, one.context, List.of(one.aircraft), one.flight, one.reply));
+            }
+        }
+    }
+
+    /** Why a flight cannot be flown, as far as is known now; empty where it can. */
     Optional<String> refusal(Flight flight) {
-        Optional<BoatProxy> proxy = robots.find(flight.aircraft().boat());
-        if (proxy.isPresent() && position(flight.aircraft().boat()).isEmpty()) {
-            return Optional.of("it has not said yet where it is");
-        } else if (proxy.isPresent() && !proxy.get().isFlying()) {
-            return Optional.of(flight.aircraft().boat() + " does not fly");
+        String aircraft = flight.aircraft().boat();
+        boolean isPlaced = position(aircraft).isPresent();
+        if (isPlaced && !robots.find(aircraft).map(BoatProxy::isFlying).orElse(true)) {
+            return Optional.of(aircraft + " does not fly");
+        } else if (flight.points().isEmpty() && !flight.isRemembered()) {
+            return Optional.of(isPlaced ? "it is not in the air" : "it has not said yet where it is");
         }
         return flight.points().stream()
                 .mapToDouble(GeoPoint::altM)

@@ -1,15 +1,19 @@
 package org.sami.uav.handler;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Reply;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.Geodesy;
@@ -24,8 +28,8 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ProxyValue;
 
 /**
- * Follow: each aircraft flies behind another robot, at a distance and an altitude, until the plan asks for something else. It gets a new place to fly to
- * whenever the robot has moved a few metres. For the fleet's thread; it passes the engine's steps on to it.
+ * Follow: each aircraft flies behind another robot, at a distance and an altitude and, so that followers do not meet, a layer of its own above that, until the
+ * plan asks for something else. It gets a new place to fly to whenever the robot has moved a few metres. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     private static final double STEP_M = 6; // the robot's way between two commands
@@ -33,12 +37,14 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
 
     private final ProxyRegistry robots;
     private final Flights flights;
+    private final MotionCommands motion;
     private final Executor fleet;
     private final Map<Long, Following> open = new LinkedHashMap<>(); // by activation
 
-    FollowHandler(ProxyRegistry robots, Flights flights, Executor fleet) {
+    FollowHandler(ProxyRegistry robots, Flights flights, MotionCommands motion, Executor fleet) {
         this.robots = robots;
         this.flights = flights;
+        this.motion = motion;
         this.fleet = fleet;
     }
 
@@ -48,7 +54,8 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
         final HandlerContext context;
         final String leader;
         final List<Addressee> aircraft;
-        Optional<GeoPoint> seen = Optional.empty();
+        final Map<String, GeoPoint> seen = new HashMap<>(); // by aircraft: the robot's place for which it was sent
+        final Set<String> refused = new HashSet<>();
         int commands;
 
         Following(Activation activation, HandlerContext context, String leader, List<Addressee> aircraft) {
@@ -84,22 +91,27 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
     }
 
     private void follow(Following following, GeoPoint leader) {
-        if (following.seen.isPresent() && Geodesy.distanceM(following.seen.get(), leader) < STEP_M) {
-            return;
-        }
-        following.seen = Optional.of(leader);
         for (Addressee one : following.aircraft) {
-            if (one.stands(following.activation, following.context)) {
+            GeoPoint seen = following.seen.get(one.boat());
+            if ((seen == null || Geodesy.distanceM(seen, leader) >= STEP_M)
+                    && one.stands(following.activation, following.context)) {
                 flights.position(one.boat()).ifPresent(here -> send(following, one, here, leader));
             }
         }
     }
 
-    /** The command replaces the one before it; nothing is to be answered for either. */
+    /** The command replaces the one before it; nothing is to be answered for either. A refusal is said once. */
     private void send(Following following, Addressee one, GeoPoint here, GeoPoint leader) {
-        Flights.Flight flight =
-                new Flights.Flight(one, List.of(behind(following.activation, here, leader)), Flights.SPEED_MPS, false);
-        if (flights.refusal(flight).isEmpty()) {
+        following.seen.put(one.boat(), leader);
+        double altM = Flights.number(following.activation, "altitude", Flights.ALTITUDE_M);
+        List<GeoPoint> to = flights.raised(one.boat(), List.of(behind(following.activation, here, leader)), altM);
+        Flights.Flight flight = new Flights.Flight(one, to, Flights.SPEED_MPS, false);
+        Optional<String> reason = flights.refusal(flight);
+        if (reason.isPresent()) {
+            if (following.refused.add(one.boat())) {
+                motion.refuse(following.activation, following.context, one, Reply.NONE, reason.get());
+            }
+        } else {
             following.commands++;
             String suffix = "-" + following.commands;
             robots.find(one.boat())
@@ -112,13 +124,12 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
     /** On the line from the leader to the follower, so that it does not fly over the leader. */
     private static GeoPoint behind(Activation activation, GeoPoint here, GeoPoint leader) {
         double distanceM = Flights.number(activation, "distance", DISTANCE_M);
-        double altM = Flights.number(activation, "altitude", Flights.ALTITUDE_M);
         double awayM = Geodesy.distanceM(leader, here);
         double share = awayM > 1 ? Math.min(1, distanceM / awayM) : 0;
         return new GeoPoint(
                 leader.latDeg() + (here.latDeg() - leader.latDeg()) * share,
                 leader.lonDeg() + (here.lonDeg() - leader.lonDeg()) * share,
-                altM);
+                0);
     }
 
     @Override

@@ -57,7 +57,7 @@ final class HoverHandler implements ActivationHandler {
                 activation.id(),
                 PICTURES,
                 activation.priority());
-        Reply reply = new Reply("", "", UavEvents.PICTURE_TAKEN, true);
+        Reply reply = new Reply("", UavEvents.CANNOT_FLY, UavEvents.PICTURE_TAKEN, true);
         return new Move(aircraft, panorama, Optional.empty(), reply);
     }
 }

@@ -9,7 +9,7 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoPoint;
 
-/** Return Home: each aircraft flies to where it took off, at its altitude but not below {@link #LEAST_M}, and lands there. One on the ground stays. */
+/** Return Home: each aircraft flies to where it took off, at its altitude but not below {@link #LEAST_M}, and lands there. One on the ground lands there. */
 final class ReturnHomeHandler implements ActivationHandler {
     private static final double LEAST_M = 15; // above trees and masts
 
@@ -22,19 +22,19 @@ final class ReturnHomeHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         double speedMps = Flights.number(activation, "speed", Flights.SPEED_MPS);
-        List<Flights.Flight> all = new ArrayList<>();
-        for (Addressee aircraft : Addressee.of(activation, context)) {
-            all.add(new Flights.Flight(aircraft, way(aircraft.boat()), speedMps, false));
-        }
-        flights.send(activation, context, all, Reply.way(UavEvents.LANDED, ""));
+        flights.sendFromHere(
+                activation,
+                context,
+                Addressee.of(activation, context),
+                (aircraft, here) -> new Flights.Flight(aircraft, way(aircraft.boat(), here), speedMps, false),
+                Reply.way(UavEvents.LANDED, ""));
     }
 
-    private List<GeoPoint> way(String aircraft) {
+    private List<GeoPoint> way(String aircraft, GeoPoint here) {
         if (!flights.isAirborne(aircraft)) {
-            return List.of();
+            return List.of(Flights.at(here, 0)); // a command too, as one to take off may be under way
         }
         List<GeoPoint> way = new ArrayList<>();
-        GeoPoint here = flights.position(aircraft).orElseThrow();
         double altM = Math.max(here.altM(), LEAST_M);
         if (altM > here.altM()) {
             way.add(Flights.at(here, altM));

@@ -19,7 +19,7 @@ import org.sami.spn.value.Value;
 
 /**
  * Search Around: each aircraft flies a ring around the place where it is, at its altitude, and answers with the first target that its detector saw
- * within the ring, or with none. For the fleet's thread.
+ * within the ring, or with none. One that is not in the air cannot. For the fleet's thread.
  */
 final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEvent> {
     private static final int CORNERS = 8;
@@ -42,17 +42,22 @@ final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEven
     @Override
     public void handle(Activation activation, HandlerContext context) {
         double radiusM = Flights.number(activation, "radius", RADIUS_M);
-        List<Flights.Flight> rings = new ArrayList<>();
-        for (Addressee aircraft : Addressee.of(activation, context)) {
-            Optional<GeoPoint> middle = flights.position(aircraft.boat());
-            rings.add(new Flights.Flight(
-                    aircraft, middle.map(at -> ring(at, radiusM)).orElse(List.of()), SPEED_MPS, false));
-            middle.ifPresent(at -> {
-                sightings.begin(aircraft.boat());
-                byAircraft.put(aircraft.boat(), new Search(activation, context, aircraft, at, radiusM));
-            });
+        flights.sendFromHere(
+                activation,
+                context,
+                Addressee.of(activation, context),
+                (aircraft, here) -> begin(new Search(activation, context, aircraft, here, radiusM)),
+                REPLY);
+    }
+
+    private Flights.Flight begin(Search search) {
+        String aircraft = search.aircraft.boat();
+        if (!flights.isAirborne(aircraft)) {
+            return new Flights.Flight(search.aircraft, List.of(), SPEED_MPS, false);
         }
-        flights.send(activation, context, rings, REPLY);
+        sightings.begin(aircraft);
+        byAircraft.put(aircraft, search);
+        return new Flights.Flight(search.aircraft, ring(search.middle, search.radiusM), SPEED_MPS, false);
     }
 
     /** Half the radius out, so that the camera sees the middle and the edge; and back to the middle. */

@@ -1,10 +1,10 @@
 package org.sami.uav.handler;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -21,7 +21,7 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
-/** Compute Allocations: divides the tasks so that the longest way is short, or gives each to the nearest aircraft. The better one is first. */
+/** Compute Allocations: divides the tasks so that the longest way is short, or gives each to the nearest aircraft. The one with the shorter longest way is first. */
 final class TaskDivision implements ActivationHandler {
     private final Flights flights;
 
@@ -41,7 +41,10 @@ final class TaskDivision implements ActivationHandler {
         final Map<String, Way> ways = new LinkedHashMap<>();
         final Map<Value, Value> tasks = new LinkedHashMap<>();
 
-        Shares(Map<String, GeoPoint> from) {
+        final String method;
+
+        Shares(Map<String, GeoPoint> from, String method) {
+            this.method = method;
             from.forEach((aircraft, at) -> ways.put(aircraft, new Way(at, 0)));
         }
 
@@ -54,16 +57,12 @@ final class TaskDivision implements ActivationHandler {
             return ways.values().stream().mapToDouble(Way::metres).max().orElse(0);
         }
 
-        Value toValue(String method) {
-            return new RecordValue(
-                    "Allocation",
-                    Map.of(
-                            "tasks",
-                            new MapValue(tasks),
-                            "longestM",
-                            new RealValue(longestM()),
-                            "method",
-                            new TextValue(method)));
+        Value toValue() {
+            Map<String, Value> fields = new LinkedHashMap<>(); // as declared: the journal has them in this order
+            fields.put("tasks", new MapValue(tasks));
+            fields.put("longestM", new RealValue(longestM()));
+            fields.put("method", new TextValue(method));
+            return new RecordValue("Allocation", fields);
         }
     }
 
@@ -77,8 +76,8 @@ final class TaskDivision implements ActivationHandler {
         }
         Map<TaskId, GeoPoint> locations = new LinkedHashMap<>();
         activation.tasks().forEach(task -> locations.put(task, location(context, task)));
-        Shares even = new Shares(from);
-        Shares nearest = new Shares(from);
+        Shares even = new Shares(from, "short ways for all");
+        Shares nearest = new Shares(from, "the nearest");
         while (even.tasks.size() < locations.size()) {
             giveShortest(even, locations);
         }
@@ -89,9 +88,10 @@ final class TaskDivision implements ActivationHandler {
                         .min(Comparator.comparingDouble(each -> Geodesy.distanceM(each.getValue(), location)))
                         .orElseThrow()
                         .getKey()));
-        List<Value> options = new ArrayList<>();
-        options.add(even.toValue("short ways for all"));
-        options.add(nearest.toValue("the nearest"));
+        List<Value> options = Stream.of(even, nearest)
+                .sorted(Comparator.comparingDouble(Shares::longestM))
+                .map(Shares::toValue)
+                .toList();
         context.post(new Input.Received(Occurrence.answer(
                 UavEvents.ALLOCATIONS_COMPUTED,
                 activation,

@@ -30,6 +30,7 @@ public final class UavHandlers implements HandlerModule {
     @Override
     public void addTo(HandlerParts parts) {
         Flights flights = new Flights(parts.robots(), parts.motion());
+        parts.listen((Consumer<FleetEvent>) flights);
         Sightings sightings = new Sightings();
         parts.listen((Consumer<FleetEvent>) sightings);
         addFlights(parts, flights);
@@ -60,7 +61,7 @@ public final class UavHandlers implements HandlerModule {
         SearchAroundHandler search = new SearchAroundHandler(flights, sightings);
         parts.addMotion(UavEvents.SEARCH_AROUND, search);
         parts.listen((Consumer<FleetEvent>) search);
-        FollowHandler follow = new FollowHandler(parts.robots(), flights, parts.fleet());
+        FollowHandler follow = new FollowHandler(parts.robots(), flights, parts.motion(), parts.fleet());
         parts.addMotion(UavEvents.FOLLOW, follow);
         parts.listen((Consumer<FleetEvent>) follow);
         parts.listen((HostListener) follow);

@@ -35,15 +35,12 @@ final class VerticalHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         double altM = down ? GROUND_M : ActivationFields.metres(activation, "altitude");
-        List<Flights.Flight> all = Addressee.of(activation, context).stream()
-                .map(aircraft -> new Flights.Flight(
-                        aircraft,
-                        flights.position(aircraft.boat()).stream()
-                                .map(here -> Flights.at(here, altM))
-                                .toList(),
-                        Flights.SPEED_MPS,
-                        false))
-                .toList();
-        flights.send(activation, context, all, Reply.way(answer, down ? "" : UavEvents.CANNOT_FLY));
+        flights.sendFromHere(
+                activation,
+                context,
+                Addressee.of(activation, context),
+                (aircraft, here) ->
+                        new Flights.Flight(aircraft, List.of(Flights.at(here, altM)), Flights.SPEED_MPS, false),
+                Reply.way(answer, down ? "" : UavEvents.CANNOT_FLY));
     }
 }

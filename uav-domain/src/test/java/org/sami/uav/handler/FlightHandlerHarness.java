@@ -1,0 +1,167 @@
+package org.sami.uav.handler;
+
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.publishing.FleetEvents;
+import org.sami.crw.handler.motion.BoatErrors;
+import org.sami.crw.handler.motion.ClearWays;
+import org.sami.crw.handler.motion.MotionCommands;
+import org.sami.crw.handler.motion.WayQuestions;
+import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.fleet.FleetConfig;
+import org.sami.crw.sim.fleet.SimulatedFleet;
+import org.sami.crw.sim.hull.HullConfig;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/** Handlers on simulated copters without an engine: a test activates them, and sees what they answer. Every token stands where it was, and everything is awaited. */
+final class FlightHandlerHarness implements HandlerContext {
+    private static final String PLACE = "place";
+
+    final VirtualClock clock = new VirtualClock();
+    final SimulatedFleet fleet;
+    final Flights flights;
+    final MotionCommands motion;
+    final List<Occurrence> answers = new ArrayList<>();
+    final List<String> messages = new ArrayList<>();
+    final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
+    private final List<Consumer<FleetEvent>> listeners = new ArrayList<>();
+    private final List<Token> standing = new ArrayList<>();
+    private long activations;
+
+    /** Copters on the ground, whose links are not up before time passes. */
+    FlightHandlerHarness(int copters) {
+        fleet = new SimulatedFleet(
+                clock,
+                1,
+                copters,
+                45.7,
+                10.72,
+                id -> event -> List.copyOf(listeners).forEach(listener -> listener.accept(event)),
+                FleetConfig.DEFAULT.withHull(HullConfig.COPTER));
+        BoatErrors errors = new BoatErrors(fleet.proxies(), CrwServices.STANDARD.error());
+        motion = new MotionCommands(
+                fleet.proxies(),
+                message -> messages.add(message.text()),
+                new WayQuestions(fleet.proxies(), message -> {}, Runnable::run, Set.of()),
+                new ClearWays(fleet.proxies(), message -> {}, errors, new FleetEvents()));
+        flights = new Flights(fleet.proxies(), motion);
+        listen(motion);
+        listen(flights);
+        fleet.start();
+    }
+
+    void listen(Consumer<FleetEvent> listener) {
+        listeners.add(listener);
+    }
+
+    void pass(long seconds) {
+        clock.runUntil(clock.nowMs() + seconds * 1000);
+    }
+
+    BoatProxy proxy(String copter) {
+        return fleet.proxies().find(copter).orElseThrow();
+    }
+
+    double altM(String copter) {
+        return fleet.boat(copter).orElseThrow().hull().altM().orElseThrow();
+    }
+
+    /** Copters enter the place of an output event. */
+    void activate(ActivationHandler handler, Map<String, Value> values, String... copters) {
+        activate(
+                handler, values, Stream.of(copters).<Token>map(Token.Proxy::new).toList());
+    }
+
+    /** Any tokens enter it. */
+    void activate(ActivationHandler handler, Map<String, Value> values, List<Token> tokens) {
+        standing.addAll(tokens);
+        activations++;
+        Activation activation = new Activation(
+                activations,
+                1,
+                1,
+                1,
+                "plan",
+                PLACE,
+                "event",
+                "type",
+                values,
+                Map.of(),
+                tokens,
+                Map.of(),
+                List.of(),
+                Priority.MEDIUM);
+        try {
+            handler.handle(activation, this);
+        } catch (Exception e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    /** What was answered, in order. */
+    List<String> answered() {
+        return answers.stream().map(Occurrence::type).toList();
+    }
+
+    @Override
+    public void post(List<Input> inputs) {
+        inputs.stream()
+                .filter(Input.Received.class::isInstance)
+                .forEach(input -> answers.add(((Input.Received) input).occurrence()));
+    }
+
+    @Override
+    public <T> T query(Function<EngineView, T> question) {
+        return question.apply((EngineView) Proxy.newProxyInstance(
+                getClass().getClassLoader(), new Class<?>[] {EngineView.class}, (view, method, given) -> {
+                    return switch (method.getName()) {
+                        case "mission" -> Optional.of(mission()).filter(one -> given[0].equals(one.id()));
+                        case "awaits" -> true;
+                        case "proxies" -> fleet.proxies().boatIds();
+                        case "task" -> Optional.ofNullable(tasks.get(given[0]));
+                        case "openActivations" -> List.of();
+                        default -> nothing(method.getReturnType());
+                    };
+                }));
+    }
+
+    private static Object nothing(Class<?> type) {
+        return type == Map.class ? Map.of() : type == List.class ? List.of() : Optional.empty();
+    }
+
+    private MissionView mission() {
+        return new MissionView(1, 0, 1, "plan", "plan", MissionStatus.RUNNING, Map.of(PLACE, standing));
+    }
+
+    @Override
+    public long nowMillis() {
+        return clock.nowMs();
+    }
+
+    @Override
+    public boolean redelivered() {
+        return false;
+    }
+}

@@ -1,0 +1,161 @@
+package org.sami.uav.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.RecordValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+
+class FlightHandlersTest {
+    private static final GeoPoint POST = GeoPoint.of(45.7005, 10.7205);
+    private static final Map<String, Value> UP = Map.of("altitude", new RealValue(20));
+
+    private static FlightHandlerHarness harness(int copters) {
+        FlightHandlerHarness harness = new FlightHandlerHarness(copters);
+        harness.pass(2);
+        return harness;
+    }
+
+    private static void takeOff(FlightHandlerHarness harness, String... copters) {
+        harness.activate(VerticalHandler.climbing(harness.flights, UavEvents.AIRBORNE), UP, copters);
+    }
+
+    private static FlyToHandler flyTo(FlightHandlerHarness harness) {
+        return new FlyToHandler(
+                harness.flights,
+                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of()));
+    }
+
+    @Test
+    void returnHomeReplacesATakeOffThatHasNotLeftTheGround() {
+        FlightHandlerHarness harness = harness(1);
+        takeOff(harness, "copter1");
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+        harness.pass(60);
+
+        assertThat(harness.answered()).contains(UavEvents.LANDED).doesNotContain(UavEvents.AIRBORNE);
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(harness.proxy("copter1").isAtRest()).isTrue();
+    }
+
+    @Test
+    void flightsWaitUntilAircraftHaveSaidWhereTheyAre() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(4);
+        takeOff(harness, "copter1");
+        harness.activate(flyTo(harness), Map.of("location", POST), "copter2");
+        harness.activate(VerticalHandler.landing(harness.flights), Map.of(), "copter3");
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter4");
+        assertThat(harness.answers).isEmpty();
+        harness.pass(90);
+
+        assertThat(harness.answered())
+                .containsExactlyInAnyOrder(
+                        UavEvents.AIRBORNE, UavEvents.REACHED_LOCATION, UavEvents.LANDED, UavEvents.LANDED);
+    }
+
+    @Test
+    void newerRequestReplacesOneThatWaits() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(1);
+        harness.activate(VerticalHandler.landing(harness.flights), Map.of(), "copter1");
+        takeOff(harness, "copter1");
+        harness.pass(60);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.AIRBORNE);
+    }
+
+    @Test
+    void unknownAircraftHasNotLanded() {
+        FlightHandlerHarness harness = harness(1);
+        harness.activate(VerticalHandler.landing(harness.flights), Map.of(), "copter9");
+
+        assertThat(harness.answers).isEmpty();
+        assertThat(harness.messages).singleElement().asString().contains("it has not said yet where it is");
+    }
+
+    @Test
+    void searchFromTheGroundIsRefused() {
+        FlightHandlerHarness harness = harness(1);
+        harness.activate(new SearchAroundHandler(harness.flights, new Sightings()), Map.of(), "copter1");
+
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
+        assertThat(harness.answers.get(0).values()).containsEntry("reason", new TextValue("it is not in the air"));
+    }
+
+    @Test
+    void picturesThatCannotBeTakenAreAnswered() {
+        FlightHandlerHarness harness = harness(1);
+        harness.activate(HoverHandler.looking(harness.motion), Map.of(), "copter1");
+        harness.proxy("copter1").abort("its camera is gone");
+
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
+    }
+
+    @Test
+    void followersFlyAtAltitudesOfTheirOwn() {
+        FlightHandlerHarness harness = harness(3);
+        FollowHandler follow =
+                new FollowHandler(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run);
+        harness.listen(follow);
+        harness.activate(follow, Map.of("robot", new ProxyValue("copter1")), "copter2", "copter3");
+
+        assertThat(List.of("copter2", "copter3"))
+                .extracting(name -> ((FollowPath)
+                                harness.proxy(name).commands().current().orElseThrow())
+                        .points()
+                        .get(0)
+                        .altM())
+                .containsExactly(34.0, 38.0);
+    }
+
+    @Test
+    void refusedFollowIsSaidOnce() {
+        FlightHandlerHarness harness = harness(2);
+        FollowHandler follow =
+                new FollowHandler(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run);
+        harness.listen(follow);
+        harness.activate(follow, Map.of("robot", new ProxyValue("copter1"), "altitude", new RealValue(200)), "copter2");
+        harness.activate(flyTo(harness), Map.of("location", POST), "copter1");
+        harness.pass(60);
+
+        assertThat(harness.messages).singleElement().asString().contains("above the ceiling");
+    }
+
+    @Test
+    void divisionWithTheShorterLongestWayIsFirstWithItsFieldsAsDeclared() {
+        FlightHandlerHarness harness = harness(1);
+        GeoPoint here = harness.flights.position("copter1").orElseThrow();
+        for (int northM : List.of(-15, 10, 30)) {
+            TaskId task = new TaskId(1, "Search " + northM);
+            harness.tasks.put(task, Map.of("location", Geodesy.offset(here, 0, northM)));
+        }
+        harness.activate(
+                new TaskDivision(harness.flights),
+                Map.of(),
+                List.of(-15, 10, 30).stream()
+                        .<Token>map(northM -> new Token.Task(new TaskId(1, "Search " + northM)))
+                        .toList());
+
+        List<Value> options = ((ListValue)
+                        Objects.requireNonNull(harness.answers.get(0).values().get("allocations")))
+                .items();
+        assertThat(options)
+                .extracting(option -> ((RecordValue) option).fields().get("method"))
+                .containsExactly(new TextValue("the nearest"), new TextValue("short ways for all"));
+        assertThat(options)
+                .allSatisfy(option -> assertThat(((RecordValue) option).fields().keySet())
+                        .containsExactly("tasks", "longestM", "method"));
+    }
+}
