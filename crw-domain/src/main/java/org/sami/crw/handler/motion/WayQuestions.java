@@ -4,20 +4,18 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
-import org.sami.crw.area.AvoidedAreas;
 import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.handler.activation.ActivationMessages;
+import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.PlannedSwaps;
-import org.sami.crw.handler.activation.Restrictions;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -96,7 +94,7 @@ public final class WayQuestions implements HostListener {
     List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, Sender sender) {
         List<Move> clear = new ArrayList<>();
         Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
-        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> avoided(activation, view));
+        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
         for (Move move : moves) {
             Optional<Way> way = way(move, avoid);
             Optional<WayDoubt> doubt = move.doubt().or(() -> way.flatMap(WayCheck::doubt));
@@ -142,13 +140,6 @@ public final class WayQuestions implements HostListener {
                 Priority.LOW,
                 back.words(),
                 List.of(move.addressee().boat())));
-    }
-
-    /** The areas that the activation avoids, and its mission. */
-    private static List<GeoArea> avoided(Activation activation, EngineView view) {
-        Set<GeoArea> areas = new LinkedHashSet<>(Restrictions.avoid(activation));
-        areas.addAll(AvoidedAreas.of(activation.mission(), view));
-        return List.copyOf(areas);
     }
 
     private static DomainQuestion question(WayDoubt doubt) {

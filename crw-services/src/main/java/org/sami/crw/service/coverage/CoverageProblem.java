@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
@@ -32,6 +33,9 @@ public record CoverageProblem(
         CrossTrackError error,
         Ranges ranges,
         Map<String, Double> speedsMps) {
+    /** A boat that has left an area is at least this far from it, in metres. */
+    private static final double LEAST_CLEARANCE_M = 0.1;
+
     public CoverageProblem {
         Objects.requireNonNull(ranges, "ranges");
         Objects.requireNonNull(error, "error");
@@ -103,6 +107,16 @@ public record CoverageProblem(
                 .max()
                 .orElse(0);
         return speedsMps.containsKey(boat) ? speedsMps.getOrDefault(boat, fastestMps) / fastestMps : 1;
+    }
+
+    /** The same for boats that first leave what is forbidden, where they lie in it, by the shortest way. */
+    CoverageProblem outside(Water water) {
+        Map<String, Optional<GeoPoint>> others = new LinkedHashMap<>();
+        boats.forEach((boat, position) -> others.put(
+                boat,
+                position.map(at -> water.outside(
+                        at, Math.max(LEAST_CLEARANCE_M, water.error().steeringM())))));
+        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges, speedsMps);
     }
 
     /** The same for fewer boats. */

@@ -17,8 +17,9 @@ import org.locationtech.jts.geom.Geometry;
  */
 public final class LawnMower implements CoverageAlgorithm {
     @Override
-    public Coverage cover(CoverageProblem problem) {
-        CoverageRegion region = new CoverageRegion(problem);
+    public Coverage cover(CoverageProblem asked) {
+        CoverageRegion region = new CoverageRegion(asked);
+        CoverageProblem problem = asked.outside(region.water());
         Map<String, String> noWay = new LinkedHashMap<>();
         List<CoveragePart> parts = region.parts();
         Map<String, CoveragePart> partOf = BoatsOfParts.of(problem, parts, noWay);

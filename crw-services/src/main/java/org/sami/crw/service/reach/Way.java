@@ -13,7 +13,7 @@ import org.sami.spn.value.GeoPoint;
  * @param from position of the boat, if known
  * @param charge its battery's charge, if known
  * @param points in driving order
- * @param avoid areas that the plan's boats avoid, such as land
+ * @param avoid no-go areas of plan and project, such as land
  * @param water where the boat may go; empty = everywhere
  */
 public record Way(

@@ -64,7 +64,7 @@ public final class WayCheck {
                             way.boat() + " is to go to " + WayDanger.text(point) + ", point " + (i + 1)
                                     + String.format(
                                             Locale.ROOT,
-                                            " of its way, which lies %.1f m inside an area that the plan avoids",
+                                            " of its way, which lies %.1f m inside a no-go area",
                                             around.depthM(point))));
                 }
             }
@@ -85,7 +85,7 @@ public final class WayCheck {
                 return Optional.of(new WayDoubt(
                         WayDoubt.Kind.PLACE,
                         way.boat() + " is to go to " + WayDanger.text(point)
-                                + " through what the plan avoids, and there is no way around"));
+                                + " through a no-go area, and there is no way around"));
             }
             at = point;
         }

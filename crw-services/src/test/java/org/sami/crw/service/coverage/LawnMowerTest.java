@@ -14,6 +14,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
@@ -162,6 +163,21 @@ class LawnMowerTest {
         assertThat(coverage.uncoveredM2()).isLessThan(1);
         assertThat(alone.shares()).isEmpty();
         assertThat(alone.uncoveredM2()).isCloseTo(alone.areaM2(), within(1e-6));
+    }
+
+    @Test
+    void aBoatThatLiesInANoGoAreaLeavesItAndGetsItsShare() {
+        GeoArea quay = box(0, -45, 40, 20);
+        Map<String, Optional<GeoPoint>> inside = Map.of("boat-1", Optional.of(at(0, -45)));
+
+        for (CrossTrackError error : List.of(CrossTrackError.NONE, CrossTrackError.CALM)) {
+            Coverage coverage = lawnMower.cover(
+                    new CoverageProblem(inside, box(0, 0, 100, 60), 10, List.of(quay), Optional.empty(), error));
+
+            assertThat(coverage.noWay()).isEmpty();
+            assertThat(coverage.shares()).containsOnlyKeys("boat-1");
+            assertThat(coverage.uncoveredM2()).isLessThan(10);
+        }
     }
 
     @Test

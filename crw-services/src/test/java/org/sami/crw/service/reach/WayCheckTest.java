@@ -50,7 +50,7 @@ class WayCheckTest {
         assertThat(doubt(100, List.of(island), at(100, 0), at(250, 0)))
                 .hasValueSatisfying(doubt -> assertThat(doubt.words())
                         .startsWith("anna is to go to ")
-                        .endsWith("point 2 of its way, which lies 50.0 m inside an area that the plan avoids"));
+                        .endsWith("point 2 of its way, which lies 50.0 m inside a no-go area"));
     }
 
     @Test

@@ -25,6 +25,9 @@ class DoubtfulWayTest {
     private static final String NEAR = "{\"boat1\": {\"lat\": 45.6975, \"lon\": 10.72}}";
     private static final String EXCHANGED = "{\"boat1\": {\"lat\": 10.72, \"lon\": 45.6975}}";
     private static final String ON_LAND = "{\"boat1\": {\"lat\": 45.7005, \"lon\": 10.72}}";
+    private static final String NO_GO =
+            "{\"outline\": [{\"lat\": 45.697, \"lon\": 10.719}, {\"lat\": 45.697, \"lon\": 10.721}, "
+                    + "{\"lat\": 45.698, \"lon\": 10.721}, {\"lat\": 45.698, \"lon\": 10.719}]}";
     private static final String WANTED = "{\"event\": \"DoubtfulWay\", \"answer\": {\"yes\": true}}";
 
     private static RunReport run(String there, InitialCharges charges, String rules) {
@@ -63,7 +66,16 @@ class DoubtfulWayTest {
     void boatIsNotSentOntoLandThatItsPlanAvoids() {
         RunReport report = run(ON_LAND, InitialCharges.FULL, "");
 
-        assertThat(asked(report)).singleElement().asString().contains("m inside an area that the plan avoids");
+        assertThat(asked(report)).singleElement().asString().contains("m inside a no-go area");
+        assertThat(report.distanceM()).isZero();
+    }
+
+    /** No request of the plan names the area: only the project does. */
+    @Test
+    void boatIsNotSentIntoANoGoAreaOfTheProjectUnasked() {
+        RunReport report = ProblemRuns.runWithNoGo(NO_GO, "goto", Map.of("@there", NEAR));
+
+        assertThat(asked(report)).singleElement().asString().matches("DoubtfulWay: .* m inside a no-go area.*");
         assertThat(report.distanceM()).isZero();
     }
 
@@ -74,8 +86,8 @@ class DoubtfulWayTest {
         assertThat(asked(report))
                 .singleElement()
                 .asString()
-                .matches(
-                        "LongWay: boat1 is to go \\d+ m, and its charge of 1 % is sure to last for 32 m, \\d+ m less. Send it\\?");
+                .matches("LongWay: boat1 is to go \\d+ m, and its charge of 1 % is sure to last for 32 m, \\d+ m less."
+                        + " Send it\\?");
         assertThat(report.decisions()).extracting(DecisionResult::answer).containsExactly("yes");
         assertThat(report.distanceM()).isPositive();
     }

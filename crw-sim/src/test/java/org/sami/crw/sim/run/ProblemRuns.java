@@ -21,9 +21,23 @@ final class ProblemRuns {
     }
 
     static InProcessRun of(String id, Map<String, String> parameters, InitialCharges charges, String rules) {
-        Project project = new ProjectReader(TestRuns.LIBRARY.vocabulary())
-                .read(TestRuns.text("problem-project.json"))
-                .orThrow();
+        return of(TestRuns.text("problem-project.json"), id, parameters, charges, rules);
+    }
+
+    /** A run on one boat that the project keeps out of an area. */
+    static RunReport runWithNoGo(String area, String id, Map<String, String> parameters) {
+        String project = TestRuns.text("problem-project.json")
+                .replaceFirst(
+                        "\"domain\":",
+                        "\"globals\": [{\"name\": \"@noGo\", \"type\": \"list<area>\", \"initial\": [" + area
+                                + "]}],\n  \"domain\":");
+        return of(project, id, parameters, InitialCharges.FULL, "").run(Pacer.UNPACED, RunObserver.NONE);
+    }
+
+    private static InProcessRun of(
+            String text, String id, Map<String, String> parameters, InitialCharges charges, String rules) {
+        Project project =
+                new ProjectReader(TestRuns.LIBRARY.vocabulary()).read(text).orThrow();
         RunPlan plan = new RunPlan(
                 TestRuns.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
         RunSettings settings = RunSettings.of(id, id, new RunSettings.Fleet(BOATS, 1, 600, 1).with(charges))
