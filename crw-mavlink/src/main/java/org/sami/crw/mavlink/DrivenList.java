@@ -10,7 +10,8 @@ import org.sami.mavlink.mission.MissionItem;
 
 /**
  * A list of waypoints as a mission of an autopilot, and how far the vehicle is along it. Item 0 is the vehicle's home. Before a waypoint to which it goes at
- * another speed than to the one before stands an item that changes the speed; behind the last one stands an item with which it keeps its place there.
+ * another speed than to the one before stands an item that changes the speed; behind the last one stands an item with which it keeps its place there. Of a long
+ * list the vehicle holds a part ({@link MissionWindow}); progress counts over the whole list.
  */
 final class DrivenList {
     private static final int NAV_WAYPOINT = 16;
@@ -23,16 +24,34 @@ final class DrivenList {
     private final UploadWaypoints upload;
     private final List<Integer> itemOf = new ArrayList<>(); // by waypoint
     private final List<MissionItem> items = new ArrayList<>();
+    private final int hint;
+    private MissionWindow window;
+    private boolean isWindowKnown; // else it is looked for in what the vehicle holds
     private int next;
     private boolean completed;
 
+    /** A list from its beginning. */
     DrivenList(UploadWaypoints upload) {
+        this(upload, 0);
+    }
+
+    /**
+     * A list that an earlier base gave to the vehicle.
+     *
+     * @param hint the end of the part that the vehicle was then known to hold
+     */
+    DrivenList(UploadWaypoints upload, int hint) {
         this.upload = upload;
+        this.hint = hint;
         List<Waypoint> waypoints = upload.waypoints();
-        if (waypoints.isEmpty()) {
-            completed = true;
-            return;
+        completed = waypoints.isEmpty();
+        if (!completed) {
+            fill(waypoints);
         }
+        window = MissionWindow.of(items, 1);
+    }
+
+    private void fill(List<Waypoint> waypoints) {
         items.add(at(0, NAV_WAYPOINT, waypoints.get(0))); // the autopilot puts its home there
         Optional<Double> speed = Optional.empty();
         for (Waypoint waypoint : waypoints) {
@@ -63,28 +82,53 @@ final class DrivenList {
         return upload.waypoints();
     }
 
-    /** The items of the mission, home first. */
-    List<MissionItem> items() {
-        return List.copyOf(items);
+    // ---- what the vehicle holds of it
+
+    /** The part of it that the vehicle holds, or is to hold. */
+    MissionWindow window() {
+        return window;
     }
 
-    /** The item of a waypoint. */
+    /** Another part of it. */
+    void window(MissionWindow other) {
+        window = other;
+        isWindowKnown = true;
+    }
+
+    /** The part of it that a vehicle needs to drive from a waypoint on. */
+    MissionWindow windowFrom(int waypoint) {
+        return MissionWindow.of(items, itemOf.get(waypoint));
+    }
+
+    /** Whether the vehicle can drive to a waypoint with the part that it holds. */
+    boolean has(int waypoint) {
+        return window.has(itemOf.get(waypoint));
+    }
+
+    /** The part to send next to the vehicle as it drives; empty where nothing can be sent yet. */
+    Optional<MissionWindow> nextWindow() {
+        return completed ? Optional.empty() : window.next(itemOf.get(next));
+    }
+
+    /** The number that the item of a waypoint has in the mission of the vehicle. */
     int itemOf(int waypoint) {
-        return itemOf.get(waypoint);
+        return window.slot(itemOf.get(waypoint));
     }
 
-    /** Whether a mission that a vehicle holds is this one, but for its home. */
-    boolean isHeld(List<MissionItem> held) {
-        if (held.size() != items.size()) {
-            return false;
+    /**
+     * Whether a mission that a vehicle holds is this one, or the part of it that it is to hold. Where a part that an earlier base has brought there is found, that is
+     * its part from then on.
+     */
+    boolean recognizes(List<MissionItem> held) {
+        if (isWindowKnown) {
+            return window.isHeld(held);
         }
-        for (int i = 1; i < items.size(); i++) {
-            if (!items.get(i).isSameAs(held.get(i))) {
-                return false;
-            }
-        }
-        return true;
+        Optional<MissionWindow> found = MissionWindow.found(items, held, hint);
+        found.ifPresent(this::window);
+        return found.isPresent();
     }
+
+    // ---- how far the vehicle is along it
 
     Progress progress() {
         return new Progress(id(), next, completed);
@@ -104,16 +148,23 @@ final class DrivenList {
         completed = false;
     }
 
-    /** The vehicle reports an item as reached. Returns whether that is progress along the list. */
-    boolean reached(int item) {
+    /** The vehicle reports an item of its mission as reached. Returns whether that is progress along the list. */
+    boolean reached(int number) {
+        int item = window.item(number);
         int before = itemOf.indexOf(item);
-        return before >= 0 && advance(before + 1);
+        return before >= 0 && item < window.gate() && advance(before + 1);
     }
 
     /** The vehicle reports the item to which it goes, so the waypoints before it are done. Returns whether that is progress. */
-    boolean current(int item) {
+    boolean current(int number) {
+        int item = window.item(number);
         int behind = (int) itemOf.stream().filter(each -> each < item).count();
-        return item > 0 && advance(behind);
+        return item > 0 && item <= window.gate() && advance(behind);
+    }
+
+    /** Whether a vehicle that goes to an item of its mission goes to a waypoint or to a later one. */
+    boolean isPast(int number, int waypoint) {
+        return window.item(number) >= itemOf.get(waypoint);
     }
 
     /** Marks that many waypoints as reached. Returns whether that is progress. */

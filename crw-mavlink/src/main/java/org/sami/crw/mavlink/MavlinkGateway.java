@@ -2,8 +2,10 @@ package org.sami.crw.mavlink;
 
 import java.net.InetSocketAddress;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
@@ -15,6 +17,8 @@ import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.spn.value.GeoArea;
 
 /**
  * Reaches vehicles that speak MAVLink for one base. One thread owns everything about the boats; each MAVLink address has a {@link MavlinkBase} of its own, so
@@ -28,6 +32,7 @@ public final class MavlinkGateway implements BoatGateway {
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
     private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
+    private List<MissionItem> fence = List.of();
     private boolean closed;
 
     /**
@@ -60,6 +65,14 @@ public final class MavlinkGateway implements BoatGateway {
         return connection;
     }
 
+    @Override
+    public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
+        executor().execute(() -> {
+            fence = FenceItems.of(within, avoid);
+            links.values().forEach(link -> link.keepTo(fence));
+        });
+    }
+
     private void add(String host, VehicleConnection connection) {
         try {
             links.computeIfAbsent(host, this::open).add(connection, nowMs.getAsLong());
@@ -69,7 +82,7 @@ public final class MavlinkGateway implements BoatGateway {
     }
 
     private VehicleLink open(String host) {
-        return new VehicleLink(AddressText.parse(host), executor(), nowMs, files);
+        return new VehicleLink(AddressText.parse(host), executor(), nowMs, files, fence);
     }
 
     /** Its thread; what is thrown there is logged, and after the end nothing runs. */

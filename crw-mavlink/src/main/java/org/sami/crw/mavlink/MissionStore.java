@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.mission.HeldKind;
@@ -11,20 +13,43 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /** The mission that a vehicle holds: brings a list there and knows whether it is there, read back. For the gateway's thread. */
 final class MissionStore {
+    /** Why a list is not brought to a vehicle that drives along something else. */
+    static final String ANOTHER = "it drives along another mission than it was given";
+
     private static final int MOST_TRIES = 3;
 
     private final MavlinkBase base;
     private final VehicleId id;
     private final Executor thread;
+    private final BooleanSupplier drives;
+    private final MissionParts parts;
     private Optional<DrivenList> held = Optional.empty(); // read back equal
     private Optional<DrivenList> coming = Optional.empty();
     private int tries;
     private final List<Consumer<Optional<String>>> waiting = new ArrayList<>(); // for what comes
 
-    MissionStore(MavlinkBase base, VehicleId id, Executor thread) {
+    /**
+     * Nothing is known to be held.
+     *
+     * @param drives whether the vehicle drives along its mission now
+     * @param further called when the vehicle holds a further part of a list, with the item at which it had to stop before
+     */
+    MissionStore(
+            MavlinkBase base,
+            VehicleId id,
+            Executor thread,
+            BooleanSupplier drives,
+            BiConsumer<DrivenList, Integer> further) {
         this.base = base;
         this.id = id;
         this.thread = thread;
+        this.drives = drives;
+        parts = new MissionParts(base, id, thread, list -> holds(Optional.of(list)), further);
+    }
+
+    /** Sends the next part of a long list that the vehicle holds, where it has left enough of it behind. To be called often. */
+    void tick(long atMs) {
+        held.ifPresent(list -> parts.tick(list, atMs));
     }
 
     /** Whether the vehicle holds this list. */
@@ -64,14 +89,16 @@ final class MissionStore {
                 base.held(id, HeldKind.MISSION),
                 thread,
                 there -> {
-                    if (isComing(list) && list.isHeld(there)) {
+                    if (isComing(list) && list.recognizes(there)) {
                         arrived(list);
+                    } else if (isComing(list) && drives.getAsBoolean()) {
+                        end(Optional.of(ANOTHER)); // nothing is changed under a vehicle that drives along it
                     } else {
                         send(list);
                     }
                 },
                 why -> {
-                    if (isComing(list) && holds(coming)) { // it may be driving along it
+                    if (isComing(list) && (holds(coming) || drives.getAsBoolean())) { // maybe along this list
                         end(Optional.of(why));
                     } else {
                         send(list);
@@ -82,11 +109,12 @@ final class MissionStore {
     private void send(DrivenList list) {
         if (isComing(list)) {
             held = Optional.empty();
+            list.window(list.window()); // this part, whatever an earlier base has brought there
             Results.when(
-                    base.replace(id, HeldKind.MISSION, list.items()),
+                    base.replace(id, HeldKind.MISSION, list.window().items()),
                     thread,
                     there -> {
-                        if (isComing(list) && list.isHeld(there)) {
+                        if (isComing(list) && list.recognizes(there)) {
                             arrived(list);
                         } else {
                             again(list, "vehicle " + id + " holds another mission than was sent");

@@ -2,6 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -11,6 +12,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.SettingsReport;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -29,6 +31,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleOrders orders;
     private final VehicleSettings settings;
     private final VehiclePerformance performance;
+    private final VehicleFence fence;
     private final OtherHands others = new OtherHands();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
@@ -45,6 +48,7 @@ final class VehicleBoat implements BaseSession.Boat {
         settings = new VehicleSettings(base, first.id(), thread, this::reportSettings);
         performance = new VehiclePerformance(
                 base, first.id(), thread, files.consumption(name), counted -> keep(files, counted));
+        fence = new VehicleFence(base, first.id(), thread, this::alarm);
         orders = new VehicleOrders(
                 base, first, thread, settings, this::broadcast, kept -> keep(files, kept), files.read(name));
     }
@@ -65,6 +69,10 @@ final class VehicleBoat implements BaseSession.Boat {
         } catch (IOException e) {
             LOG.log(Level.WARNING, "how far " + name + " drives on its charge is counted anew by the next base", e);
         }
+    }
+
+    private void alarm(String text) {
+        session.ifPresent(told -> told.alarm(text));
     }
 
     private void broadcast(LinkMessage message) {
@@ -90,8 +98,16 @@ final class VehicleBoat implements BaseSession.Boat {
         connection.open(next);
     }
 
+    /** The fence that it is to hold by itself; empty for none of the session's. */
+    void keepTo(List<MissionItem> fenceItems) {
+        fence.want(fenceItems);
+    }
+
     /** This is how it reports itself. */
     void reported(VehicleSnapshot now, long atMs) {
+        if (now.health().outsideFence() && !vehicle.health().outsideFence()) {
+            alarm(name + " says that it is outside of its own fence");
+        }
         vehicle = now;
         if (performance.reported(now)) {
             reportSettings();
@@ -110,6 +126,7 @@ final class VehicleBoat implements BaseSession.Boat {
         if (event instanceof VehicleEvent.Restarted) {
             settings.read();
             performance.read();
+            fence.restarted();
             orders.restarted();
             session.ifPresent(told -> {
                 told.givenBack();
@@ -131,6 +148,7 @@ final class VehicleBoat implements BaseSession.Boat {
 
     void tick(long atMs) {
         orders.tick(atMs);
+        fence.tick(atMs, session.filter(BaseSession::isCommanded).isPresent());
         if (session.filter(BaseSession::isGreeted).isEmpty()) {
             return;
         }

@@ -14,8 +14,9 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.UploadWaypoints;
 
 /**
- * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, and who latched its
- * fleet stop; and how far it drove on how much charge. After a crash the next base finds the list again. Two small files for each vehicle, each replaced as a whole. For one thread at a time.
+ * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, how far it holds them,
+ * and who latched its fleet stop; and how far it drove on how much charge. After a crash the next base finds the list again. Two small files for each vehicle,
+ * each replaced as a whole. For one thread at a time.
  */
 public final class VehicleFiles {
     private static final System.Logger LOG = System.getLogger(VehicleFiles.class.getName());
@@ -27,9 +28,10 @@ public final class VehicleFiles {
      *
      * @param stoppedBy who has latched its fleet stop; empty where it is not latched
      * @param list the list that it was given last, as the base sent it
+     * @param heldTo the end of the part of the list that it held ({@link MissionWindow#to}); 0 where that is not known
      */
-    record Kept(String stoppedBy, Optional<UploadWaypoints> list) {
-        static final Kept NOTHING = new Kept("", Optional.empty());
+    record Kept(String stoppedBy, Optional<UploadWaypoints> list, int heldTo) {
+        static final Kept NOTHING = new Kept("", Optional.empty(), 0);
     }
 
     /** Files in a folder, which is made when something is kept. */
@@ -57,11 +59,16 @@ public final class VehicleFiles {
                     .toList();
             return new Kept(
                     lines.stream().findFirst().orElse(""),
-                    lines.stream().skip(1).findFirst().flatMap(line -> list(file, line)));
+                    lines.stream().skip(1).findFirst().flatMap(line -> list(file, line)),
+                    lines.stream().skip(2).findFirst().map(VehicleFiles::number).orElse(0));
         } catch (IOException e) {
             LOG.log(Level.WARNING, file + " cannot be read; the vehicle is sent its list again", e);
             return Kept.NOTHING;
         }
+    }
+
+    private static int number(String line) {
+        return line.matches("[0-9]{1,6}") ? Integer.parseInt(line) : 0;
     }
 
     private static Optional<UploadWaypoints> list(Path file, String line) {
@@ -87,7 +94,7 @@ public final class VehicleFiles {
         String list = kept.list()
                 .map(upload -> new String(LinkCodec.body(upload), StandardCharsets.UTF_8))
                 .orElse("");
-        replace(name, file(name), kept.stoppedBy() + "\n" + list + "\n");
+        replace(name, file(name), kept.stoppedBy() + "\n" + list + "\n" + kept.heldTo() + "\n");
     }
 
     /** What was counted of a vehicle's consumption; nothing where nothing was, or its file is damaged. */

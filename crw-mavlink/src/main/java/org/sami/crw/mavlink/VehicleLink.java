@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -35,6 +36,7 @@ final class VehicleLink {
     private final List<Waiting> waiting = new ArrayList<>();
     private final List<Several> several = new ArrayList<>();
     private List<VehicleSnapshot> vehicles = List.of();
+    private List<MissionItem> fence; // that each vehicle is to hold
     private boolean asked; // for the vehicles, and not answered
 
     /** A connection to a vehicle that is not heard yet. */
@@ -43,13 +45,21 @@ final class VehicleLink {
     /** A connection that asks for all vehicles, and those that were reported to it. */
     private record Several(VehicleConnection connection, Set<Integer> found, long untilMs) {}
 
-    VehicleLink(MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files) {
+    VehicleLink(
+            MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files, List<MissionItem> fence) {
         this.address = address;
         this.thread = thread;
         this.nowMs = nowMs;
         this.files = files;
+        this.fence = fence;
         base = new MavlinkBase(List.of(address), nowMs);
         base.addListener(events);
+    }
+
+    /** The fence that each vehicle is to hold by itself from now on. */
+    void keepTo(List<MissionItem> items) {
+        fence = items;
+        boats.values().forEach(boat -> boat.keepTo(items));
     }
 
     void add(VehicleConnection connection, long now) {
@@ -84,14 +94,19 @@ final class VehicleLink {
         vehicles = now;
         for (VehicleSnapshot vehicle : now) {
             if (isBoat(vehicle)) {
-                GuardedWork.run(() -> boats.computeIfAbsent(
-                                vehicle.id().system(), number -> new VehicleBoat(base, vehicle, thread, files))
+                GuardedWork.run(() -> boats.computeIfAbsent(vehicle.id().system(), number -> boat(vehicle))
                         .reported(vehicle, atMs));
             }
         }
         boats.values().forEach(boat -> GuardedWork.run(() -> boat.tick(atMs)));
         List.copyOf(waiting).forEach(one -> GuardedWork.run(() -> look(one, atMs)));
         List.copyOf(several).forEach(one -> GuardedWork.run(() -> look(one, atMs)));
+    }
+
+    private VehicleBoat boat(VehicleSnapshot vehicle) {
+        VehicleBoat boat = new VehicleBoat(base, vehicle, thread, files);
+        boat.keepTo(fence);
+        return boat;
     }
 
     private static boolean isBoat(VehicleSnapshot vehicle) {

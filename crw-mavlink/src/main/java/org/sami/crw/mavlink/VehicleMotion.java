@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.BoatDefaults;
 import org.sami.mavlink.base.MavlinkBase;
@@ -36,6 +37,15 @@ final class VehicleMotion {
     interface Delivery {
         void whenHeld(Consumer<Optional<String>> then);
     }
+
+    /**
+     * How it begins to follow a mission.
+     *
+     * @param item from which it goes on; empty for a vehicle that follows the mission already, which is not disturbed
+     * @param speedMps of the leg under way
+     * @param started called when it follows it
+     */
+    record Leg(Optional<Integer> item, double speedMps, Runnable started) {}
 
     VehicleMotion(MavlinkBase base, VehicleSnapshot first, Executor thread) {
         this.base = base;
@@ -142,28 +152,28 @@ final class VehicleMotion {
         });
     }
 
-    /** Follows the mission that it then holds, from an item on. */
-    void follow(Delivery mission, int item, double speedMps, Runnable started, Consumer<Optional<String>> ended) {
+    /** Follows the mission that it then holds; {@code leg} is asked once that is there. */
+    void follow(Delivery mission, Supplier<Leg> leg, Consumer<Optional<String>> ended) {
         byItself(ended)
                 .ifPresent(order -> mission.whenHeld(why -> {
                     if (why.isPresent()) {
                         order.fail(why.get());
                     } else if (!order.isVoid()) {
-                        follow(order, item, speedMps, started);
+                        follow(order, leg.get());
                     }
                 }));
     }
 
-    private void follow(VehiclePilot.Order order, int item, double speedMps, Runnable started) {
-        order.command(
-                base.command(id, VehicleCommand.setCurrentItem(item)),
-                () -> order.arm(() -> order.mode(
-                        AUTO,
-                        true,
-                        () -> order.command(base.command(id, VehicleCommand.setSpeed(speedMps)), () -> {
-                            started.run();
-                            order.done(new VehiclePilot.Ordered(AUTO, true));
-                        }))));
+    private void follow(VehiclePilot.Order order, Leg leg) {
+        Runnable drive = () -> order.arm(() -> order.mode(
+                AUTO,
+                true,
+                () -> order.command(base.command(id, VehicleCommand.setSpeed(leg.speedMps)), () -> {
+                    leg.started.run();
+                    order.done(new VehiclePilot.Ordered(AUTO, true));
+                })));
+        leg.item.ifPresentOrElse(
+                item -> order.command(base.command(id, VehicleCommand.setCurrentItem(item)), drive), drive);
     }
 
     /** Changes the speed of the leg under way. */

@@ -1,6 +1,5 @@
 package org.sami.crw.mavlink;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -10,7 +9,6 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Gains;
-import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
@@ -25,8 +23,6 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.UploadWaypoints;
-import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -36,20 +32,12 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * LOITER, by hand in MANUAL, stop as disarmed in HOLD. Motors are armed only by these orders. For the gateway's thread.
  */
 final class VehicleOrders {
-    private static final double ARRIVED_M =
-            2.5; // of a place in GUIDED, on which an autopilot does not say that it is there
-    private static final double ARRIVED_STILL_M = 3.5;
-    private static final double STILL_MPS = 0.15;
-    private static final int MOST_WAYPOINTS = 300; // each may need two items, and a vehicle holds some 600
-
     private final VehicleMotion motion;
-    private final MissionStore store;
+    private final VehiclePaths paths;
     private final VehicleSettings settings;
     private final Consumer<LinkMessage> broadcast;
     private final Consumer<VehicleFiles.Kept> keep;
-    private Optional<DrivenList> list = Optional.empty();
     private String stoppedBy; // who has latched the fleet stop; empty while it is not latched
-    private double multiplier = 1;
 
     VehicleOrders(
             MavlinkBase base,
@@ -63,9 +51,8 @@ final class VehicleOrders {
         this.broadcast = broadcast;
         this.keep = keep;
         motion = new VehicleMotion(base, first, thread);
-        store = new MissionStore(base, first.id(), thread);
+        paths = new VehiclePaths(base, motion, thread, broadcast, this::remember, kept);
         stoppedBy = kept.stoppedBy();
-        list = kept.list().map(DrivenList::new);
     }
 
     // ---- what it does
@@ -76,9 +63,8 @@ final class VehicleOrders {
         if (!now.armed()) {
             return stoppedBy.isEmpty() ? BoatMode.STOPPED : BoatMode.FLEET_STOP;
         }
-        boolean there = list.filter(DrivenList::isCompleted).isPresent();
         return switch (now.mode()) {
-            case VehicleMotion.AUTO, VehicleMotion.GUIDED -> there ? BoatMode.HOLD : BoatMode.PATH;
+            case VehicleMotion.AUTO, VehicleMotion.GUIDED -> paths.isAtEnd() ? BoatMode.HOLD : BoatMode.PATH;
             case VehicleMotion.LOITER -> BoatMode.HOLD;
             case "RTL", "SMART_RTL" -> BoatMode.RETURN;
             case VehicleMotion.HOLD, "INITIALIZING" -> BoatMode.STOPPED;
@@ -88,7 +74,7 @@ final class VehicleOrders {
 
     /** How far it is along its list. */
     Progress progress() {
-        return list.map(DrivenList::progress).orElse(new Progress("", 0, false));
+        return paths.progress();
     }
 
     /** The settings in force. The autopilot's own gains are no concern of the base. */
@@ -96,67 +82,32 @@ final class VehicleOrders {
         Gains own = new Gains(0, 0, 0);
         LostLinkAction lostLink =
                 settings.lostLink().orElse(LostLinkAction.CONTINUE); // it goes on unless it says otherwise
-        return new SettingsReport(own, own, multiplier, lostLink, Optional.empty(), Optional.empty(), stoppedBy);
+        return new SettingsReport(
+                own, own, paths.multiplier(), lostLink, Optional.empty(), Optional.empty(), stoppedBy);
     }
 
     /** The vehicle reports itself. Whether somebody has taken it from the base just now. */
     boolean reported(VehicleSnapshot vehicle, long atMs) {
         boolean other = motion.reported(vehicle, atMs);
         if (!other) {
-            arrive(vehicle);
+            paths.seen(vehicle);
         }
         return other;
     }
 
     void happened(VehicleEvent event) {
-        boolean driving = motion.vehicle().mode().equals(VehicleMotion.AUTO) && store.holds(list);
-        boolean further = false;
-        if (driving && event instanceof VehicleEvent.ItemReached reached) {
-            further = list.orElseThrow().reached(reached.item());
-        } else if (driving && event instanceof VehicleEvent.ItemCurrent current) {
-            further = list.orElseThrow().current(current.item());
-        }
-        if (further) {
-            broadcast.accept(progress());
-            keepSpeed();
-        }
-    }
-
-    /** The items of a mission set the speeds of its legs; a multiplier is set after each of them. */
-    private void keepSpeed() {
-        if (multiplier != 1 && !list.orElseThrow().isCompleted()) {
-            motion.speed(speedOf(list.orElseThrow().next()));
-        }
-    }
-
-    private double speedOf(int waypoint) {
-        return multiplier * list.orElseThrow().waypoints().get(waypoint).speedMps();
-    }
-
-    /** In GUIDED the autopilot does not say that it has arrived. */
-    private void arrive(VehicleSnapshot vehicle) {
-        if (motion.isGuided()
-                && list.isPresent()
-                && !list.get().isCompleted()
-                && vehicle.position().isPresent()) {
-            Waypoint last = list.get().waypoints().get(list.get().waypoints().size() - 1);
-            var at = vehicle.position().get();
-            double leftM = new LocalFrame(last.latDeg(), last.lonDeg()).distanceM(at.latDeg(), at.lonDeg());
-            if (leftM <= ARRIVED_M || (leftM <= ARRIVED_STILL_M && at.speedMps() < STILL_MPS)) {
-                list.get().advance(list.get().waypoints().size());
-                broadcast.accept(progress());
-            }
-        }
+        paths.happened(event);
     }
 
     /** Its autopilot has started again. Its list is kept; nothing moves the vehicle before the next command. */
     void restarted() {
         motion.release();
-        store.forget();
+        paths.restarted();
     }
 
     void tick(long atMs) {
         motion.tick(atMs);
+        paths.tick(atMs);
     }
 
     /**
@@ -186,17 +137,17 @@ final class VehicleOrders {
             latch("");
             answer.accept(new Ack(command.commandId()));
         } else if (command instanceof UploadWaypoints upload) {
-            upload(upload, answer);
+            paths.upload(upload, mode() == BoatMode.PATH, answer);
         } else if (command instanceof ReadBack) {
-            readBack(command, answer);
+            paths.readBack(command, answer);
+        } else if ((command instanceof StartWaypoints || command instanceof HoldPosition) && !stoppedBy.isEmpty()) {
+            answer.accept(new Nack(command.commandId(), NackReason.FLEET_STOPPED, "the fleet stop is latched"));
         } else if (command instanceof StartWaypoints start) {
-            start(start, answer, ended);
-        } else if (command instanceof HoldPosition && stoppedBy.isEmpty()) {
-            motion.hold(ended);
+            paths.start(start, answer, ended);
         } else if (command instanceof HoldPosition) {
-            answer.accept(latched(command));
+            motion.hold(ended);
         } else if (command instanceof SetVelocityMultiplier set) {
-            multiply(set);
+            paths.multiply(set.multiplier(), mode() == BoatMode.PATH);
             answer.accept(new Ack(command.commandId()));
             broadcast.accept(settings());
         } else if (command instanceof SetLostLinkAction set) {
@@ -215,14 +166,10 @@ final class VehicleOrders {
         }
     }
 
-    private static Nack refused(CommandMessage command, String why) {
+    static Nack refused(CommandMessage command, String why) {
         return why.equals(VehiclePilot.VOID)
                 ? new Nack(command.commandId(), NackReason.STALE, why)
                 : new Nack(command.commandId(), NackReason.NOT_ABLE, why);
-    }
-
-    private static Nack latched(CommandMessage command) {
-        return new Nack(command.commandId(), NackReason.FLEET_STOPPED, "the fleet stop is latched");
     }
 
     private void latch(String clientId) {
@@ -232,100 +179,7 @@ final class VehicleOrders {
     }
 
     private void remember() {
-        keep.accept(new VehicleFiles.Kept(stoppedBy, list.map(DrivenList::upload)));
-    }
-
-    /** A vehicle that is on its way along the old list keeps its place until the new one is started; where it does not, the old one stays. */
-    private void upload(UploadWaypoints upload, Consumer<LinkMessage> answer) {
-        if (upload.waypoints().size() > MOST_WAYPOINTS) {
-            answer.accept(new Nack(
-                    upload.commandId(),
-                    NackReason.TOO_LONG,
-                    upload.waypoints().size() + " waypoints; " + MOST_WAYPOINTS + " are taken"));
-            return;
-        }
-        Runnable taken = () -> {
-            list = Optional.of(new DrivenList(upload));
-            remember();
-            answer.accept(new Ack(upload.commandId()));
-            broadcast.accept(progress());
-            list.filter(VehicleOrders::isMission).ifPresent(store::put);
-        };
-        if (mode() == BoatMode.PATH && motion.isOrdered()) {
-            motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
-        } else {
-            taken.run();
-        }
-    }
-
-    /** Whether it goes there by a mission; to a single place it goes in GUIDED. */
-    private static boolean isMission(DrivenList list) {
-        return list.waypoints().size() > 1;
-    }
-
-    /** Answered once the vehicle has read back what it holds. */
-    private void readBack(CommandMessage command, Consumer<LinkMessage> answer) {
-        if (list.isEmpty()) {
-            answer.accept(new HeldWaypoints(command.commandId(), "", List.of()));
-        } else if (!isMission(list.get())) {
-            answer.accept(new HeldWaypoints(
-                    command.commandId(), list.get().id(), list.get().waypoints()));
-        } else {
-            DrivenList asked = list.get();
-            store.whenReadBack(
-                    asked,
-                    why -> answer.accept(why.<LinkMessage>map(words -> refused(command, words))
-                            .orElseGet(() -> new HeldWaypoints(command.commandId(), asked.id(), asked.waypoints()))));
-        }
-    }
-
-    private void start(StartWaypoints start, Consumer<LinkMessage> answer, Consumer<Optional<String>> ended) {
-        if (!stoppedBy.isEmpty()) {
-            answer.accept(latched(start));
-            return;
-        }
-        if (list.filter(held -> held.id().equals(start.listId())).isEmpty()) {
-            answer.accept(new Nack(start.commandId(), NackReason.UNKNOWN_LIST, "this boat holds another list"));
-            return;
-        }
-        int waypoints = list.get().waypoints().size();
-        if (start.index() > waypoints) {
-            answer.accept(
-                    new Nack(start.commandId(), NackReason.BAD_INDEX, "the list has " + waypoints + " waypoints"));
-        } else if (start.index() == waypoints) {
-            list.get().startAt(start.index());
-            motion.hold(ended);
-        } else if (start.index() == waypoints - 1 || !isMission(list.get())) {
-            guide(list.get(), start.index(), ended);
-        } else {
-            follow(list.get(), start.index(), ended);
-        }
-    }
-
-    private void guide(DrivenList to, int index, Consumer<Optional<String>> ended) {
-        Waypoint place = to.waypoints().get(index);
-        motion.guide(place, multiplier * place.speedMps(), () -> started(to, index), ended);
-    }
-
-    private void follow(DrivenList along, int index, Consumer<Optional<String>> ended) {
-        motion.follow(
-                then -> store.whenReadBack(along, then),
-                along.itemOf(index),
-                speedOf(index),
-                () -> started(along, index),
-                ended);
-    }
-
-    private void started(DrivenList along, int index) {
-        along.startAt(index);
-        broadcast.accept(progress());
-    }
-
-    private void multiply(SetVelocityMultiplier set) {
-        multiplier = set.multiplier();
-        if (mode() == BoatMode.PATH && motion.isOrdered()) {
-            motion.speed(speedOf(list.orElseThrow().next()));
-        }
+        keep.accept(paths.kept(stoppedBy));
     }
 
     /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */

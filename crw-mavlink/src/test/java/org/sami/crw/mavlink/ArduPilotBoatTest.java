@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,6 +18,7 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.mavlink.testing.ArduPilotBoats;
 import org.sami.mavlink.testing.SimulatorTruth;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** The real firmware of a boat under a base's commands; where it truly was, its simulator says. */
@@ -25,8 +27,12 @@ class ArduPilotBoatTest {
     private static final int NUMBER = 90; // far from where somebody tries one by hand
     private static final int SPEED = 5;
     private static final double BOOT_S = 300;
-    private static final double MISSION_S = 300;
+    private static final double MISSION_S = 500;
     private static final double RADIUS_M = 3;
+    private static final int LONG_PATH = 1_000;
+    private static final int LONG_PATH_SPEED = 10;
+    private static final int LANE = 20; // locations
+    private static final double STAY_S = 12; // simulated time within the radius; it slows down where it turns
     private static final String BOAT = "mav" + (NUMBER + 1);
 
     @TempDir
@@ -62,6 +68,89 @@ class ArduPilotBoatTest {
                 assertThat(world.faults).isEmpty();
             }
         }
+    }
+
+    @Test
+    void followsAPathThatIsLongerThanWhatItHolds() throws Exception {
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, LONG_PATH_SPEED, work);
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
+            world.connect(ArduPilotBoats.address(NUMBER));
+            Await.until(
+                    "it is ready",
+                    BOOT_S,
+                    () -> world.is(
+                            BOAT,
+                            boat -> boat.isCommanding() && boat.status().pose().isPresent()));
+            try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
+                GeoPoint start = start(world);
+                List<GeoPoint> path = IntStream.range(0, LONG_PATH)
+                        .mapToObj(i -> onLanes(start, i / LANE, i % LANE))
+                        .toList();
+                submit(world, FollowPath.of("long", 1, 1, path, Priority.MEDIUM));
+                Await.until(
+                        "it is under way",
+                        MISSION_S,
+                        () -> world.has(FleetEvent.Progressed.class, news -> news.visited() > 0));
+                int first = truth.samples();
+                completes(world, "long");
+
+                assertThat(path)
+                        .allSatisfy(place -> assertThat(truth.nearestM(place.latDeg(), place.lonDeg()))
+                                .isLessThan(RADIUS_M));
+                assertThat(truth.longestStayS(first, RADIUS_M)).isLessThan(STAY_S);
+                assertThat(world.alarms).noneMatch(alarm -> alarm.contains("mission changed"));
+                assertThat(world.faults).isEmpty();
+            }
+        }
+    }
+
+    @Test
+    void stopsByItselfAtANoGoAreaOfTheSession() throws Exception {
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
+            world.connect(ArduPilotBoats.address(NUMBER));
+            Await.until(
+                    "it is ready",
+                    BOOT_S,
+                    () -> world.is(
+                            BOAT,
+                            boat -> boat.isCommanding() && boat.status().pose().isPresent()));
+            try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
+                GeoPoint start = start(world);
+                world.keepTo(Optional.of(area(start, -100, -100, 200)), List.of(area(start, 20, -20, 40)));
+                Await.until(
+                        "its fence is in force",
+                        MISSION_S,
+                        () -> world.alarms.stream().anyMatch(a -> a.contains("fence")));
+                List<GeoPoint> path = List.of(off(start, 10, 0), off(start, 40, 0), off(start, 80, 0));
+                submit(world, FollowPath.of("through", 1, 1, path, Priority.MEDIUM));
+                Await.until(
+                        "its own failsafe has stopped it",
+                        MISSION_S,
+                        () -> world.is(BOAT, boat -> !boat.isCommanding()));
+
+                System.out.println(world.alarms);
+                assertThat(truth.nearestM(path.get(1).latDeg(), path.get(1).lonDeg()))
+                        .isGreaterThan(RADIUS_M);
+            }
+        }
+    }
+
+    /** Lanes to and fro, 8 m apart. */
+    private static GeoPoint onLanes(GeoPoint start, int lane, int place) {
+        return off(start, 10 + 8.0 * lane, 3.0 * (lane % 2 == 0 ? place : LANE - 1 - place));
+    }
+
+    private static GeoArea area(GeoPoint from, double northM, double eastM, double sizeM) {
+        return new GeoArea(
+                List.of(
+                        off(from, northM, eastM),
+                        off(from, northM, eastM + sizeM),
+                        off(from, northM + sizeM, eastM + sizeM),
+                        off(from, northM + sizeM, eastM)),
+                List.of());
     }
 
     private static GeoPoint start(GatewayWorld world) {

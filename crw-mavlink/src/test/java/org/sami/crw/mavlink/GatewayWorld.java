@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -19,6 +20,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.spn.value.GeoArea;
 
 /** A base on real links that records its events, for tests of vehicles. The gateway is found as programs find it. */
 final class GatewayWorld implements AutoCloseable, BaseListener {
@@ -56,6 +58,10 @@ final class GatewayWorld implements AutoCloseable, BaseListener {
 
     void connect(String address) {
         base.connect(BoatAddress.parse(address).toSocketAddress());
+    }
+
+    void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
+        base.keepTo(within, avoid);
     }
 
     List<LinkReport> links() {

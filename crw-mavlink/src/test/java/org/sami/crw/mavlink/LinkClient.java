@@ -22,10 +22,12 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.spn.value.GeoArea;
 
 /** Commands one vehicle through a gateway by messages of the boat link, each once. */
 final class LinkClient implements AutoCloseable {
     private final List<LinkMessage> said = new CopyOnWriteArrayList<>();
+    private final List<String> alarms = new CopyOnWriteArrayList<>();
     private final MavlinkGateway gateway;
     private final String address;
     private GatewayLink link;
@@ -72,6 +74,21 @@ final class LinkClient implements AutoCloseable {
 
     private <T extends LinkMessage> Optional<T> first(Class<T> kind) {
         return said.stream().filter(kind::isInstance).map(kind::cast).findFirst();
+    }
+
+    /** The last message of a kind that the vehicle has said over this connection. */
+    <T extends LinkMessage> Optional<T> last(Class<T> kind) {
+        return said.stream().filter(kind::isInstance).map(kind::cast).reduce((before, later) -> later);
+    }
+
+    /** The area in which the vehicle may go. */
+    void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
+        gateway.keepTo(within, avoid);
+    }
+
+    /** Waits for an alarm with such words. */
+    void untilAlarm(String words) {
+        Await.until("alarm " + words, () -> alarms.stream().anyMatch(text -> text.contains(words)));
     }
 
     void say(LinkMessage message) {
@@ -133,7 +150,7 @@ final class LinkClient implements AutoCloseable {
 
         @Override
         public void alarm(String text) {
-            // read from the autopilot elsewhere
+            alarms.add(text);
         }
 
         @Override

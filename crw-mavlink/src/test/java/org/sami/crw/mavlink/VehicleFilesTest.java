@@ -19,7 +19,7 @@ class VehicleFilesTest {
 
     @Test
     void latchedStopIsKeptWithoutAList() throws Exception {
-        VehicleFiles.Kept stopped = new VehicleFiles.Kept("base", Optional.empty());
+        VehicleFiles.Kept stopped = new VehicleFiles.Kept("base", Optional.empty(), 0);
         new VehicleFiles(folder).write(BOAT, stopped);
 
         assertThat(new VehicleFiles(folder).read(BOAT)).isEqualTo(stopped);
@@ -28,12 +28,12 @@ class VehicleFilesTest {
     @Test
     void latchedStopIsKeptWhereTheListIsDamaged() throws Exception {
         UploadWaypoints list = new UploadWaypoints("u", "list", List.of(new Waypoint(45.7, 10.7, 1)));
-        new VehicleFiles(folder).write(BOAT, new VehicleFiles.Kept("base", Optional.of(list)));
+        new VehicleFiles(folder).write(BOAT, new VehicleFiles.Kept("base", Optional.of(list), 500));
         Path file = folder.resolve(BOAT + ".state");
         byte[] half = Files.readAllBytes(file);
         half[half.length / 2] = (byte) 0xff;
         Files.write(file, java.util.Arrays.copyOf(half, half.length / 2 + 1));
 
-        assertThat(new VehicleFiles(folder).read(BOAT)).isEqualTo(new VehicleFiles.Kept("base", Optional.empty()));
+        assertThat(new VehicleFiles(folder).read(BOAT)).isEqualTo(new VehicleFiles.Kept("base", Optional.empty(), 0));
     }
 }

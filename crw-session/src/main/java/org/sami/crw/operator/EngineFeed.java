@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.crw.area.AvoidedAreas;
 import org.sami.crw.area.OperatingArea;
@@ -47,6 +48,8 @@ final class EngineFeed {
     private final AtomicLong steps = new AtomicLong();
     private final AtomicLong stepsLookedAt = new AtomicLong();
     private final AtomicBoolean looking = new AtomicBoolean();
+    private Consumer<OperatingArea> areas = area -> {}; // this and the next: for the owner's thread
+    private OperatingArea area = OperatingArea.OPEN;
 
     /**
      * Tells nothing yet.
@@ -109,8 +112,21 @@ final class EngineFeed {
     }
 
     private void operatingAreaChanged() {
-        models.alarms().setArea(variables.operatingArea(), nowMillis.getAsLong());
+        OperatingArea now = variables.operatingArea();
+        models.alarms().setArea(now, nowMillis.getAsLong());
         models.map().refresh();
+        if (!now.equals(area)) {
+            area = now;
+            areas.accept(now);
+        }
+    }
+
+    /** Has a listener receive the operating area at each change, on the owner's thread. From any thread. */
+    void onOperatingArea(Consumer<OperatingArea> listener) {
+        inbox.post(() -> {
+            areas = listener;
+            listener.accept(area);
+        });
     }
 
     private void open(DecisionPresentation presentation, long atMillis) {

@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
@@ -147,6 +148,11 @@ public final class OperatorModels implements HostListener, MessageSink {
         for (CompletableFuture<Void> one = awaitShown.poll(); one != null; one = awaitShown.poll()) {
             one.complete(null);
         }
+    }
+
+    /** Has a listener receive the area in which boats may go, now and at each change, on the owner's thread. From any thread. */
+    public void onOperatingArea(Consumer<OperatingArea> listener) {
+        engine.onOperatingArea(listener);
     }
 
     /** Completes, on the owner's thread, when all that happened until now is in the snapshots. From any thread. */

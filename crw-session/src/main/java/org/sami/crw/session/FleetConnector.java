@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
+import org.sami.crw.area.OperatingArea;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BaseListener;
@@ -50,6 +51,11 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
     /** How the links stand; empty where boats are reached without any. For the fleet's thread. */
     default List<LinkReport> linkReports() {
         return List.of();
+    }
+
+    /** The area in which boats may go from now on, for vehicles that keep to a fence by themselves; from any thread. */
+    default void keepTo(OperatingArea area) {
+        // simulated boats have no fence of their own
     }
 
     /** The way to the pictures that a boat keeps; empty while it is not reached, or where it keeps none. */

@@ -65,6 +65,7 @@ final class SessionParts {
                 monitor.map(SessionMonitor::engine),
                 setup.onFault().boats());
         fleet.events().subscribe(models.fleetListener(fleet.connector().boats(), threads.showMillis()));
+        models.onOperatingArea(fleet.connector()::keepTo);
         looks = new SessionLooks(setup.vocabulary(), threads, engine, fleet, domain, models, monitor);
     }
 

@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.SteadyClock;
+import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -126,6 +127,11 @@ final class TcpFleet implements FleetConnector {
     @Override
     public List<LinkReport> linkReports() {
         return base.linkReports();
+    }
+
+    @Override
+    public void keepTo(OperatingArea area) {
+        base.keepTo(area.fence(), area.noGo());
     }
 
     @Override

@@ -9,6 +9,7 @@ import io.dronefleet.mavlink.common.MissionRequestInt;
 import io.dronefleet.mavlink.common.MissionWritePartialList;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -191,10 +192,20 @@ final class ListUpload implements ListTransfer {
             again(MissionWords.of(result), nowMs);
         } else {
             Optional<String> refusal = Optional.of("vehicle " + vehicle + " refuses the " + kind.words() + " of "
-                    + items.size() + " items: " + MissionWords.of(result));
+                    + items.size() + " items" + where() + ": " + MissionWords.of(result));
             notReady = refusal;
             failure = what == MavMissionResult.MAV_MISSION_ERROR ? Optional.empty() : refusal; // it may be ready soon
         }
+    }
+
+    /** The item that it did not take, and its place; empty where it has refused before the first. */
+    private String where() {
+        if (asked < from) {
+            return "";
+        }
+        MissionItem item = items.get(asked);
+        return String.format(
+                Locale.ROOT, " at item %d (%s at %.7f, %.7f)", asked, item.commandName(), item.latDeg(), item.lonDeg());
     }
 
     private void again(String why, long nowMs) {

@@ -71,6 +71,33 @@ public final class SimulatorTruth implements AutoCloseable {
         }
     }
 
+    /** How many reports of its place have come. */
+    public int samples() {
+        synchronized (track) {
+            return track.size();
+        }
+    }
+
+    /** The longest time for which it stayed within a radius of where it was, in seconds of its own clock, from a report on. */
+    public double longestStayS(int fromSample, double radiusM) {
+        synchronized (track) {
+            int longest = 0;
+            int first = fromSample;
+            for (int last = fromSample; last < track.size(); last++) {
+                while (metres(track.get(first), track.get(last)) > radiusM) {
+                    first++;
+                }
+                longest = Math.max(longest, last - first);
+            }
+            return longest * EVERY_US * 1e-6;
+        }
+    }
+
+    private static double metres(int[] from, int[] to) {
+        double narrower = Math.cos(Math.toRadians(from[0] * 1e-7));
+        return Math.hypot((from[0] - to[0]) * METRES, (from[1] - to[1]) * METRES * narrower);
+    }
+
     @Override
     public void close() throws IOException {
         socket.close();

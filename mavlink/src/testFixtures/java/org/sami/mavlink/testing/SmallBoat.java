@@ -6,14 +6,21 @@ import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.ManualControl;
 import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MavParamType;
 import io.dronefleet.mavlink.common.MavResult;
 import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.MissionClearAll;
+import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionCurrent;
+import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.common.MissionItemReached;
+import io.dronefleet.mavlink.common.MissionRequestInt;
+import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
@@ -38,6 +45,9 @@ import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * A simulated boat with an autopilot, on TCP on loopback: modes, arming, a mission and single places as ArduPilot's boats have them, without any hydrodynamics.
@@ -54,6 +64,8 @@ public final class SmallBoat implements AutoCloseable {
     private static final int SET_CURRENT = 224;
     private static final int ARM = 400;
     private static final int SEND_EVERY = 511;
+    private static final int FENCE_CORNERS = 84;
+    private static final VehicleId STATION = new VehicleId(255, 190);
     private static final int POSITION = 33; // the number of its message
 
     private final int system;
@@ -79,7 +91,17 @@ public final class SmallBoat implements AutoCloseable {
             "TURN_RADIUS",
             0.5f,
             "WP_RADIUS",
-            2f));
+            2f,
+            "FENCE_ENABLE",
+            0f,
+            "FENCE_TYPE",
+            6f,
+            "FENCE_ACTION",
+            1f));
+    private final OnboardLists fence = new OnboardLists(FENCE_CORNERS, 0, new FenceKeeper(), this::send);
+    private int fences; // that were sent to it
+    private int refusedCorner = -1;
+    private boolean outside;
     private Socket client = new Socket();
     private MavlinkConnection codec;
     private int mode = SmallBoatMotion.HOLD;
@@ -144,9 +166,26 @@ public final class SmallBoat implements AutoCloseable {
         mission.lose();
     }
 
-    /** How many missions were sent to it. */
+    /** How many whole missions were sent to it. */
     public synchronized int uploads() {
         return mission.uploads();
+    }
+
+    /** The waypoints of missions that it has reached, in their order, as latitude and longitude in degrees. */
+    public synchronized List<List<Double>> visited() {
+        return mission.visited().stream()
+                .map(item -> List.of(item.x() / 1e7, item.y() / 1e7))
+                .toList();
+    }
+
+    /** How often it went on along a mission after it had kept its place at an item for that. */
+    public synchronized int stops() {
+        return mission.stops();
+    }
+
+    /** How many parts of missions were sent to it. */
+    public synchronized int parts() {
+        return mission.parts();
     }
 
     /** How far it is from a place, in metres. */
@@ -222,6 +261,31 @@ public final class SmallBoat implements AutoCloseable {
         charge = percent;
     }
 
+    /** The fence that it holds. */
+    public synchronized List<MissionItem> fence() {
+        return fence.held(HeldKind.FENCE);
+    }
+
+    /** Its owner has given it this fence. */
+    public synchronized void ownFence(List<MissionItem> items) {
+        fence.put(HeldKind.FENCE, items);
+    }
+
+    /** How many fences were sent to it. */
+    public synchronized int fences() {
+        return fences;
+    }
+
+    /** It refuses a corner of each fence from now on; -1 for none. */
+    public synchronized void refuseCorner(int number) {
+        refusedCorner = number;
+    }
+
+    /** Says that it is outside of its fence from now on, or no longer. */
+    public synchronized void outsideFence(boolean now) {
+        outside = now;
+    }
+
     /** Its autopilot starts again: disarmed in HOLD, with the mission that it held. */
     public synchronized void restart() {
         armed = false;
@@ -265,9 +329,27 @@ public final class SmallBoat implements AutoCloseable {
         } else if (message instanceof ParamSet set) {
             parameters.put(set.paramId(), set.paramValue());
             report(set.paramId());
+        } else if (isAboutFence(message)) {
+            fence.take(STATION, message, bootMs);
         } else {
             mission.answers(message).forEach(this::send);
         }
+    }
+
+    private static boolean isAboutFence(Object message) {
+        Optional<EnumValue<MavMissionType>> type = Optional.empty();
+        if (message instanceof MissionRequestList asked) {
+            type = Optional.of(asked.missionType());
+        } else if (message instanceof MissionRequestInt asked) {
+            type = Optional.of(asked.missionType());
+        } else if (message instanceof MissionCount count) {
+            type = Optional.of(count.missionType());
+        } else if (message instanceof MissionItemInt item) {
+            type = Optional.of(item.missionType());
+        } else if (message instanceof MissionClearAll all) {
+            type = Optional.of(all.missionType());
+        }
+        return type.flatMap(HeldKind::of).filter(HeldKind.FENCE::equals).isPresent();
     }
 
     private void report(String name) {
@@ -324,10 +406,10 @@ public final class SmallBoat implements AutoCloseable {
 
     private synchronized void step() {
         bootMs += STEP_MS;
+        fence.tick(bootMs);
         if (armed) {
             motion.step(mode, mission, STEP_MS / 1000.0)
-                    .ifPresent(
-                            item -> send(MissionItemReached.builder().seq(item).build()));
+                    .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
         }
         if (stepped++ % BEAT_EVERY == 0) {
             report();
@@ -343,6 +425,7 @@ public final class SmallBoat implements AutoCloseable {
         }
         send(SysStatus.builder().voltageBattery(12_600).batteryRemaining(charge).build());
         send(EkfStatusReport.builder().flags(EnumValue.create(filter)).build());
+        send(FenceStatus.builder().breachStatus(outside ? 1 : 0).build());
         send(MissionCurrent.builder().seq(mission.current()).build());
     }
 
@@ -374,6 +457,19 @@ public final class SmallBoat implements AutoCloseable {
             } catch (IOException e) {
                 // its reading thread finds out
             }
+        }
+    }
+
+    /** Takes every fence but one with a corner that is to be refused. */
+    private final class FenceKeeper implements ListKeeper {
+        @Override
+        public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
+            return item.number() == refusedCorner ? Optional.of(Refusal.INVALID) : Optional.empty();
+        }
+
+        @Override
+        public void changed(HeldKind kind, List<MissionItem> items) {
+            fences++;
         }
     }
 

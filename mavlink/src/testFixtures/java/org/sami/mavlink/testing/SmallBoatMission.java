@@ -18,14 +18,21 @@ import java.util.Optional;
 final class SmallBoatMission {
     private static final int WAYPOINT = 16;
     private static final int KEEP_PLACE = 17;
+    private static final int JUMP = 177;
     private static final int CHANGE_SPEED = 178;
+    private static final int MOST_ITEMS = 650;
 
     private List<MissionItemInt> items = new ArrayList<>();
     private List<MissionItemInt> coming = new ArrayList<>();
     private int awaited; // the item that is asked for next
     private int last; // of those that come
+    private boolean isPart;
     private int uploads;
+    private int parts;
     private int current;
+    private boolean waits;
+    private int stops;
+    private final List<MissionItemInt> visited = new ArrayList<>();
 
     boolean isEmpty() {
         return items.size() < 2;
@@ -50,11 +57,35 @@ final class SmallBoatMission {
     /** The place of the item under way, after the items without places before it; empty where there is none. */
     Optional<MissionItemInt> place(SmallBoatMotion motion) {
         current = Math.max(1, current);
-        while (current < items.size() && number(items.get(current)) == CHANGE_SPEED) {
-            motion.speed(items.get(current).param2());
-            current++;
+        for (int i = 0; i < items.size() && current < items.size() && !hasPlace(items.get(current)); i++) {
+            MissionItemInt item = items.get(current);
+            if (number(item) == JUMP) {
+                current = (int) item.param1();
+            } else {
+                motion.speed(item.param2());
+                current++;
+            }
         }
         return current < items.size() ? Optional.of(items.get(current)) : Optional.empty();
+    }
+
+    private static boolean hasPlace(MissionItemInt item) {
+        return number(item) != CHANGE_SPEED && number(item) != JUMP;
+    }
+
+    /** How often it went on after it had kept its place at an item for that. */
+    int stops() {
+        return stops;
+    }
+
+    /** How many parts of missions were sent to it. */
+    int parts() {
+        return parts;
+    }
+
+    /** The waypoints that it has reached, in their order. */
+    List<MissionItemInt> visited() {
+        return List.copyOf(visited);
     }
 
     private static int number(MissionItemInt item) {
@@ -64,9 +95,13 @@ final class SmallBoatMission {
     /** The boat is at the item under way. The number of a waypoint that is reached by it. */
     Optional<Integer> arrived() {
         if (number(items.get(current)) == KEEP_PLACE) {
+            waits = true;
             return Optional.empty();
         }
+        stops += waits ? 1 : 0;
+        waits = false;
         Optional<Integer> reached = number(items.get(current)) == WAYPOINT ? Optional.of(current) : Optional.empty();
+        reached.ifPresent(item -> visited.add(items.get(item)));
         current++;
         return reached;
     }
@@ -81,12 +116,15 @@ final class SmallBoatMission {
         } else if (message instanceof MissionRequestInt asked && asked.seq() < items.size()) {
             return List.of(items.get(asked.seq()));
         } else if (message instanceof MissionCount count && isMission(count.missionType())) {
+            if (count.count() > MOST_ITEMS) {
+                return List.of(ack(MavMissionResult.MAV_MISSION_NO_SPACE));
+            }
             return comes(new ArrayList<>(), 0, count.count() - 1);
         } else if (message instanceof MissionWritePartialList part && isMission(part.missionType())) {
             return comes(new ArrayList<>(items), part.startIndex(), part.endIndex());
         } else if (message instanceof MissionClearAll) {
             items = new ArrayList<>();
-            return List.of(ack());
+            return List.of(ack(MavMissionResult.MAV_MISSION_ACCEPTED));
         } else if (message instanceof MissionItemInt item && item.seq() == awaited && awaited <= last) {
             return take(item);
         }
@@ -95,6 +133,7 @@ final class SmallBoatMission {
 
     private List<Object> comes(List<MissionItemInt> before, int first, int end) {
         coming = before;
+        isPart = !before.isEmpty();
         awaited = first;
         last = end;
         return List.of(asked());
@@ -118,13 +157,14 @@ final class SmallBoatMission {
             return List.of(asked());
         }
         items = coming;
-        uploads++;
-        return List.of(ack());
+        uploads += isPart ? 0 : 1;
+        parts += isPart ? 1 : 0;
+        return List.of(ack(MavMissionResult.MAV_MISSION_ACCEPTED));
     }
 
-    private static MissionAck ack() {
+    private static MissionAck ack(MavMissionResult result) {
         return MissionAck.builder()
-                .type(MavMissionResult.MAV_MISSION_ACCEPTED)
+                .type(result)
                 .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
                 .build();
     }

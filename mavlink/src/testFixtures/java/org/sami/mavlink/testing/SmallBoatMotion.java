@@ -1,6 +1,8 @@
 package org.sami.mavlink.testing;
 
 import io.dronefleet.mavlink.common.MissionItemInt;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /** Where a small boat is and goes, in a plane. For one thread at a time. */
@@ -71,21 +73,30 @@ final class SmallBoatMotion {
         return Math.hypot((toLat - lat) * METRES, (toLon - lon) * METRES * narrower);
     }
 
-    /** Moves for a time. The item of its mission that it has reached. */
-    Optional<Integer> step(int mode, SmallBoatMission mission, double seconds) {
+    /** Moves for a time. The items of its mission that it has reached. */
+    List<Integer> step(int mode, SmallBoatMission mission, double seconds) {
         double way = speedMps * times * seconds;
         if (mode == GUIDED) {
             towards(targetLat, targetLon, way);
         } else if (mode == AUTO) {
-            Optional<MissionItemInt> place = mission.place(this);
-            if (place.isPresent() && towards(place.get().x(), place.get().y(), way)) {
-                return mission.arrived();
-            }
+            return along(mission, way);
         } else if (mode == MANUAL) {
             double metres = stick / FULL_STICK * FULL_SPEED_MPS * times * seconds;
             move(metres * Math.cos(turn / FULL_STICK), metres * Math.sin(turn / FULL_STICK));
         }
-        return Optional.empty();
+        return List.of();
+    }
+
+    private List<Integer> along(SmallBoatMission mission, double way) {
+        List<Integer> reached = new ArrayList<>();
+        double until = movedM + way;
+        Optional<MissionItemInt> place = mission.place(this);
+        while (place.isPresent() && towards(place.get().x(), place.get().y(), until - movedM)) {
+            Optional<Integer> item = mission.arrived();
+            item.ifPresent(reached::add);
+            place = item.flatMap(more -> mission.place(this));
+        }
+        return reached;
     }
 
     private boolean towards(double toLat, double toLon, double way) {

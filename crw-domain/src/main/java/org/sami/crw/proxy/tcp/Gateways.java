@@ -2,15 +2,19 @@ package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayMaker;
+import org.sami.spn.value.GeoArea;
 
 /** The gateways of one base, each begun when an address needs it first. For the base's thread. */
 final class Gateways {
     private final Map<GatewayMaker, BoatGateway> begun = new LinkedHashMap<>();
+    private Optional<GeoArea> within = Optional.empty();
+    private List<GeoArea> avoid = List.of();
     private Optional<Iterable<GatewayMaker>> makers = Optional.empty(); // of this program, once one was needed
 
     /** The gateway to an address; empty where the boat there speaks the link itself. */
@@ -23,10 +27,23 @@ final class Gateways {
         }
         for (GatewayMaker maker : makers.get()) {
             if (address.getHostString().startsWith(maker.prefix())) {
-                return Optional.of(begun.computeIfAbsent(maker, GatewayMaker::begin));
+                return Optional.of(begun.computeIfAbsent(maker, this::begin));
             }
         }
         return Optional.empty();
+    }
+
+    private BoatGateway begin(GatewayMaker maker) {
+        BoatGateway gateway = maker.begin();
+        gateway.keepTo(within, avoid);
+        return gateway;
+    }
+
+    /** The area in which boats may go, for those that are begun and those that will be. */
+    void keepTo(Optional<GeoArea> stayIn, List<GeoArea> keepOut) {
+        within = stayIn;
+        avoid = List.copyOf(keepOut);
+        begun.values().forEach(gateway -> gateway.keepTo(within, avoid));
     }
 
     /** Ends all that were begun. */

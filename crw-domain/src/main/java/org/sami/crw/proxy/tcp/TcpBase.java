@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
@@ -16,6 +17,7 @@ import java.util.function.Function;
 import org.sami.boat.link.SteadyClock;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.value.GeoArea;
 
 /**
  * The boats of a base behind TCP: it connects to addresses, learns the boats' names, and drives their proxies on one thread of its own.
@@ -82,6 +84,16 @@ public final class TcpBase implements AutoCloseable {
     /** Gives up an address, and as {@link #remove} the boat that it leads to. Gives whether it was known. */
     public CompletableFuture<Boolean> disconnect(InetSocketAddress address) {
         return CompletableFuture.supplyAsync(() -> links.remove(address, now()), thread);
+    }
+
+    /**
+     * The area in which boats may go from now on, for those vehicles that keep to a fence by themselves; it moves and stops no boat of ours.
+     *
+     * @param within the area to stay in; empty without one
+     * @param avoid areas that boats may not enter
+     */
+    public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
+        run("the area in which boats may go", () -> gateways.keepTo(within, avoid));
     }
 
     /** Asks or tells the proxies something on the base's thread. */

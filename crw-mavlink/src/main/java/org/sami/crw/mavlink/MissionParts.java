@@ -1,0 +1,78 @@
+package org.sami.crw.mavlink;
+
+import java.util.concurrent.Executor;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/**
+ * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the gate, and once they were read back
+ * equal, the item that takes the place of the gate. A part that could not be sent is tried again, and the vehicle stops at the gate at worst. For the gateway's
+ * thread.
+ */
+final class MissionParts {
+    private static final long AGAIN_MS = 1_000;
+
+    private final MavlinkBase base;
+    private final VehicleId id;
+    private final Executor thread;
+    private final Predicate<DrivenList> isHeld;
+    private final BiConsumer<DrivenList, Integer> further;
+    private boolean sending;
+    private long notBeforeMs;
+
+    /**
+     * Nothing is sent yet.
+     *
+     * @param isHeld whether the vehicle holds a list, as far as is known; what is no longer held is not sent any further
+     * @param further called when the vehicle holds a further part of a list, with the item of the list at which it had to stop before
+     */
+    MissionParts(
+            MavlinkBase base,
+            VehicleId id,
+            Executor thread,
+            Predicate<DrivenList> isHeld,
+            BiConsumer<DrivenList, Integer> further) {
+        this.base = base;
+        this.id = id;
+        this.thread = thread;
+        this.isHeld = isHeld;
+        this.further = further;
+    }
+
+    /** Begins to send the next part of a list, where the vehicle has left enough of it behind. */
+    void tick(DrivenList list, long atMs) {
+        if (!sending && atMs >= notBeforeMs) {
+            list.nextWindow().ifPresent(next -> {
+                sending = true;
+                notBeforeMs = atMs + AGAIN_MS;
+                list.window(next); // what lies behind the vehicle is given up before it is overwritten
+                send(
+                        list,
+                        next,
+                        () -> send(list, next.opened(), () -> {
+                            sending = false;
+                            list.window(next.opened());
+                            further.accept(list, next.gate());
+                        }));
+            });
+        }
+    }
+
+    /** Only what differs from what the vehicle holds is sent. */
+    private void send(DrivenList list, MissionWindow part, Runnable then) {
+        Results.when(
+                base.replace(id, HeldKind.MISSION, part.items()),
+                thread,
+                there -> {
+                    if (isHeld.test(list)) {
+                        then.run();
+                    } else {
+                        sending = false;
+                    }
+                },
+                why -> sending = false);
+    }
+}

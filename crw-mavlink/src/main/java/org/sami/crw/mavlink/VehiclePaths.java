@@ -1,0 +1,274 @@
+package org.sami.crw.mavlink;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleSnapshot;
+
+/**
+ * The list of waypoints that the base has given to a vehicle, as an autopilot does it: a path as a mission in AUTO, a single place in GUIDED. For the gateway's
+ * thread.
+ */
+final class VehiclePaths {
+    private static final double ARRIVED_M =
+            2.5; // of a place in GUIDED, on which an autopilot does not say that it is there
+    private static final double ARRIVED_STILL_M = 3.5;
+    private static final double STILL_MPS = 0.15;
+
+    private final MavlinkBase base;
+    private final VehicleMotion motion;
+    private final MissionStore store;
+    private final Consumer<LinkMessage> broadcast;
+    private final Runnable changed;
+    private Optional<DrivenList> list;
+    private double multiplier = 1;
+
+    /**
+     * The list that an earlier base has given to the vehicle, or none.
+     *
+     * @param changed called when another list, or a further part of one, is to be kept for the next base
+     */
+    VehiclePaths(
+            MavlinkBase base,
+            VehicleMotion motion,
+            Executor thread,
+            Consumer<LinkMessage> broadcast,
+            Runnable changed,
+            VehicleFiles.Kept kept) {
+        this.base = base;
+        this.motion = motion;
+        this.broadcast = broadcast;
+        this.changed = changed;
+        store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further);
+        list = kept.list().map(upload -> new DrivenList(upload, kept.heldTo()));
+    }
+
+    private boolean isInAuto() {
+        return motion.vehicle().armed() && motion.vehicle().mode().equals(VehicleMotion.AUTO);
+    }
+
+    // ---- how far it is
+
+    /** Whether it has come to the end of its list. */
+    boolean isAtEnd() {
+        return list.filter(DrivenList::isCompleted).isPresent();
+    }
+
+    /** How far it is along its list. */
+    Progress progress() {
+        return list.map(DrivenList::progress).orElse(new Progress("", 0, false));
+    }
+
+    double multiplier() {
+        return multiplier;
+    }
+
+    /** What the next base needs after a crash of this one. */
+    VehicleFiles.Kept kept(String stoppedBy) {
+        return new VehicleFiles.Kept(
+                stoppedBy,
+                list.map(DrivenList::upload),
+                list.map(held -> held.window().to()).orElse(0));
+    }
+
+    void happened(VehicleEvent event) {
+        boolean driving = motion.vehicle().mode().equals(VehicleMotion.AUTO) && store.holds(list);
+        boolean further = false;
+        if (driving && event instanceof VehicleEvent.ItemReached reached) {
+            further = list.orElseThrow().reached(reached.item());
+        } else if (driving && event instanceof VehicleEvent.ItemCurrent current) {
+            further = list.orElseThrow().current(current.item());
+        }
+        if (further) {
+            broadcast.accept(progress());
+            keepSpeed();
+        }
+    }
+
+    /** The items of a mission set the speeds of its legs; a multiplier is set after each of them. */
+    private void keepSpeed() {
+        if (multiplier != 1 && !list.orElseThrow().isCompleted()) {
+            motion.speed(speedOf(list.orElseThrow().next()));
+        }
+    }
+
+    private double speedOf(int waypoint) {
+        return multiplier * list.orElseThrow().waypoints().get(waypoint).speedMps();
+    }
+
+    /** The vehicle is there, as it reports; in GUIDED the autopilot does not say that it has arrived. */
+    void seen(VehicleSnapshot vehicle) {
+        if (motion.isGuided()
+                && list.isPresent()
+                && !list.get().isCompleted()
+                && vehicle.position().isPresent()) {
+            Waypoint last = list.get().waypoints().get(list.get().waypoints().size() - 1);
+            var at = vehicle.position().get();
+            double leftM = new LocalFrame(last.latDeg(), last.lonDeg()).distanceM(at.latDeg(), at.lonDeg());
+            if (leftM <= ARRIVED_M || (leftM <= ARRIVED_STILL_M && at.speedMps() < STILL_MPS)) {
+                list.get().advance(list.get().waypoints().size());
+                broadcast.accept(progress());
+            }
+        }
+    }
+
+    void tick(long atMs) {
+        store.tick(atMs);
+    }
+
+    /** A further part of a list is held: a vehicle that has stopped where the part before ended goes on. */
+    private void further(DrivenList along, int gate) {
+        changed.run();
+        int number = along.window().slot(gate);
+        if (isInAuto() && motion.isOrdered() && motion.vehicle().currentItem().equals(Optional.of(number))) {
+            var unused = base.command(motion.vehicle().id(), VehicleCommand.setCurrentItem(number));
+        }
+    }
+
+    /** Its autopilot has started again. Its list is kept. */
+    void restarted() {
+        store.forget();
+    }
+
+    // ---- what is asked
+
+    /** A vehicle that is on its way keeps its place until the new list is started; where it does not, the old one stays. */
+    void upload(UploadWaypoints upload, boolean isUnderWay, Consumer<LinkMessage> answer) {
+        Runnable taken = () -> {
+            list = Optional.of(new DrivenList(upload));
+            changed.run();
+            answer.accept(new Ack(upload.commandId()));
+            broadcast.accept(progress());
+            list.filter(VehiclePaths::isMission).ifPresent(store::put);
+        };
+        if (isUnderWay) {
+            motion.hold(
+                    why -> why.ifPresentOrElse(words -> answer.accept(VehicleOrders.refused(upload, words)), taken));
+        } else {
+            taken.run();
+        }
+    }
+
+    /** Whether it goes there by a mission; to a single place it goes in GUIDED. */
+    private static boolean isMission(DrivenList list) {
+        return list.waypoints().size() > 1;
+    }
+
+    /** Answered once the vehicle has read back what it holds. */
+    void readBack(CommandMessage command, Consumer<LinkMessage> answer) {
+        if (list.isEmpty()) {
+            answer.accept(new HeldWaypoints(command.commandId(), "", List.of()));
+        } else if (!isMission(list.get())) {
+            answer.accept(new HeldWaypoints(
+                    command.commandId(), list.get().id(), list.get().waypoints()));
+        } else {
+            DrivenList asked = list.get();
+            store.whenReadBack(asked, why -> {
+                if (why.isEmpty()) {
+                    catchUp(asked);
+                    answer.accept(new HeldWaypoints(command.commandId(), asked.id(), asked.waypoints()));
+                } else if (why.get().equals(MissionStore.ANOTHER)) {
+                    answer.accept(new HeldWaypoints(command.commandId(), "", List.of()));
+                } else {
+                    answer.accept(VehicleOrders.refused(command, why.get()));
+                }
+            });
+        }
+    }
+
+    /** What a vehicle has passed while no base commanded it lies behind it. */
+    private void catchUp(DrivenList along) {
+        if (isInAuto() && motion.vehicle().currentItem().filter(along::current).isPresent()) {
+            broadcast.accept(along.progress());
+        }
+    }
+
+    /** Has the vehicle drive from a waypoint on; {@code ended} receives why it does not. */
+    void start(StartWaypoints start, Consumer<LinkMessage> answer, Consumer<Optional<String>> ended) {
+        if (list.filter(held -> held.id().equals(start.listId())).isEmpty()) {
+            answer.accept(new Nack(start.commandId(), NackReason.UNKNOWN_LIST, "this boat holds another list"));
+            return;
+        }
+        int waypoints = list.get().waypoints().size();
+        if (start.index() > waypoints) {
+            answer.accept(
+                    new Nack(start.commandId(), NackReason.BAD_INDEX, "the list has " + waypoints + " waypoints"));
+        } else if (start.index() == waypoints) {
+            list.get().startAt(start.index());
+            motion.hold(ended);
+        } else if (start.index() == waypoints - 1 || !isMission(list.get())) {
+            guide(list.get(), start.index(), ended);
+        } else {
+            follow(list.get(), start.index(), ended);
+        }
+    }
+
+    private void guide(DrivenList to, int index, Consumer<Optional<String>> ended) {
+        Waypoint place = to.waypoints().get(index);
+        motion.guide(place, multiplier * place.speedMps(), () -> started(to, index), ended);
+    }
+
+    /** A part that the vehicle does not hold is sent while it keeps its place. */
+    private void follow(DrivenList along, int index, Consumer<Optional<String>> ended) {
+        if (!along.has(index) && isInAuto()) {
+            motion.hold(why -> why.ifPresentOrElse(words -> ended.accept(why), () -> drive(along, index, ended)));
+        } else {
+            drive(along, index, ended);
+        }
+    }
+
+    private void drive(DrivenList along, int index, Consumer<Optional<String>> ended) {
+        if (!along.has(index)) {
+            along.window(along.windowFrom(index));
+        }
+        motion.follow(then -> store.whenReadBack(along, then), () -> leg(along, index), ended);
+    }
+
+    /** A vehicle that drives there already, or has come further meanwhile, is not sent back. */
+    private VehicleMotion.Leg leg(DrivenList along, int index) {
+        boolean isPast = isPast(along, index);
+        return new VehicleMotion.Leg(
+                isPast ? Optional.empty() : Optional.of(along.itemOf(index)),
+                speedOf(isPast ? along.next() : index),
+                isPast ? () -> broadcast.accept(progress()) : () -> started(along, index));
+    }
+
+    /** Whether the vehicle drives along the list already, and to that waypoint or a later one. */
+    private boolean isPast(DrivenList along, int index) {
+        return isInAuto()
+                && !along.isCompleted()
+                && along.next() >= index
+                && motion.vehicle()
+                        .currentItem()
+                        .filter(number -> along.isPast(number, index))
+                        .isPresent();
+    }
+
+    private void started(DrivenList along, int index) {
+        along.startAt(index);
+        broadcast.accept(progress());
+    }
+
+    /** Scales the speed of each leg, of the one under way too where it is. */
+    void multiply(double by, boolean isUnderWay) {
+        multiplier = by;
+        if (isUnderWay && motion.isOrdered()) {
+            motion.speed(speedOf(list.orElseThrow().next()));
+        }
+    }
+}

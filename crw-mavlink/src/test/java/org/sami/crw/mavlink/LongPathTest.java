@@ -1,0 +1,150 @@
+package org.sami.crw.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.testing.Await;
+import org.sami.mavlink.testing.SmallBoat;
+
+/** A path that is longer than what a vehicle holds, in parts while it drives. */
+@Timeout(300)
+class LongPathTest {
+    private static final double WAIT_S = 200;
+    private static final int LOCATIONS = 2_000;
+    private static final int TIMES = 150; // some 70 waypoints a second
+    private static final List<Waypoint> PATH = IntStream.range(0, LOCATIONS)
+            .mapToObj(i -> new Waypoint(45.7 + i * 2e-5, 10.72 + i % 7 * 1e-6, i < 1_000 ? 1 : 1.2))
+            .toList();
+
+    @TempDir
+    private Path folder;
+
+    private SmallBoat boat;
+    private LinkClient client;
+
+    @BeforeEach
+    void launch() throws Exception {
+        launch(PATH.get(0));
+    }
+
+    private void launch(Waypoint place) throws Exception {
+        boat = new SmallBoat(5, place.latDeg(), place.lonDeg(), TIMES);
+        client = new LinkClient(folder, boat.address() + "/5");
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        client.close();
+        boat.close();
+    }
+
+    private void start() {
+        assertThat(client.ask(new UploadWaypoints("upload", "long", PATH))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new ReadBack("read")))
+                .isInstanceOfSatisfying(
+                        HeldWaypoints.class,
+                        held -> assertThat(held.waypoints()).isEqualTo(PATH));
+        assertThat(client.ask(new StartWaypoints("start", "long", 0))).isInstanceOf(Ack.class);
+    }
+
+    private void untilPassed(int waypoints) {
+        Await.until(waypoints + " waypoints are passed", WAIT_S, () -> next() >= waypoints);
+    }
+
+    private int next() {
+        return client.last(Progress.class).map(Progress::nextIndex).orElse(0);
+    }
+
+    private void arrives() {
+        Await.until(
+                "it is at the end",
+                WAIT_S,
+                () -> client.last(Progress.class).filter(Progress::completed).isPresent());
+        assertThat(boat.visited())
+                .isEqualTo(PATH.stream()
+                        .map(place -> List.of(degrees(place.latDeg()), degrees(place.lonDeg())))
+                        .toList());
+    }
+
+    private static double degrees(double exact) {
+        return Math.round(exact * 1e7) / 1e7;
+    }
+
+    @Test
+    void isDrivenWithoutAStopAndEachLocationOnce() {
+        start();
+
+        arrives();
+
+        assertThat(boat.stops()).isZero();
+        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.armings()).isEqualTo(1);
+    }
+
+    @Test
+    void goesOnAfterABaseThatDiedWhereTheVehicleIs() {
+        start();
+        untilPassed(700);
+        client.close();
+        int before = boat.visited().size();
+        Await.until("it drives on alone", WAIT_S, () -> boat.visited().size() > before + 100);
+
+        client = new LinkClient(folder, boat.address() + "/5");
+        assertThat(client.ask(new ReadBack("read again")))
+                .isInstanceOfSatisfying(
+                        HeldWaypoints.class,
+                        held -> assertThat(held.waypoints()).isEqualTo(PATH));
+        assertThat(next()).isGreaterThanOrEqualTo(before + 100);
+        assertThat(client.ask(new StartWaypoints("start again", "long", next())))
+                .isInstanceOf(Ack.class);
+
+        arrives();
+        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.armings()).isEqualTo(1);
+    }
+
+    @Test
+    void startInTheMidstBringsThePartThere() throws Exception {
+        end();
+        launch(PATH.get(1_949));
+        assertThat(client.ask(new UploadWaypoints("upload", "long", PATH))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new ReadBack("read"))).isInstanceOf(HeldWaypoints.class);
+
+        assertThat(client.ask(new StartWaypoints("start", "long", 1_950))).isInstanceOf(Ack.class);
+
+        Await.until(
+                "it is at the end",
+                WAIT_S,
+                () -> client.last(Progress.class).filter(Progress::completed).isPresent());
+        assertThat(boat.visited()).hasSize(50);
+    }
+
+    @Test
+    void shorterListReplacesItWhole() {
+        start();
+        untilPassed(300);
+        List<Waypoint> other = List.of(PATH.get(0), PATH.get(1), PATH.get(2));
+
+        assertThat(client.ask(new UploadWaypoints("upload other", "other", other)))
+                .isInstanceOf(Ack.class);
+        assertThat(client.ask(new ReadBack("read other")))
+                .isInstanceOfSatisfying(
+                        HeldWaypoints.class,
+                        held -> assertThat(held.waypoints()).isEqualTo(other));
+        assertThat(boat.uploads()).isEqualTo(2);
+    }
+}

@@ -1,0 +1,137 @@
+package org.sami.crw.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.server.testing.Await;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.testing.SmallBoat;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/** The area in which boats may go as the fence of a vehicle. */
+@Timeout(300)
+class VehicleFenceTest {
+    private static final GeoArea WATER = area(45.69, 10.71, 0.02);
+    private static final GeoArea ROCK = area(45.701, 10.721, 0.001);
+    private static final List<MissionItem> FENCE = FenceItems.of(Optional.of(WATER), List.of(ROCK));
+
+    @TempDir
+    private Path folder;
+
+    private SmallBoat boat;
+    private LinkClient client;
+
+    @BeforeEach
+    void launch() throws Exception {
+        boat = new SmallBoat(5, 45.7, 10.72, 1);
+        client = new LinkClient(folder, boat.address() + "/5");
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        client.close();
+        boat.close();
+    }
+
+    private static GeoArea area(double lat, double lon, double size) {
+        return new GeoArea(
+                List.of(
+                        GeoPoint.of(lat, lon),
+                        GeoPoint.of(lat, lon + size),
+                        GeoPoint.of(lat + size, lon + size),
+                        GeoPoint.of(lat + size, lon)),
+                List.of());
+    }
+
+    private void isInForce() {
+        Await.until("its fence is in force", () -> boat.parameter("FENCE_ENABLE") == 1);
+    }
+
+    @Test
+    void areasOfTheSessionAreItsFence() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+
+        isInForce();
+        assertThat(FenceItems.isHeld(FENCE, boat.fence())).isTrue();
+        assertThat(boat.fence())
+                .extracting(MissionItem::command)
+                .containsExactly(5001, 5001, 5001, 5001, 5002, 5002, 5002, 5002);
+        assertThat(boat.parameter("FENCE_TYPE")).isEqualTo(4);
+        assertThat(boat.parameter("FENCE_ACTION")).isEqualTo(2);
+    }
+
+    @Test
+    void fenceThatItHoldsAlreadyIsNotSent() {
+        boat.ownFence(FENCE);
+
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+
+        isInForce();
+        assertThat(boat.fences()).isZero();
+    }
+
+    @Test
+    void fenceOfItsOwnerIsReplacedWithAWord() {
+        boat.ownFence(FenceItems.of(Optional.of(ROCK), List.of()));
+
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+
+        client.untilAlarm("vehicle 5 held a fence of its own with 4 corners");
+        isInForce();
+        assertThat(FenceItems.isHeld(FENCE, boat.fence())).isTrue();
+    }
+
+    @Test
+    void withoutAreasItsFenceIsItsOwners() {
+        List<MissionItem> own = FenceItems.of(Optional.of(ROCK), List.of());
+        boat.ownFence(own);
+
+        client.keepTo(Optional.empty(), List.of());
+        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class); // time passes
+
+        assertThat(boat.fence()).isEqualTo(own);
+        assertThat(boat.fences()).isZero();
+        assertThat(boat.parameter("FENCE_ENABLE")).isZero();
+    }
+
+    @Test
+    void areasThatTheSessionGivesUpAreTakenAway() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+
+        client.keepTo(Optional.empty(), List.of());
+
+        Await.until("it is gone", () -> boat.fence().isEmpty());
+        assertThat(boat.parameter("FENCE_ENABLE")).isZero();
+    }
+
+    @Test
+    void cornerThatItRefusesIsNamed() {
+        boat.refuseCorner(6);
+
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+
+        client.untilAlarm("at item 6 (nav fence polygon vertex exclusion at 45.7020000, 10.7220000): invalid");
+        assertThat(boat.parameter("FENCE_ENABLE")).isZero();
+    }
+
+    @Test
+    void breachIsAnAlarm() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+
+        boat.outsideFence(true);
+
+        client.untilAlarm("mav5 says that it is outside of its own fence");
+    }
+}
