@@ -29,6 +29,9 @@ final class OtherHands {
     String who(VehicleSnapshot vehicle, long atMs) {
         String state = vehicle.armed() ? vehicle.mode() : vehicle.mode() + ", disarmed";
         boolean justSaid = !words.isEmpty() && atMs - saidMs < WORDS_MS;
+        if (vehicle.health().outsideFence()) {
+            return "its own failsafe, outside of its fence (" + state + ")";
+        }
         if (!vehicle.health().failsafe() && !justSaid) {
             return "a pilot or another ground station (" + state + ")";
         }

@@ -13,7 +13,7 @@ import org.sami.mavlink.vehicle.VehicleId;
  * gateway's thread.
  *
  * <p>Source: ArduPilot's parameters {@code STAT_BOOTCNT}, {@code FS_GCS_ENABLE} (0 off, 1 on, 2 on but not in AUTO) and {@code FS_ACTION} (0 nothing, 1 RTL,
- * 2 hold, 3 and 4 smart RTL, 5 end, 6 keep the place or hold).
+ * 2 hold, 3 and 4 smart RTL: back along the way that it came, 3 straight home where it does not know that, 5 end, 6 keep the place or hold).
  */
 final class VehicleSettings {
     private static final String STARTS = "STAT_BOOTCNT";
@@ -109,7 +109,7 @@ final class VehicleSettings {
             set(FAILSAFE, OFF, () -> set(action, ended), ended);
         } else {
             int number = switch (action) {
-                case RETURN -> RETURNS;
+                case RETURN -> SMART_RETURN; // along the way that it came, so around what it drove around
                 case HOLD -> KEEPS_PLACE;
                 default -> HOLDS;
             };

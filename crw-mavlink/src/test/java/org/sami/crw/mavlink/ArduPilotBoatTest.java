@@ -12,11 +12,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
+import org.sami.mavlink.address.AddressText;
+import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.testing.ArduPilotBoats;
 import org.sami.mavlink.testing.SimulatorTruth;
+import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -32,7 +37,7 @@ class ArduPilotBoatTest {
     private static final int LONG_PATH = 1_000;
     private static final int LONG_PATH_SPEED = 10;
     private static final int LANE = 20; // locations
-    private static final double STAY_S = 12; // simulated time within the radius; it slows down where it turns
+    private static final double STAY_S = 20; // simulated time within the radius: 12 s where it turns
     private static final String BOAT = "mav" + (NUMBER + 1);
 
     @TempDir
@@ -43,13 +48,7 @@ class ArduPilotBoatTest {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
         try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
                 GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
-            world.connect(ArduPilotBoats.address(NUMBER));
-            Await.until(
-                    "it is ready",
-                    BOOT_S,
-                    () -> world.is(
-                            BOAT,
-                            boat -> boat.isCommanding() && boat.status().pose().isPresent()));
+            connect(world);
             try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
                 GeoPoint start = start(world);
                 List<GeoPoint> path = List.of(off(start, 15, 0), off(start, 15, 15), off(start, 0, 15));
@@ -75,30 +74,21 @@ class ArduPilotBoatTest {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
         try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, LONG_PATH_SPEED, work);
                 GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
-            world.connect(ArduPilotBoats.address(NUMBER));
-            Await.until(
-                    "it is ready",
-                    BOOT_S,
-                    () -> world.is(
-                            BOAT,
-                            boat -> boat.isCommanding() && boat.status().pose().isPresent()));
+            connect(world);
             try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
                 GeoPoint start = start(world);
                 List<GeoPoint> path = IntStream.range(0, LONG_PATH)
                         .mapToObj(i -> onLanes(start, i / LANE, i % LANE))
                         .toList();
                 submit(world, FollowPath.of("long", 1, 1, path, Priority.MEDIUM));
-                Await.until(
-                        "it is under way",
-                        MISSION_S,
-                        () -> world.has(FleetEvent.Progressed.class, news -> news.visited() > 0));
-                int first = truth.samples();
+                int first = samplesAt(1, world, truth);
+                int last = samplesAt(LONG_PATH - 10, world, truth);
                 completes(world, "long");
 
                 assertThat(path)
                         .allSatisfy(place -> assertThat(truth.nearestM(place.latDeg(), place.lonDeg()))
                                 .isLessThan(RADIUS_M));
-                assertThat(truth.longestStayS(first, RADIUS_M)).isLessThan(STAY_S);
+                assertThat(truth.longestStayS(first, last, RADIUS_M)).isLessThan(STAY_S);
                 assertThat(world.alarms).noneMatch(alarm -> alarm.contains("mission changed"));
                 assertThat(world.faults).isEmpty();
             }
@@ -110,32 +100,56 @@ class ArduPilotBoatTest {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
         try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
                 GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
-            world.connect(ArduPilotBoats.address(NUMBER));
+            connect(world);
+            GeoPoint start = start(world);
+            world.keepTo(Optional.of(area(start, -100, -100, 200)), List.of(area(start, 20, -20, 40)));
+            untilParameter("FENCE_ENABLE", 1);
+            List<GeoPoint> path = List.of(off(start, 10, 0), off(start, 40, 0), off(start, 80, 0));
+            submit(world, FollowPath.of("through", 1, 1, path, Priority.MEDIUM));
             Await.until(
-                    "it is ready",
-                    BOOT_S,
-                    () -> world.is(
-                            BOAT,
-                            boat -> boat.isCommanding() && boat.status().pose().isPresent()));
-            try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
-                GeoPoint start = start(world);
-                world.keepTo(Optional.of(area(start, -100, -100, 200)), List.of(area(start, 20, -20, 40)));
-                Await.until(
-                        "its fence is in force",
-                        MISSION_S,
-                        () -> world.alarms.stream().anyMatch(a -> a.contains("fence")));
-                List<GeoPoint> path = List.of(off(start, 10, 0), off(start, 40, 0), off(start, 80, 0));
-                submit(world, FollowPath.of("through", 1, 1, path, Priority.MEDIUM));
-                Await.until(
-                        "its own failsafe has stopped it",
-                        MISSION_S,
-                        () -> world.is(BOAT, boat -> !boat.isCommanding()));
+                    "it has stopped before the area",
+                    MISSION_S,
+                    () -> world.is(BOAT, boat -> isStill(boat) && metresNorth(start, boat) > 8));
+            assertThat(world.<Double>ask(BOAT, boat -> metresNorth(start, boat)))
+                    .isLessThan(20);
 
-                System.out.println(world.alarms);
-                assertThat(truth.nearestM(path.get(1).latDeg(), path.get(1).lonDeg()))
-                        .isGreaterThan(RADIUS_M);
-            }
+            world.keepTo(Optional.empty(), List.of(area(start, -40, -50, 100))); // around it
+            Await.until(
+                    "it says so",
+                    MISSION_S,
+                    () -> world.alarms.contains(BOAT + " says that it is outside of its own fence"));
+            Await.until("its failsafe has taken it", MISSION_S, () -> world.is(BOAT, boat -> !boat.isCommanding()));
+            assertThat(world.alarms).anyMatch(alarm -> alarm.startsWith(BOAT + " is taken by its own failsafe"));
         }
+    }
+
+    /** Asks over its second link, as another ground station would. */
+    private static void untilParameter(String name, double value) {
+        VehicleId id = new VehicleId(NUMBER + 1, 1);
+        MavlinkAddress address = AddressText.parse("mavlink:tcp:127.0.0.1:" + (ArduPilotBoats.secondPort(NUMBER) + 1));
+        try (MavlinkBase other = new MavlinkBase(List.of(address), ProcessClock::ms)) {
+            Await.until(
+                    name + " is " + value,
+                    MISSION_S,
+                    () -> !other.vehicles().join().isEmpty()
+                            && other.parameter(id, name).join() == value);
+        }
+    }
+
+    private static int samplesAt(int visited, GatewayWorld world, SimulatorTruth truth) {
+        Await.until(
+                visited + " locations are visited",
+                MISSION_S,
+                () -> world.has(FleetEvent.Progressed.class, news -> news.visited() >= visited));
+        return truth.samples();
+    }
+
+    private static boolean isStill(BoatProxy boat) {
+        return boat.status().pose().orElseThrow().speedMps() < 0.05;
+    }
+
+    private static double metresNorth(GeoPoint start, BoatProxy boat) {
+        return (boat.status().pose().orElseThrow().position().latDeg() - start.latDeg()) * 111_319;
     }
 
     /** Lanes to and fro, 8 m apart. */
@@ -151,6 +165,16 @@ class ArduPilotBoatTest {
                         off(from, northM + sizeM, eastM + sizeM),
                         off(from, northM + sizeM, eastM)),
                 List.of());
+    }
+
+    private static void connect(GatewayWorld world) {
+        world.connect(ArduPilotBoats.address(NUMBER));
+        Await.until(
+                "it is ready",
+                BOOT_S,
+                () -> world.is(
+                        BOAT,
+                        boat -> boat.isCommanding() && boat.status().pose().isPresent()));
     }
 
     private static GeoPoint start(GatewayWorld world) {

@@ -297,7 +297,7 @@ class VehicleBoatTest {
                 BOAT,
                 proxy -> proxy.settings().inForce().orElseThrow().lostLinkAction() == LostLinkAction.RETURN);
         assertThat(boat.parameter("FS_GCS_ENABLE")).isEqualTo(1);
-        assertThat(boat.parameter("FS_ACTION")).isEqualTo(1);
+        assertThat(boat.parameter("FS_ACTION")).isEqualTo(3);
     }
 
     @Test

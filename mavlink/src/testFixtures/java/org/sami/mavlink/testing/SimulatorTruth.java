@@ -78,12 +78,12 @@ public final class SimulatorTruth implements AutoCloseable {
         }
     }
 
-    /** The longest time for which it stayed within a radius of where it was, in seconds of its own clock, from a report on. */
-    public double longestStayS(int fromSample, double radiusM) {
+    /** The longest time for which it stayed within a radius of where it was, in seconds of its own clock, from one report to another. */
+    public double longestStayS(int fromSample, int toSample, double radiusM) {
         synchronized (track) {
             int longest = 0;
             int first = fromSample;
-            for (int last = fromSample; last < track.size(); last++) {
+            for (int last = fromSample; last < Math.min(toSample, track.size()); last++) {
                 while (metres(track.get(first), track.get(last)) > radiusM) {
                     first++;
                 }
