@@ -1,43 +1,20 @@
 package org.sami.petri.coverability;
 
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntConsumer;
 
-/**
- * Numbered markings none of which covers another. They are kept in groups of the same marked places and the same unbounded places, each as 64 bits (a place's number
- * modulo 64): most groups are passed over without a look at their markings.
- */
+/** Numbered markings none of which covers another, by their unbounded places and what they have in places with exact numbers. */
 final class MaximalMarkings {
     private final MarkingOrder order;
     private final List<int[]> markings;
-    private final Map<Signature, Group> bySignature = new HashMap<>();
-    private final List<Group> groups = new ArrayList<>();
+    private final Map<Kind, MarkingBucket> buckets = new LinkedHashMap<>();
 
-    /** What markings of a group share. */
-    private record Signature(long marked, long unbounded, int exact) {
-        boolean mayBeCoveredBy(Signature large) {
-            return exact == large.exact && (marked & ~large.marked) == 0 && (unbounded & ~large.unbounded) == 0;
-        }
-    }
-
-    private static final class Group {
-        private final Signature signature;
-        private int[] members = new int[4];
-        private int size;
-
-        private Group(Signature signature) {
-            this.signature = signature;
-        }
-
-        private void add(int member) {
-            if (size == members.length) {
-                members = Arrays.copyOf(members, 2 * size);
-            }
-            members[size++] = member;
+    /** What markings share: unbounded places as 64 bits (a place's number modulo 64), and a hash of the exact numbers. */
+    private record Kind(long unbounded, int exact) {
+        boolean mayBeCoveredBy(Kind large) {
+            return exact == large.exact && (unbounded & ~large.unbounded) == 0;
         }
     }
 
@@ -49,13 +26,13 @@ final class MaximalMarkings {
 
     /** The number of one that covers a marking; -1 where none does. */
     int covering(int[] marking) {
-        Signature signature = signature(marking);
-        for (Group group : groups) {
-            if (signature.mayBeCoveredBy(group.signature)) {
-                for (int i = 0; i < group.size; i++) {
-                    if (order.covers(markings.get(group.members[i]), marking)) {
-                        return group.members[i];
-                    }
+        Kind kind = kind(marking);
+        long marked = marked(marking);
+        for (Map.Entry<Kind, MarkingBucket> bucket : buckets.entrySet()) {
+            if (kind.mayBeCoveredBy(bucket.getKey())) {
+                int covering = bucket.getValue().covering(marking, marked);
+                if (covering >= 0) {
+                    return covering;
                 }
             }
         }
@@ -65,45 +42,33 @@ final class MaximalMarkings {
     /** Adds a marking that none covers, and removes those that it covers. */
     void add(int number, IntConsumer removed) {
         int[] marking = markings.get(number);
-        Signature signature = signature(marking);
-        for (Group group : groups) {
-            if (group.signature.mayBeCoveredBy(signature)) {
-                removeCovered(group, marking, removed);
+        Kind kind = kind(marking);
+        long marked = marked(marking);
+        buckets.forEach((of, bucket) -> {
+            if (of.mayBeCoveredBy(kind)) {
+                bucket.removeCovered(marking, marked, removed);
             }
-        }
-        bySignature.computeIfAbsent(signature, this::newGroup).add(number);
+        });
+        buckets.computeIfAbsent(kind, of -> new MarkingBucket(order, markings)).add(number, marked);
     }
 
-    private Group newGroup(Signature signature) {
-        Group group = new Group(signature);
-        groups.add(group);
-        return group;
-    }
-
-    private void removeCovered(Group group, int[] marking, IntConsumer removed) {
-        int kept = 0;
-        for (int i = 0; i < group.size; i++) {
-            int member = group.members[i];
-            if (order.covers(marking, markings.get(member))) {
-                removed.accept(member);
-            } else {
-                group.members[kept++] = member;
-            }
-        }
-        group.size = kept;
-    }
-
-    private Signature signature(int[] marking) {
-        long marked = 0;
+    private Kind kind(int[] marking) {
         long unbounded = 0;
         for (int place = 0; place < marking.length; place++) {
-            if (marking[place] > 0) {
-                marked |= 1L << place; // of the place's number modulo 64
-                if (marking[place] == Omega.OMEGA) {
-                    unbounded |= 1L << place;
-                }
+            if (marking[place] == Omega.OMEGA) {
+                unbounded |= 1L << place; // of the place's number modulo 64
             }
         }
-        return new Signature(marked, unbounded, order.hashOfExactPlaces(marking));
+        return new Kind(unbounded, order.hashOfExactPlaces(marking));
+    }
+
+    private static long marked(int[] marking) {
+        long marked = 0;
+        for (int place = 0; place < marking.length; place++) {
+            if (marking[place] > 0) {
+                marked |= 1L << place;
+            }
+        }
+        return marked;
     }
 }

@@ -11,7 +11,7 @@ import java.util.function.BooleanSupplier;
  * divided by what all its elements share. Every solution is a sum of these with factors of 0 or more. One equation is solved at a time: each row whose element there
  * is positive is added to each whose element is negative, as often as makes 0. A sum is kept only if its support contains no third row's.
  *
- * <p>There can be exponentially many rows. Beyond {@code mostRows} those with the largest supports are given up, and the result says that not all were computed; the
+ * <p>There can be exponentially many rows. If there are {@code mostRows} more than unknowns, those with the largest supports are given up, and the result says that not all were computed; the
  * same when a number leaves the range of {@code long} or the search is cancelled. What is returned is a solution in any case.
  *
  * <p>Source: Colom and Silva, "Convex geometry and semiflows in P/T nets", Advances in Petri Nets 1990, LNCS 483; the test of supports is that of Fukuda and Prodon,
@@ -60,7 +60,7 @@ final class SemiPositiveSolutions {
 
     /** Solves for one unknown a row; {@code equations} is the length of the rows. */
     static InvariantSet of(List<IntegerVector> unknowns, int equations, int mostRows, BooleanSupplier cancelled) {
-        SemiPositiveSolutions search = new SemiPositiveSolutions(equations, mostRows, cancelled);
+        SemiPositiveSolutions search = new SemiPositiveSolutions(equations, mostRows + unknowns.size(), cancelled);
         for (int i = 0; i < unknowns.size(); i++) {
             search.add(new Row(unknowns.get(i), IntegerVector.unit(i, 1)));
         }

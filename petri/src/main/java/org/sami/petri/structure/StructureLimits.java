@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
  * How far structure is searched. Numbers of invariants and siphons can be exponential in the size of a net; where a limit ends a search, its result says that it is not
  * complete.
  *
- * @param rows how many rows the search for invariants keeps
+ * @param rows how many rows the search for invariants keeps, besides one a place or transition
  * @param sets how many subproblems the search for siphons or traps looks at
  * @param programs how many linear programs are solved for one question
  * @param cancelled asked often, on the thread of the search: true ends it

@@ -125,7 +125,7 @@ final class CoverabilitySearchTest {
     @Test
     void whatTheSetHoldsIsReached() {
         int looked = 0;
-        for (long seed = 0; seed < 2_000; seed++) {
+        for (long seed = 0; seed < 700; seed++) {
             PetriNet net = SeededNets.withAllArcs(seed, 3, 2);
             CoverabilitySet set =
                     CoverabilitySearch.search(net, SearchBudget.ofStates(40), GraphWatch.NONE, System::nanoTime);
@@ -138,7 +138,7 @@ final class CoverabilitySearchTest {
                 looked++;
             }
         }
-        assertThat(looked).isGreaterThan(2_000);
+        assertThat(looked).isGreaterThan(700);
     }
 
     @Test

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.petri.net.PetriNet;
@@ -70,6 +71,21 @@ final class InvariantsTest {
             assertThat(small).as("seed %d", seed).isEqualTo(expected);
             assertThat(places.invariants()).doesNotHaveDuplicates();
             seen += expected.size();
+        }
+        assertThat(seen).isGreaterThan(500);
+    }
+
+    @Test
+    void noInvariantContainsAnother() {
+        int seen = 0;
+        for (long seed = 0; seed < 400; seed++) {
+            PetriNet net = synchronizations(new Random(seed), 9, 6);
+            InvariantSet places = Invariants.ofPlaces(net, LIMITS);
+            assertThat(places.complete()).isTrue();
+            for (IntegerVector one : places.invariants()) {
+                seen++;
+                assertThat(places.invariants()).as("%s of seed %d", one, seed).noneMatch(other -> within(other, one));
+            }
         }
         assertThat(seen).isGreaterThan(500);
     }
@@ -151,6 +167,21 @@ final class InvariantsTest {
         assertThat(few.invariants()).isNotEmpty();
         assertThat(none.complete()).isFalse();
         assertThat(Invariants.basisOfPlaces(net, LIMITS.withCancel(() -> true))).isEmpty();
+    }
+
+    /** Each transition takes two or three tokens and gives as many back. */
+    private static PetriNet synchronizations(Random random, int places, int transitions) {
+        PetriNetBuilder net = new PetriNetBuilder("synchronizations");
+        for (int place = 0; place < places; place++) {
+            net.place("p" + place, 1);
+        }
+        for (int transition = 0; transition < transitions; transition++) {
+            net.transition("t" + transition);
+            for (int i = 2 + random.nextInt(2); i > 0; i--) {
+                net.consume(transition, random.nextInt(places), 1).produce(transition, random.nextInt(places), 1);
+            }
+        }
+        return net.build();
     }
 
     private static PetriNet ring(boolean inhibited, boolean reset) {
