@@ -138,19 +138,24 @@ final class PackedFiring {
     }
 
     private void fireWithResets(int transition, int[] before, long[] after) {
-        System.arraycopy(before, 0, marking, 0, before.length);
+        fire(net, transition, before, marking);
+        layout.pack(marking, after);
+    }
+
+    /** Writes the marking after a firing, in which no place has more tokens than an {@code int} holds. */
+    static void fire(PetriNet net, int transition, int[] before, int[] after) {
+        System.arraycopy(before, 0, after, 0, before.length);
         ArcTable consumed = net.consumed();
         for (int arc = consumed.from(transition); arc < consumed.to(transition); arc++) {
-            marking[consumed.node(arc)] -= consumed.weight(arc);
+            after[consumed.node(arc)] -= consumed.weight(arc);
         }
         ArcTable emptied = net.resets();
         for (int arc = emptied.from(transition); arc < emptied.to(transition); arc++) {
-            marking[emptied.node(arc)] = 0;
+            after[emptied.node(arc)] = 0;
         }
         ArcTable produced = net.produced();
         for (int arc = produced.from(transition); arc < produced.to(transition); arc++) {
-            marking[produced.node(arc)] += produced.weight(arc);
+            after[produced.node(arc)] += produced.weight(arc);
         }
-        layout.pack(marking, after);
     }
 }

@@ -177,29 +177,51 @@ public final class ReachabilityGraph {
      */
     public FiringSequence runTo(int state) {
         List<Integer> way = new ArrayList<>();
-        for (int at = state; at > 0; at = parents.get(at)) {
-            way.add(at);
+        for (int next = state; next > 0; next = parents.get(next)) {
+            way.add(next);
         }
         Collections.reverse(way);
         List<Integer> transitions = new ArrayList<>();
-        int[] marking = net.initialMarking();
+        int[] initial = net.initialMarking();
+        int[] real = settings.symmetry() // for each transition at the state that was kept, the one of the run
+                .map(like -> like.normalizeAndTrace(initial))
+                .orElseGet(() -> IntStream.range(0, net.transitionCount()).toArray());
+        int at = 0;
         for (int target : way) {
-            int transition = firingTo(target, marking);
-            marking = FiringRule.fire(net, transition, marking);
-            transitions.add(transition);
+            Step step = step(at, target);
+            transitions.add(real[step.transition()]);
+            int[] outer = real;
+            real = settings.symmetry().isEmpty()
+                    ? real
+                    : step.before().stream().mapToInt(same -> outer[same]).toArray();
+            at = target;
         }
         return new FiringSequence(transitions);
     }
 
-    private int firingTo(int target, int[] marking) {
+    /**
+     * A firing between two states.
+     *
+     * @param before for each transition after it the one that it was before; empty where no states are like each other
+     */
+    private record Step(int transition, List<Integer> before) {}
+
+    private Step step(int from, int target) {
+        int[] marking = marking(from);
         for (int transition = 0; transition < net.transitionCount(); transition++) {
             if (FiringRule.isEnabled(net, transition, marking)) {
-                OptionalInt reached = stateOf(FiringRule.fire(net, transition, marking));
-                if (reached.isPresent() && reached.getAsInt() == target) {
-                    return transition;
+                int fired = transition;
+                int[] after = FiringRule.fire(net, transition, marking);
+                List<Integer> before = settings.symmetry()
+                        .map(like -> IntStream.of(like.normalizeAfterAndTrace(fired, after))
+                                .boxed()
+                                .toList())
+                        .orElse(List.of());
+                if (space.find(after) == target) {
+                    return new Step(transition, before);
                 }
             }
         }
-        throw new IllegalStateException("no transition leads to state " + target + ", found from the state before it");
+        throw new IllegalStateException("no transition leads from state " + from + " to state " + target);
     }
 }

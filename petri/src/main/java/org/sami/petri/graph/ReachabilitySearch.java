@@ -98,6 +98,9 @@ public final class ReachabilitySearch {
         if (end != null && end.isBounded()) {
             lookAtWaiting();
         }
+        if (symmetry != null) {
+            symmetry.spread(fired, mostTokens);
+        }
         return new ReachabilityGraph(
                 net,
                 end == null ? SearchEnd.COMPLETE : end,
@@ -141,6 +144,9 @@ public final class ReachabilitySearch {
             noteDeadlock(number);
         } else if (stubborn != null) {
             count = stubborn.choose(marking, enabled, count);
+        }
+        if (symmetry != null) {
+            count = symmetry.withoutAlike(marking, enabled, count);
         }
         if (edges != null) {
             edges.begin();
@@ -203,8 +209,9 @@ public final class ReachabilitySearch {
             }
             place = space.firing().overflow(transition, marking);
         }
-        space.firing().fire(transition, state, marking, next);
-        if (symmetry != null && !normalize(symmetry)) {
+        if (symmetry == null) {
+            space.firing().fire(transition, state, marking, next);
+        } else if (!fireAndNormalize(transition, symmetry)) {
             return -1;
         }
         StateTable table = space.table();
@@ -219,17 +226,15 @@ public final class ReachabilitySearch {
         return target;
     }
 
-    private boolean normalize(MarkingSymmetry like) {
-        space.unpack(next, after);
-        like.normalize(after);
-        int place = space.overflow(after);
-        while (place != PackedFiring.FITS) {
+    private boolean fireAndNormalize(int transition, MarkingSymmetry like) {
+        PackedFiring.fire(net, transition, marking, after);
+        like.normalizeAfter(transition, after);
+        while (!space.pack(after, next)) {
+            int place = space.overflow(after);
             if (!widen(place, after[place])) {
                 return false;
             }
-            place = space.overflow(after);
         }
-        space.pack(after, next);
         return true;
     }
 

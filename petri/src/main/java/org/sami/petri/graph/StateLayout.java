@@ -13,6 +13,9 @@ final class StateLayout {
     private final int[] shift;
     private final int words;
 
+    /** For each word its first place, and the number of places at the end. */
+    private final int[] firstPlace;
+
     /** A layout with these bits for each place: from 1 to {@link #MOST_BITS}. */
     StateLayout(int[] bits) {
         this.bits = bits;
@@ -30,6 +33,10 @@ final class StateLayout {
             used += bits[place];
         }
         words = at + 1;
+        firstPlace = new int[words + 1];
+        for (int place = 0; place < bits.length; place++) {
+            firstPlace[word[place] + 1] = place + 1;
+        }
     }
 
     /** How many bits hold a number of tokens: at least 1. */
@@ -64,17 +71,25 @@ final class StateLayout {
     }
 
     void unpack(long[] state, int[] marking) {
-        for (int place = 0; place < marking.length; place++) {
-            marking[place] = (int) (state[word[place]] >>> shift[place]) & most(place);
+        for (int w = 0; w < words; w++) {
+            long fields = state[w];
+            for (int place = firstPlace[w]; place < firstPlace[w + 1]; place++) {
+                marking[place] = (int) (fields >>> shift[place]) & most(place);
+            }
         }
     }
 
-    void pack(int[] marking, long[] state) {
+    /** Packs a marking; whether each place has room for its tokens. Where one has not, the state is of no use. */
+    boolean pack(int[] marking, long[] state) {
+        int excess = 0;
         for (int w = 0; w < words; w++) {
-            state[w] = 0;
+            long fields = 0;
+            for (int place = firstPlace[w]; place < firstPlace[w + 1]; place++) {
+                excess |= marking[place] >>> bits[place];
+                fields |= (long) marking[place] << shift[place];
+            }
+            state[w] = fields;
         }
-        for (int place = 0; place < marking.length; place++) {
-            state[word[place]] |= (long) marking[place] << shift[place];
-        }
+        return excess == 0;
     }
 }

@@ -45,12 +45,9 @@ final class StateSpace {
         layout.unpack(into, marking);
     }
 
-    void unpack(long[] packedState, int[] marking) {
-        layout.unpack(packedState, marking);
-    }
-
-    void pack(int[] marking, long[] into) {
-        layout.pack(marking, into);
+    /** Packs a marking; whether the fields have room for it. */
+    boolean pack(int[] marking, long[] into) {
+        return layout.pack(marking, into);
     }
 
     /** The first place whose field is too small for a marking; {@link PackedFiring#FITS} where there is none. */
@@ -65,11 +62,7 @@ final class StateSpace {
 
     /** The number of a marking's state; -1 where it was not found. */
     int find(int[] marking) {
-        if (overflow(marking) != PackedFiring.FITS) {
-            return -1;
-        }
-        layout.pack(marking, packed);
-        return table.find(packed);
+        return layout.pack(marking, packed) ? table.find(packed) : -1;
     }
 
     long bytes() {

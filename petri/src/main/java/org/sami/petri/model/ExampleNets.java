@@ -10,9 +10,9 @@ public final class ExampleNets {
     private static final int STEPS = 10;
 
     /** The steps between which an agent holds the gate. */
-    private static final int GATE_OPENS = 3;
+    private static final int GATE_OPENS = 2;
 
-    private static final int GATE_CLOSES = 6;
+    private static final int GATE_CLOSES = 7;
 
     private ExampleNets() {}
 
@@ -79,7 +79,7 @@ public final class ExampleNets {
         return net.build();
     }
 
-    /** Agents that go through ten steps each, three of them within a gate that has room for one: equal agents may be exchanged. */
+    /** Agents that go through ten steps each, five of them within a gate that has room for one: equal agents may be exchanged. */
     public static PetriNet agents(int count) {
         PetriNetBuilder net = new PetriNetBuilder("agents-" + count);
         net.place("gate", 1);

@@ -23,7 +23,7 @@ import org.sami.petri.query.QueryAnswer.NetVerdict;
 public final class QueryRunner {
     private final PetriNet net;
     private final SearchBudget budget;
-    private final boolean reduces;
+    private final QueryMeans means;
     private final GraphWatch watch;
     private final LongSupplier nanos;
 
@@ -31,13 +31,12 @@ public final class QueryRunner {
      * A runner for a net.
      *
      * @param budget of each search
-     * @param reduces whether queries about deadlocks use stubborn sets
      * @param nanos a clock that never goes back
      */
-    public QueryRunner(PetriNet net, SearchBudget budget, boolean reduces, GraphWatch watch, LongSupplier nanos) {
+    public QueryRunner(PetriNet net, SearchBudget budget, QueryMeans means, GraphWatch watch, LongSupplier nanos) {
         this.net = net;
         this.budget = budget;
-        this.reduces = reduces;
+        this.means = means;
         this.watch = watch;
         this.nanos = nanos;
     }
@@ -45,10 +44,11 @@ public final class QueryRunner {
     /** Answers a query about the net. */
     public QueryAnswer answer(NetQuery query) {
         if (query instanceof NetQuery.Reachable reachable) {
-            return found(search(settings().withGoal(reachable.condition())), true, "such a marking");
+            MarkingCondition goal = reachable.condition();
+            return found(search(settings(goal).withGoal(goal)), true, "such a marking");
         } else if (query instanceof NetQuery.Invariant invariant) {
-            return found(
-                    search(settings().withGoal(new Not(invariant.condition()))), false, "a marking that breaks it");
+            MarkingCondition goal = new Not(invariant.condition());
+            return found(search(settings(goal).withGoal(goal)), false, "a marking that breaks it");
         } else if (query instanceof NetQuery.Deadlock deadlock) {
             return deadlock(deadlock);
         } else if (query instanceof NetQuery.Home home) {
@@ -59,8 +59,13 @@ public final class QueryRunner {
         throw new IllegalArgumentException("a query of an unknown kind: " + query);
     }
 
-    private SearchSettings settings() {
-        return SearchSettings.within(budget);
+    /** The settings for a query with a condition: with symmetry where the condition allows it. */
+    private SearchSettings settings(MarkingCondition condition) {
+        SearchSettings plain = SearchSettings.within(budget);
+        return means.symmetry()
+                .filter(symmetry -> !symmetry.isEmpty() && ConditionSymmetry.isKept(condition, symmetry))
+                .map(plain::withSymmetry)
+                .orElse(plain);
     }
 
     private ReachabilityGraph search(SearchSettings settings) {
@@ -95,14 +100,14 @@ public final class QueryRunner {
     private QueryAnswer deadlock(NetQuery.Deadlock query) {
         MarkingCondition goal = new All(List.of(new NothingEnabled(net), new Not(query.end())));
         String what = "a deadlock";
-        if (!reduces) {
-            return found(search(settings().withGoal(goal)), true, what);
+        if (!means.reduces()) {
+            return found(search(settings(goal).withGoal(goal)), true, what);
         }
-        QueryAnswer reduced = found(search(settings().withGoal(goal).withReduction()), true, what);
+        QueryAnswer reduced = found(search(settings(goal).withGoal(goal).withReduction()), true, what);
         if (reduced.verdict() != NetVerdict.YES) {
             return reduced;
         }
-        QueryAnswer nearest = found(search(settings().withGoal(goal)), true, what);
+        QueryAnswer nearest = found(search(settings(goal).withGoal(goal)), true, what);
         return nearest.verdict() == NetVerdict.YES
                 ? nearest
                 : new QueryAnswer(
@@ -113,7 +118,7 @@ public final class QueryRunner {
     }
 
     private QueryAnswer home(MarkingCondition condition) {
-        ReachabilityGraph graph = search(settings().withEdges());
+        ReachabilityGraph graph = search(settings(condition).withEdges());
         if (!graph.isComplete()) {
             return unknown(graph, "not every run was followed to its end");
         }
@@ -144,7 +149,9 @@ public final class QueryRunner {
     }
 
     private QueryAnswer bound(int place) {
-        ReachabilityGraph graph = search(settings());
+        MarkingCondition tellsPlaceApart = new LinearComparison(
+                List.of(new LinearComparison.Term(place, 1)), LinearComparison.Relation.AT_LEAST, 0);
+        ReachabilityGraph graph = search(settings(tellsPlaceApart));
         int most = graph.mostTokens(place);
         Optional<FiringSequence> run = graph.first(marking -> marking[place] == most).stream()
                 .mapToObj(graph::runTo)

@@ -3,6 +3,7 @@ package org.sami.petri.query;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
@@ -10,11 +11,17 @@ import org.sami.petri.model.ExampleNets;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.net.PetriNetBuilder;
 import org.sami.petri.query.QueryAnswer.NetVerdict;
+import org.sami.petri.symmetry.NetSymmetry;
 
 class QueryRunnerTest {
     private static QueryAnswer ask(PetriNet net, int states, boolean reduces, String query) throws QueryFaultException {
+        return ask(net, states, new QueryMeans(reduces, Optional.empty()), query);
+    }
+
+    private static QueryAnswer ask(PetriNet net, int states, QueryMeans means, String query)
+            throws QueryFaultException {
         QueryRunner runner =
-                new QueryRunner(net, SearchBudget.ofStates(states), reduces, GraphWatch.NONE, System::nanoTime);
+                new QueryRunner(net, SearchBudget.ofStates(states), means, GraphWatch.NONE, System::nanoTime);
         return runner.answer(QueryParser.query(net, query));
     }
 
@@ -116,5 +123,30 @@ class QueryRunnerTest {
         assertThat(ask(ExampleNets.producerConsumer(0), 1000, true, "bound buffer")
                         .verdict())
                 .isEqualTo(NetVerdict.UNKNOWN);
+    }
+
+    @Test
+    void symmetryIsUsedWhereAQueryDoesNotTellExchangedPartsApart() throws QueryFaultException {
+        PetriNet net = ExampleNets.agents(3);
+        QueryMeans means = new QueryMeans(true, Optional.of(NetSymmetry.of(net)));
+        String home = "home m(step0.10) + m(step1.10) + m(step2.10) = 3";
+
+        assertThat(ask(net, 100_000, means, home).verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(ask(net, 100_000, means, home).graph().states())
+                .isLessThan(ask(net, home).graph().states() / 4);
+        for (String query : List.of(
+                "reachable m(step0.10) = 1 and m(step1.0) = 1",
+                "reachable enabled(go2.5)",
+                "bound step1.10",
+                "deadlock unless m(step0.10) = 1",
+                "invariant m(step0.5) + m(step1.5) + m(step2.5) <= 1",
+                "home m(step1.0) = 1")) {
+            QueryAnswer small = ask(net, 100_000, means, query);
+            QueryAnswer large = ask(net, query);
+            assertThat(small.verdict()).as(query).isEqualTo(large.verdict());
+            assertThat(small.witness().map(run -> run.transitions().size()))
+                    .as(query)
+                    .isEqualTo(large.witness().map(run -> run.transitions().size()));
+        }
     }
 }

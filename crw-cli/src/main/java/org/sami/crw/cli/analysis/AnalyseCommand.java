@@ -26,8 +26,12 @@ import org.sami.petri.pnml.PnmlReading;
 import org.sami.petri.pnml.PnmlWriter;
 import org.sami.petri.query.NetQuery;
 import org.sami.petri.query.QueryFaultException;
+import org.sami.petri.query.QueryMeans;
 import org.sami.petri.query.QueryParser;
 import org.sami.petri.query.QueryRunner;
+import org.sami.petri.structure.StructuralAnswers;
+import org.sami.petri.structure.StructuralQueries;
+import org.sami.petri.structure.StructureLimits;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -136,13 +140,22 @@ public final class AnalyseCommand implements Callable<Integer> {
         List<NetAnalysis> analyses = new ArrayList<>();
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             GraphWatch watch = watch(progress, stop);
+            QueryMeans means = options.means(net);
             if (asked.isEmpty()) {
-                analyses.add(NetAnalysis.of(
-                        ReachabilitySearch.explore(net, SearchSettings.within(budget), watch, System::nanoTime)));
+                SearchSettings whole = SearchSettings.within(budget);
+                analyses.add(NetAnalysis.of(ReachabilitySearch.explore(
+                        net, means.symmetry().map(whole::withSymmetry).orElse(whole), watch, System::nanoTime)));
             }
-            QueryRunner runner = new QueryRunner(net, budget, options.reduces(), watch, System::nanoTime);
+            QueryRunner runner = new QueryRunner(net, budget, means, watch, System::nanoTime);
+            StructuralQueries structure =
+                    new StructuralQueries(net, new StructuralAnswers(net, StructureLimits.USUAL.withCancel(stop)));
             for (int i = 0; i < asked.size(); i++) {
-                analyses.add(NetAnalysis.of(queries.get(i), runner.answer(asked.get(i))));
+                NetQuery query = asked.get(i);
+                String text = queries.get(i);
+                Optional<StructuralQueries.Answer> proved =
+                        options.asksStructure() ? structure.answer(query) : Optional.empty();
+                analyses.add(proved.map(answer -> NetAnalysis.of(net, text, query, answer))
+                        .orElseGet(() -> NetAnalysis.of(text, query, runner.answer(query))));
             }
             progress.end();
         }

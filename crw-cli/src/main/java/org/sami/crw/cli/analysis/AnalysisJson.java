@@ -32,25 +32,37 @@ final class AnalysisJson {
     /** Puts an analysis into an object. */
     static void put(ObjectNode object, NetAnalysis analysis) {
         PetriNet net = analysis.net();
-        ReachabilityGraph graph = analysis.graph();
         object.put("net", net.name()).put("places", net.placeCount()).put("transitions", net.transitionCount());
-        object.put("states", graph.states())
-                .put("edges", graph.edges())
-                .put("seconds", analysis.seconds())
-                .put("statesPerSecond", analysis.statesPerSecond())
-                .put("bytesPerState", analysis.bytesPerState())
-                .put("complete", graph.isComplete())
-                .put("end", graph.end().name().toLowerCase(Locale.ROOT));
+        analysis.graph().ifPresent(graph -> putSearch(object, graph));
         analysis.answer()
                 .ifPresentOrElse(
-                        answer -> object.put("query", analysis.query())
-                                .put("verdict", answer.verdict().name().toLowerCase(Locale.ROOT))
-                                .put("answer", answer.words()),
-                        () -> putFacts(object, net, graph));
+                        answer -> putAnswer(object, answer),
+                        () -> analysis.graph().ifPresent(graph -> putFacts(object, net, graph)));
         analysis.witness().ifPresent(run -> {
             ArrayNode witness = object.putArray("witness");
             run.ids(net).forEach(witness::add);
             putMarking(object.putObject("marking"), net, run.replay(net));
+        });
+    }
+
+    private static void putSearch(ObjectNode object, ReachabilityGraph graph) {
+        SearchSpeed speed = SearchSpeed.of(graph);
+        object.put("states", graph.states())
+                .put("edges", graph.edges())
+                .put("seconds", speed.seconds())
+                .put("statesPerSecond", speed.statesPerSecond())
+                .put("bytesPerState", speed.bytesPerState())
+                .put("complete", graph.isComplete())
+                .put("end", graph.end().name().toLowerCase(Locale.ROOT));
+    }
+
+    private static void putAnswer(ObjectNode object, NetAnalysis.Answered answer) {
+        object.put("query", answer.text())
+                .put("verdict", answer.verdict().name().toLowerCase(Locale.ROOT))
+                .put("answer", answer.words());
+        answer.proof().ifPresent(proof -> {
+            ArrayNode lines = object.putArray("proof");
+            proof.words().forEach(lines::add);
         });
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.cli.analysis;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.sami.petri.graph.ReachabilityGraph;
 
 /** An analysis as lines for people. */
@@ -19,25 +20,28 @@ final class AnalysisText {
     }
 
     void print() {
-        ReachabilityGraph graph = analysis.graph();
         analysis.answer()
-                .ifPresentOrElse(
-                        answer -> out.println(analysis.query() + ": "
-                                + answer.verdict().name().toLowerCase(Locale.ROOT) + ", " + answer.words()),
-                        this::printFacts);
+                .ifPresentOrElse(this::printAnswer, () -> analysis.graph().ifPresent(this::printFacts));
         printWitness();
-        out.printf(
-                Locale.ROOT,
-                "%d states, %d edges in %.2f s: %.0f states a second, %.1f bytes a state%n",
-                graph.states(),
-                graph.edges(),
-                analysis.seconds(),
-                analysis.statesPerSecond(),
-                analysis.bytesPerState());
+        analysis.graph().ifPresent(graph -> {
+            SearchSpeed speed = SearchSpeed.of(graph);
+            out.printf(
+                    Locale.ROOT,
+                    "%d states, %d edges in %.2f s: %.0f states a second, %.1f bytes a state%n",
+                    graph.states(),
+                    graph.edges(),
+                    speed.seconds(),
+                    speed.statesPerSecond(),
+                    speed.bytesPerState());
+        });
     }
 
-    private void printFacts() {
-        ReachabilityGraph graph = analysis.graph();
+    private void printAnswer(NetAnalysis.Answered answer) {
+        out.println(answer.text() + ": " + answer.verdict().name().toLowerCase(Locale.ROOT) + ", " + answer.words());
+        answer.proof().ifPresent(proof -> proof.words().forEach(line -> out.println("    " + line)));
+    }
+
+    private void printFacts(ReachabilityGraph graph) {
         boolean isWhole = graph.isComplete();
         out.println(
                 isWhole
@@ -51,11 +55,14 @@ final class AnalysisText {
                                 + analysis.witness()
                                         .map(run -> run.transitions().size())
                                         .orElse(0) + " firings");
-        List<String> dead = graph.deadTransitions().stream()
-                .map(analysis.net()::transitionId)
-                .toList();
+        List<String> dead =
+                graph.deadTransitions().stream().map(graph.net()::transitionId).toList();
         out.println(dead.isEmpty() ? "each transition fires somewhere" : "never fired" + among + ": " + listed(dead));
-        out.println("at most " + analysis.mostTokens() + " tokens in a place" + among);
+        int most = IntStream.range(0, graph.net().placeCount())
+                .map(graph::mostTokens)
+                .max()
+                .orElse(0);
+        out.println("at most " + most + " tokens in a place" + among);
     }
 
     private void printWitness() {

@@ -6,51 +6,69 @@ import java.util.stream.IntStream;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.net.PetriNet;
+import org.sami.petri.query.NetQuery;
 import org.sami.petri.query.QueryAnswer;
 import org.sami.petri.query.QueryAnswer.NetVerdict;
+import org.sami.petri.structure.StructuralProof;
+import org.sami.petri.structure.StructuralQueries;
 
 /**
  * What {@code crw analyse} has found.
  *
- * @param query its text; empty where the whole graph was asked for
- * @param answer to the query; empty where there was none
+ * @param graph what was searched; empty where no search was needed
+ * @param answer to a query; empty where the whole graph was asked for
  */
-record NetAnalysis(PetriNet net, ReachabilityGraph graph, String query, Optional<QueryAnswer> answer) {
+record NetAnalysis(PetriNet net, Optional<ReachabilityGraph> graph, Optional<Answered> answer) {
+    /**
+     * A query with its answer.
+     *
+     * @param text of the query
+     * @param witness a run that shows it
+     * @param proof from the structure of the net; empty where a search has answered
+     */
+    record Answered(
+            String text,
+            NetQuery query,
+            NetVerdict verdict,
+            String words,
+            Optional<FiringSequence> witness,
+            Optional<StructuralProof> proof) {}
+
     /** The whole graph of a net. */
     static NetAnalysis of(ReachabilityGraph graph) {
-        return new NetAnalysis(graph.net(), graph, "", Optional.empty());
+        return new NetAnalysis(graph.net(), Optional.of(graph), Optional.empty());
     }
 
-    /** The answer to a query. */
-    static NetAnalysis of(String query, QueryAnswer answer) {
-        return new NetAnalysis(answer.graph().net(), answer.graph(), query, Optional.of(answer));
+    /** The answer of a search. */
+    static NetAnalysis of(String text, NetQuery query, QueryAnswer answer) {
+        return new NetAnalysis(
+                answer.graph().net(),
+                Optional.of(answer.graph()),
+                Optional.of(new Answered(
+                        text, query, answer.verdict(), answer.words(), answer.witness(), Optional.empty())));
     }
 
-    double seconds() {
-        return Math.max(1, graph.nanos()) / 1e9;
-    }
-
-    double statesPerSecond() {
-        return graph.looked() / seconds();
-    }
-
-    double bytesPerState() {
-        return (double) graph.bytes() / graph.states();
+    /** An answer from the structure of a net. */
+    static NetAnalysis of(PetriNet net, String text, NetQuery query, StructuralQueries.Answer answer) {
+        String words = "proved by " + answer.proof().method().words();
+        return new NetAnalysis(
+                net,
+                Optional.empty(),
+                Optional.of(new Answered(
+                        text, query, answer.verdict(), words, Optional.empty(), Optional.of(answer.proof()))));
     }
 
     /** Whether the budget ended the search before all was known. */
     boolean isOpen() {
         return answer.map(a -> a.verdict() == NetVerdict.UNKNOWN)
-                .orElseGet(() -> graph.end().isBounded());
+                .orElseGet(() -> graph.filter(g -> g.end().isBounded()).isPresent());
     }
 
-    /** Whether something was found that a query asked about as a fault: a broken invariant, a deadlock, a run that cannot end. */
+    /** Whether something was found that a query asked about as a fault: a broken invariant, a deadlock, a run that cannot come home. */
     boolean hasFound() {
-        String kind = query.strip().split("\\s", 2)[0];
-        return answer.map(QueryAnswer::verdict)
-                .filter(verdict -> kind.equals("deadlock")
-                        ? verdict == NetVerdict.YES
-                        : verdict == NetVerdict.NO && !kind.equals("reachable"))
+        return answer.filter(a -> a.query() instanceof NetQuery.Deadlock
+                        ? a.verdict() == NetVerdict.YES
+                        : a.verdict() == NetVerdict.NO && !(a.query() instanceof NetQuery.Reachable))
                 .isPresent();
     }
 
@@ -59,12 +77,7 @@ record NetAnalysis(PetriNet net, ReachabilityGraph graph, String query, Optional
         if (answer.isPresent()) {
             return answer.get().witness();
         }
-        return graph.deadlocks().stream().findFirst().map(graph::runTo);
-    }
-
-    /** The most tokens that any place has. */
-    int mostTokens() {
-        return IntStream.range(0, net.placeCount()).map(graph::mostTokens).max().orElse(0);
+        return graph.flatMap(g -> g.deadlocks().stream().findFirst().map(g::runTo));
     }
 
     /** Places with their tokens in a marking, without empty ones. */

@@ -1,9 +1,13 @@
 package org.sami.crw.cli.analysis;
 
 import java.time.Duration;
+import java.util.Optional;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.net.PetriNet;
+import org.sami.petri.query.QueryMeans;
+import org.sami.petri.symmetry.NetSymmetry;
 import picocli.CommandLine.Option;
 
 /** How far a search may go. */
@@ -39,9 +43,16 @@ final class SearchOptions {
 
     @Option(
             names = "--no-reduction",
-            negatable = false,
             description = "Answer questions about deadlocks from the whole graph, without stubborn sets.")
     private boolean isWhole;
+
+    @Option(
+            names = "--symmetry",
+            description = "Count states as one that differ only by an exchange of equal components.")
+    private boolean isSymmetric;
+
+    @Option(names = "--search", description = "Search for every query, also where invariants would answer it.")
+    private boolean isSearch;
 
     SearchBudget budget() {
         if (states < 1 || states > SearchBudget.MOST_STATES) {
@@ -60,7 +71,12 @@ final class SearchOptions {
                 millis == 0 ? Duration.ofDays(365) : Duration.ofMillis(millis));
     }
 
-    boolean reduces() {
-        return !isWhole;
+    QueryMeans means(PetriNet net) {
+        return new QueryMeans(!isWhole, isSymmetric ? Optional.of(NetSymmetry.of(net)) : Optional.empty());
+    }
+
+    /** Whether the structure of the net is asked before a search. */
+    boolean asksStructure() {
+        return !isSearch;
     }
 }

@@ -45,7 +45,8 @@ class AnalyseCommandTest {
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out())
-                .contains("invariant m(eats0) + m(eats1) <= 1: yes, a marking that breaks it is never reached")
+                .contains("invariant m(eats0) + m(eats1) <= 1: yes, proved by ")
+                .contains("right0 + eats0 + fork1 + left1 + eats1 is always 1")
                 .contains("deadlock: yes, a deadlock is reached by 5 firings");
     }
 
@@ -60,6 +61,25 @@ class AnalyseCommandTest {
         assertThat(CommandResult.crw("analyse", "kanban-1", "--query", "home m(out4) = 7")
                         .exitCode())
                 .isEqualTo(1);
+    }
+
+    @Test
+    void whatTheStructureProvesIsSearchedForWhenAsked() {
+        CommandResult ran = CommandResult.crw(
+                "analyse", "philosophers-5", "--search", "--query", "invariant m(eats0) + m(eats1) <= 1");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .contains("yes, a marking that breaks it is never reached")
+                .contains("243 states, ");
+    }
+
+    @Test
+    void symmetryCountsStatesThatAreAlikeAsOne() {
+        CommandResult ran = CommandResult.crw("analyse", "shared-memory-5", "--symmetry");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out()).contains("every reachable state was looked at").contains("\n51 states, ");
     }
 
     @Test
