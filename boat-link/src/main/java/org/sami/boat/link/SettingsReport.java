@@ -26,6 +26,7 @@ public final class SettingsReport extends LinkMessage {
     private final String stoppedBy;
     private final Optional<BoardCondition> board;
     private final BoatPerformance performance;
+    private final BoatCapabilities capabilities;
 
     /** The report of an older boat, which sends neither its home nor its errors. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
@@ -81,7 +82,8 @@ public final class SettingsReport extends LinkMessage {
                 error,
                 stoppedBy,
                 board,
-                BoatPerformance.UNKNOWN);
+                BoatPerformance.UNKNOWN,
+                BoatCapabilities.UNKNOWN);
     }
 
     private SettingsReport(
@@ -93,7 +95,8 @@ public final class SettingsReport extends LinkMessage {
             Optional<TrackingError> error,
             String stoppedBy,
             Optional<BoardCondition> board,
-            BoatPerformance performance) {
+            BoatPerformance performance,
+            BoatCapabilities capabilities) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
@@ -104,12 +107,37 @@ public final class SettingsReport extends LinkMessage {
         this.stoppedBy = Checks.optionalName(STOPPED_BY, stoppedBy);
         this.board = Objects.requireNonNull(board, BOARD);
         this.performance = Objects.requireNonNull(performance, PERFORMANCE);
+        this.capabilities = Objects.requireNonNull(capabilities, "capabilities");
     }
 
     /** The same report of a boat that says how far, how fast and how narrowly it drives. */
     public SettingsReport with(BoatPerformance newPerformance) {
         return new SettingsReport(
-                heading, speed, velocityMultiplier, lostLinkAction, home, error, stoppedBy, board, newPerformance);
+                heading,
+                speed,
+                velocityMultiplier,
+                lostLinkAction,
+                home,
+                error,
+                stoppedBy,
+                board,
+                newPerformance,
+                capabilities);
+    }
+
+    /** The same report of a boat that says what it cannot do and what it measures. */
+    public SettingsReport with(BoatCapabilities newCapabilities) {
+        return new SettingsReport(
+                heading,
+                speed,
+                velocityMultiplier,
+                lostLinkAction,
+                home,
+                error,
+                stoppedBy,
+                board,
+                performance,
+                newCapabilities);
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -122,7 +150,8 @@ public final class SettingsReport extends LinkMessage {
                 in.has(ERROR) ? Optional.of(TrackingError.read(in.object(ERROR))) : Optional.empty(),
                 in.textOrEmpty(STOPPED_BY),
                 in.has(BOARD) ? Optional.of(in.word(BOARD, BoardCondition.class)) : Optional.empty(),
-                in.has(PERFORMANCE) ? BoatPerformance.read(in.object(PERFORMANCE)) : BoatPerformance.UNKNOWN);
+                in.has(PERFORMANCE) ? BoatPerformance.read(in.object(PERFORMANCE)) : BoatPerformance.UNKNOWN,
+                BoatCapabilities.read(in));
     }
 
     /** Gains of a control loop. */
@@ -165,6 +194,11 @@ public final class SettingsReport extends LinkMessage {
         return performance;
     }
 
+    /** What the boat cannot do, and what it measures; {@link BoatCapabilities#UNKNOWN} for older boats. */
+    public BoatCapabilities capabilities() {
+        return capabilities;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -200,5 +234,6 @@ public final class SettingsReport extends LinkMessage {
             performance.write(out);
             out.writeEndObject();
         }
+        capabilities.write(out);
     }
 }

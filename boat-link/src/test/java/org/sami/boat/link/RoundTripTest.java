@@ -94,6 +94,12 @@ class RoundTripTest {
                 new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
                         .with(new BoatPerformance(
                                 OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(4.5))),
+                new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
+                        .with(new BoatCapabilities(
+                                Collections.singletonMap("panorama", "there is no camera on board"),
+                                Optional.of(List.of("ctd/temperature", "ctd/oxygen")))),
+                new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
+                        .with(new BoatCapabilities(Collections.emptyMap(), Optional.of(List.of()))),
                 new SetWaysHome("c", "l", List.of(List.of(), List.of(List.of()), List.of(path, path.subList(0, 1)))),
                 new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12),
                 new ListFiles("r", KeptFile.LOG, "anna.log"),

@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
@@ -27,6 +28,7 @@ import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
@@ -123,6 +125,11 @@ public final class BoatProxy {
     /** Its battery's charge, and how far that takes it; empty before it has reported a charge. */
     public Optional<Charge> charge() {
         return condition.status.battery().map(battery -> battery.charge(condition.performance));
+    }
+
+    /** What it cannot do and what it measures, as it has reported. */
+    public BoatCapabilities capabilities() {
+        return settings.inForce().map(BoatTuning::capabilities).orElse(BoatCapabilities.UNKNOWN);
     }
 
     /** How far, how fast and how narrowly it drives, as it has reported. */

@@ -3,10 +3,12 @@ package org.sami.crw.mavlink;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
@@ -26,6 +28,14 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final long HEARTBEAT_MS = 900; // so that it comes once a second at least
     private static final long TICK_MS = 100;
     private static final long BATTERY_MS = 10_000;
+
+    /** What {@link VehicleOrders} refuses. Which sensors there are is known only as they report. */
+    private static final BoatCapabilities CAPABILITIES = new BoatCapabilities(
+            Map.of(
+                    BoatCapabilities.PANORAMA,
+                            "a boat with an autopilot cannot turn on the spot for pictures all round",
+                    BoatCapabilities.GAINS, "its gains are parameters of its autopilot"),
+            Optional.empty());
 
     private final String name;
     private final VehicleOrders orders;
@@ -76,7 +86,9 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     private void broadcast(LinkMessage message) {
-        LinkMessage whole = message instanceof SettingsReport report ? report.with(performance.now()) : message;
+        LinkMessage whole = message instanceof SettingsReport report
+                ? report.with(performance.now()).with(CAPABILITIES)
+                : message;
         session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(whole));
     }
 

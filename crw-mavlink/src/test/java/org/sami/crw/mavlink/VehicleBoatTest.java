@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.LostLinkAction;
@@ -99,11 +100,16 @@ class VehicleBoatTest {
     }
 
     @Test
-    void saysItsSpeedAndItsTurnsByItsParameters() {
+    void saysItsSpeedAndItsTurnsByItsParametersAndWhatItCannotDo() {
         BoatPerformance performance =
                 new BoatPerformance(OptionalDouble.empty(), OptionalDouble.of(1.5), OptionalDouble.of(2));
 
         assertThat(world.is(BOAT, proxy -> proxy.performance().equals(performance)))
+                .isTrue();
+        assertThat(world.is(
+                        BOAT,
+                        proxy -> proxy.capabilities().cannot().containsKey(BoatCapabilities.PANORAMA)
+                                && proxy.capabilities().measures().isEmpty()))
                 .isTrue();
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.judgement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.judgement.Judgement.Remark;
 import org.sami.spn.value.GeoArea;
@@ -39,10 +40,13 @@ public final class AnswerJudge {
             return sofar;
         }
         WorkRemarks work = new WorkRemarks(question, services, boats);
-        for (JudgedRequest request : question.requests()) {
-            remarks.addAll(work.of(request.type(), request.values(draft)));
-        }
-        for (JudgedRequest request : question.next()) {
+        List<JudgedRequest> all = new ArrayList<>(question.requests());
+        all.addAll(question.next());
+        for (JudgedRequest request : all) {
+            boats.forEach(
+                    boat -> BoatDemands.missing(boat.name(), boat.capabilities(), request.type(), request.values(draft))
+                            .map(Remark::doubt)
+                            .ifPresent(remarks::add));
             remarks.addAll(work.of(request.type(), request.values(draft)));
         }
         draft.option().ifPresent(option -> remarks.addAll(work.ways(List.of(option))));

@@ -2,6 +2,7 @@ package org.sami.crw.judgement;
 
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
@@ -14,6 +15,7 @@ import org.sami.spn.value.GeoPoint;
  * @param home where it returns to, if known
  * @param error how far it may be off its path
  * @param cruiseMps its speed on paths that name none, in m/s
+ * @param capabilities what it cannot do and what it measures, where it says so
  */
 public record JudgedBoat(
         String name,
@@ -21,13 +23,15 @@ public record JudgedBoat(
         Optional<Charge> charge,
         Optional<GeoPoint> home,
         CrossTrackError error,
-        double cruiseMps) {
+        double cruiseMps,
+        BoatCapabilities capabilities) {
     public JudgedBoat {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(from, "from");
         Objects.requireNonNull(charge, "charge");
         Objects.requireNonNull(home, "home");
         Objects.requireNonNull(error, "error");
+        Objects.requireNonNull(capabilities, "capabilities");
     }
 
     /** How far its charge is sure to last, in metres; infinite where it is not known. */

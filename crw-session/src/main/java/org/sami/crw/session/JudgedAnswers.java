@@ -88,6 +88,7 @@ public final class JudgedAnswers {
                 boat.charge(),
                 boat.home(),
                 boat.errorOr(services.error()),
-                boat.cruiseSpeedMps());
+                boat.cruiseSpeedMps(),
+                boat.capabilities());
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.handler.planning.CrwServices;
@@ -47,7 +48,8 @@ class AnswerJudgeTest {
                 Optional.of(Charge.usual(percent)),
                 Optional.of(at(300, 500)),
                 CrossTrackError.NONE,
-                1.5);
+                1.5,
+                BoatCapabilities.UNKNOWN);
     }
 
     private static JudgedQuestion asks(Question question, JudgedRequest... requests) {

@@ -10,6 +10,7 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
@@ -144,6 +145,7 @@ class AlarmModelTest {
                 1,
                 LostLinkAction.HOLD,
                 Optional.empty(),
+                BoatCapabilities.UNKNOWN,
                 new BoatPerformance(OptionalDouble.of(180), OptionalDouble.empty(), OptionalDouble.empty())));
         see("anna", HOME, NORTH, 0);
 

@@ -82,8 +82,8 @@ public final class BoatServer {
         this.log = Objects.requireNonNull(log, "log");
         epochs = new EpochGuard(log);
         modes = new ModeControl(config, vehicle);
-        executor = new CommandExecutor(config, modes);
         sensors = new SensorSampler(vehicle);
+        executor = new CommandExecutor(config, modes, sensors.channels());
         BatteryWatch battery =
                 new BatteryWatch(config, vehicle, modes.homeward().waysHome());
         state = new StateReports(vehicle, battery, modes, executor);

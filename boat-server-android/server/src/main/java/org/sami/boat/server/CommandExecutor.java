@@ -1,7 +1,10 @@
 package org.sami.boat.server;
 
+import java.util.Collections;
+import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
@@ -26,12 +29,14 @@ import org.sami.boat.link.UploadWaypoints;
 final class CommandExecutor {
     private final ServerConfig config;
     private final ModeControl modes;
+    private final List<String> channels; // that the boat measures
     private String stoppedBy = ""; // while the fleet stop is latched
     private LostLinkAction lostLinkAction;
 
-    CommandExecutor(ServerConfig config, ModeControl modes) {
+    CommandExecutor(ServerConfig config, ModeControl modes, List<String> channels) {
         this.config = config;
         this.modes = modes;
+        this.channels = channels;
         lostLinkAction = config.lostLinkAction();
     }
 
@@ -70,7 +75,15 @@ final class CommandExecutor {
                 config.trackingError(),
                 isFleetStopped() ? stoppedBy : "",
                 modes.board());
-        return inForce.with(config.performance());
+        return inForce.with(config.performance()).with(capabilities());
+    }
+
+    private BoatCapabilities capabilities() {
+        return new BoatCapabilities(
+                modes.hasCamera()
+                        ? Collections.emptyMap()
+                        : Collections.singletonMap(BoatCapabilities.PANORAMA, modes.cameraTrouble()),
+                Optional.of(channels));
     }
 
     /**

@@ -3,6 +3,7 @@ package org.sami.boat.server;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -15,6 +16,17 @@ final class SensorSampler {
     SensorSampler(Vehicle vehicle) {
         this.vehicle = vehicle;
         vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
+    }
+
+    /** The channels that the vehicle measures, each as {@code sensor/channel}; no more than are said over the link. */
+    List<String> channels() {
+        List<String> channels = new ArrayList<>();
+        for (Slot slot : slots) {
+            if (channels.size() < BoatCapabilities.MOST_CHANNELS) {
+                channels.add(slot.sensor.name() + "/" + slot.sensor.channel());
+            }
+        }
+        return channels;
     }
 
     /** Whether a sensor is due. None is while the boat does not know where it is: a reading has a place. */

@@ -16,6 +16,7 @@ final class StateReports {
     private final CommandExecutor executor;
     private BatteryLevel level;
     private Optional<BoardCondition> board;
+    private boolean hasCamera;
 
     /** Reports that begin with the state of now, which each client hears in its welcome. */
     StateReports(Vehicle vehicle, BatteryWatch battery, ModeControl modes, CommandExecutor executor) {
@@ -25,6 +26,7 @@ final class StateReports {
         this.executor = executor;
         level = battery.level();
         board = modes.board();
+        hasCamera = modes.hasCamera();
     }
 
     /** Lets time pass; clients receive what has changed. */
@@ -34,8 +36,9 @@ final class StateReports {
             level = battery.level();
             clients.accept(battery());
         }
-        if (!modes.board().equals(board)) {
+        if (!modes.board().equals(board) || modes.hasCamera() != hasCamera) {
             board = modes.board();
+            hasCamera = modes.hasCamera();
             clients.accept(executor.settings());
         }
     }

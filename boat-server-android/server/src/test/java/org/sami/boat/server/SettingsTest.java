@@ -3,11 +3,13 @@ package org.sami.boat.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoardCondition;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
@@ -75,12 +77,14 @@ class SettingsTest {
         }
 
         SettingsReport inForce = new SettingsReport(
-                new Gains(2.4, 0.1, 0.2),
-                new Gains(0.5, 0, 0),
-                0.5,
-                LostLinkAction.DRIFT,
-                Optional.of(new Waypoint(45, 10, 1.5)),
-                Optional.empty());
+                        new Gains(2.4, 0.1, 0.2),
+                        new Gains(0.5, 0, 0),
+                        0.5,
+                        LostLinkAction.DRIFT,
+                        Optional.of(new Waypoint(45, 10, 1.5)),
+                        Optional.empty())
+                .with(new BoatCapabilities(
+                        Collections.singletonMap("panorama", "there is no camera on board"), Optional.of(List.of())));
         assertThat(newest(client)).usingRecursiveComparison().isEqualTo(inForce);
         assertThat(newest(observer)).usingRecursiveComparison().isEqualTo(inForce);
         assertThat(newest(bench.client(Role.OBSERVER, 1)))

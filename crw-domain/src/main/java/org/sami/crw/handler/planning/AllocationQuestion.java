@@ -72,7 +72,7 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
                             at -> candidates.add(new Candidate(
                                     boat,
                                     at,
-                                    offers(boat, activation),
+                                    BoatDemands.offers(offers(boat, activation), reach.capabilities(boat)),
                                     begun,
                                     reach.rangeM(boat),
                                     keepWaysHome ? reach.home(boat) : Optional.empty(),

@@ -2,12 +2,13 @@ package org.sami.crw.handler.planning;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.Charge;
 import org.sami.spn.value.GeoPoint;
 
-/** How far and how fast each boat gets, and where it returns to, as it has reported: what work is divided by. For the fleet's thread. */
+/** How far and how fast each boat gets, what it can do, and where it returns to, as it has reported: what work is divided by. For the fleet's thread. */
 public final class BoatReach {
     private final ProxyRegistry boats;
 
@@ -26,6 +27,11 @@ public final class BoatReach {
     /** A boat's speed on paths that name none, in m/s; empty for an unknown boat. */
     OptionalDouble cruiseMps(String boat) {
         return boats.find(boat).stream().mapToDouble(BoatProxy::cruiseSpeedMps).findFirst();
+    }
+
+    /** What a boat cannot do and what it measures, where it says so. */
+    BoatCapabilities capabilities(String boat) {
+        return boats.find(boat).map(BoatProxy::capabilities).orElse(BoatCapabilities.UNKNOWN);
     }
 
     /** Where a boat returns to; empty for one that has not said. */

@@ -41,7 +41,8 @@ public final class MeasurementHandler implements ActivationHandler, Consumer<Fle
     /** A measurement fails after this time, in ms, without a reading. */
     public static final long FAILED_AFTER_MS = 60_000;
 
-    private static final String SENSOR = "sensor";
+    /** The field that names what is measured. */
+    public static final String SENSOR = "sensor";
 
     private final MessageSink messages;
     private final Executor fleet;

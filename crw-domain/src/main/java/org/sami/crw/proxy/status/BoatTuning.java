@@ -3,6 +3,7 @@ package org.sami.crw.proxy.status;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.BoardCondition;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
@@ -17,6 +18,7 @@ import org.sami.boat.link.SettingsReport;
  * @param velocityMultiplier factor on the speed of every leg
  * @param lostLinkAction action when the link to its commander is lost
  * @param board how its control board is; empty for a boat without one, or an earlier one
+ * @param capabilities what it cannot do and what it measures, where it says so
  * @param performance how far, how fast and how narrowly it drives, where it says so
  */
 public record BoatTuning(
@@ -25,6 +27,7 @@ public record BoatTuning(
         double velocityMultiplier,
         LostLinkAction lostLinkAction,
         Optional<BoardCondition> board,
+        BoatCapabilities capabilities,
         BoatPerformance performance) {
     /** Those of a boat that says nothing of what it can do. */
     public BoatTuning(
@@ -33,7 +36,14 @@ public record BoatTuning(
             double velocityMultiplier,
             LostLinkAction lostLinkAction,
             Optional<BoardCondition> board) {
-        this(heading, speed, velocityMultiplier, lostLinkAction, board, BoatPerformance.UNKNOWN);
+        this(
+                heading,
+                speed,
+                velocityMultiplier,
+                lostLinkAction,
+                board,
+                BoatCapabilities.UNKNOWN,
+                BoatPerformance.UNKNOWN);
     }
 
     /** Those of a boat without a control board. */
@@ -46,6 +56,7 @@ public record BoatTuning(
         Objects.requireNonNull(speed, "speed");
         Objects.requireNonNull(lostLinkAction, "lostLinkAction");
         Objects.requireNonNull(board, "board");
+        Objects.requireNonNull(capabilities, "capabilities");
         Objects.requireNonNull(performance, "performance");
     }
 
@@ -57,6 +68,7 @@ public record BoatTuning(
                 report.velocityMultiplier(),
                 report.lostLinkAction(),
                 report.board(),
+                report.capabilities(),
                 report.performance());
     }
 }

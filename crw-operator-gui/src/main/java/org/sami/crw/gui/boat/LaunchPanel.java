@@ -32,7 +32,8 @@ final class LaunchPanel extends JPanel {
         setName("boat-launch");
         table = new RowTable<>(
                 "boat-launch-table",
-                "Select a boat: link, position, compass, motor, battery and what it does without a link are gone through here.",
+                "Select a boat: link, position, compass, motor, battery and what it does without a link are gone"
+                        + " through here.",
                 Item::subject,
                 List.of(
                         RowColumn.<Item>words(
@@ -77,6 +78,7 @@ final class LaunchPanel extends JPanel {
             case MOTOR -> "Motor";
             case BATTERY -> "Battery";
             case LOST_LINK -> "Without a link";
+            case EQUIPMENT -> "Equipment";
         };
     }
 }

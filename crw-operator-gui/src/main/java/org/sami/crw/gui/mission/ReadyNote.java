@@ -2,18 +2,25 @@ package org.sami.crw.gui.mission;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.FleetCheck;
+import org.sami.crw.operator.alarm.PlanCheck;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.palette.SemanticColor;
+import org.sami.spn.model.Plan;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.table.TooltipLines;
 
-/** One line that says, before a mission starts, which boats are not ready for it; its tooltip says why. It is visible only while one is not ready. */
+/**
+ * One line that says, before a mission starts, which boats are not ready for it or cannot do all that its plan asks; its tooltip says why. It is visible only
+ * while there is such a boat.
+ */
 final class ReadyNote extends JLabel {
     private final OperatorContext context;
     private boolean room = true;
@@ -43,17 +50,31 @@ final class ReadyNote extends JLabel {
         }
     }
 
-    /** Says how boats are now; to be called a few times a second. */
-    void refresh() {
-        FleetCheck check = FleetCheck.of(
-                context.models().fleet().snapshot(), context.models().alarms().snapshot(), context.nowMillis());
+    /**
+     * Says how boats are now; to be called a few times a second.
+     *
+     * @param plan that is selected
+     */
+    void refresh(Optional<Plan> plan) {
+        List<BoatSnapshot> boats = List.copyOf(context.models().fleet().snapshot());
+        FleetCheck check = FleetCheck.of(boats, context.models().alarms().snapshot(), context.nowMillis());
+        List<String> missing =
+                plan.map(chosen -> PlanCheck.of(chosen, boats).missing()).orElse(List.of());
         String words = check.words();
-        String text = words.isEmpty() ? "" : "△ " + words + " (Ctrl+N says why)";
+        List<String> told = new ArrayList<>();
+        if (!words.isEmpty()) {
+            told.add(words + " (Ctrl+N says why)");
+        }
+        if (!missing.isEmpty()) {
+            told.add(missing.get(0) + (missing.size() > 1 ? "; and " + (missing.size() - 1) + " more" : ""));
+        }
+        String text = told.isEmpty() ? "" : "△ " + String.join(" · ", told);
         if (!text.equals(getText())) {
             setText(text);
             setVisible(room && !text.isEmpty());
         }
         List<String> lines = new ArrayList<>(check.reasons());
+        lines.addAll(missing);
         setToolTipText(lines.isEmpty() ? null : TooltipLines.of(String.join("\n", lines)));
     }
 }

@@ -11,6 +11,7 @@ import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
@@ -44,7 +45,9 @@ public record LaunchCheck(List<Item> items) {
         BOARD,
         MOTOR,
         BATTERY,
-        LOST_LINK
+        LOST_LINK,
+        /** Only of boats that say what they cannot do. */
+        EQUIPMENT
     }
 
     /**
@@ -70,6 +73,7 @@ public record LaunchCheck(List<Item> items) {
                 case MOTOR -> "motor: " + text;
                 case BATTERY -> "battery " + text;
                 case LOST_LINK -> "without a link it " + text;
+                case EQUIPMENT -> text;
             };
         }
     }
@@ -94,6 +98,10 @@ public record LaunchCheck(List<Item> items) {
         items.add(motor(boat, triedMps));
         items.add(battery(boat));
         items.add(lostLink(boat.settings()));
+        boat.settings().map(BoatTuning::capabilities).map(BoatDemands::missing).stream()
+                .flatMap(List::stream)
+                .map(text -> new Item(Subject.EQUIPMENT, State.DOUBTFUL, text))
+                .forEach(items::add);
         return new LaunchCheck(items);
     }
 

@@ -3,13 +3,16 @@ package org.sami.crw.operator.alarm;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BoardCondition;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
@@ -23,11 +26,15 @@ import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.Plan;
 import org.sami.spn.value.GeoPoint;
 
 class LaunchCheckTest {
     private static final long NOW = 10_000;
     private static final Gains GAINS = new Gains(1, 0, 0);
+    private static final BoatCapabilities BLIND =
+            new BoatCapabilities(Map.of("panorama", "there is no camera on board"), Optional.of(List.of()));
 
     @Test
     void aBoatOfWhichAllIsKnownAndGoodMayBeLaunched() {
@@ -110,6 +117,39 @@ class LaunchCheckTest {
                         .items())
                 .extracting(LaunchCheck.Item::subject)
                 .doesNotContain(Subject.BOARD);
+    }
+
+    @Test
+    void whatABoatCannotDoIsNamedAndKeepsItFromNothing() {
+        Optional<BoatTuning> blind = Optional.of(
+                new BoatTuning(GAINS, GAINS, 1, LostLinkAction.HOLD, Optional.empty(), BLIND, BoatPerformance.UNKNOWN));
+        LaunchCheck check =
+                LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind), List.of(), OptionalDouble.of(0.5), NOW);
+
+        assertThat(check.isReady()).isTrue();
+        assertThat(check.words()).isEqualTo("ready; cannot take pictures all round: there is no camera on board");
+    }
+
+    @Test
+    void boatThatCannotDoWhatAPlanAsksIsNamedBeforeTheMission() {
+        Optional<BoatTuning> blind = Optional.of(
+                new BoatTuning(GAINS, GAINS, 1, LostLinkAction.HOLD, Optional.empty(), BLIND, BoatPerformance.UNKNOWN));
+        List<BoatSnapshot> boats = List.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind));
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+
+        assertThat(PlanCheck.of(plan(library, "look-around"), boats).missing())
+                .containsExactly("anna cannot take pictures all round: there is no camera on board");
+        assertThat(PlanCheck.of(plan(library, "clv"), boats).missing()).isEmpty();
+        assertThat(PlanCheck.of(
+                                plan(library, "look-around"),
+                                List.of(boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD)))
+                        .missing())
+                .isEmpty();
+    }
+
+    private static Plan plan(DomainLibrary library, String id) {
+        return library.projectOf(id).orElseThrow().plan(id).orElseThrow();
     }
 
     @Test

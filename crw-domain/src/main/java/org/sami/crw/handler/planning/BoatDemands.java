@@ -1,0 +1,92 @@
+package org.sami.crw.handler.planning;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.sami.boat.link.BoatCapabilities;
+import org.sami.crw.handler.boat.SetGainsHandler;
+import org.sami.crw.handler.motion.PanoramaHandler;
+import org.sami.crw.handler.subscription.MeasurementHandler;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+
+/** What output events demand of a boat beyond driving, and why a boat cannot do it. A boat that does not say what it can do is taken to be able. */
+public final class BoatDemands {
+    /** The word with which tasks need a camera. */
+    static final String CAMERA = "camera";
+
+    private static final Map<String, String> WORDS = Map.of(
+            BoatCapabilities.PANORAMA, "take pictures all round", BoatCapabilities.GAINS, "take gains from here");
+    private static final Map<String, String> BY_EVENT =
+            Map.of(PanoramaHandler.TYPE, BoatCapabilities.PANORAMA, SetGainsHandler.TYPE, BoatCapabilities.GAINS);
+
+    private BoatDemands() {}
+
+    /**
+     * Why a boat cannot do what an output event asks of it, as a sentence without its full stop; empty where it can, or does not say.
+     *
+     * @param event the event's type
+     * @param values of its fields, as far as they are known
+     */
+    public static Optional<String> missing(
+            String boat, BoatCapabilities boatCan, String event, Map<String, Value> values) {
+        if (event.equals(MeasurementHandler.TYPE)
+                && values.get(MeasurementHandler.SENSOR) instanceof TextValue sensor) {
+            return unmeasured(boatCan, sensor.value())
+                    .map(why -> boat + " cannot measure " + sensor.value() + ": " + why);
+        }
+        return Optional.ofNullable(BY_EVENT.get(event))
+                .flatMap(what -> cannot(boatCan, what))
+                .map(why -> boat + " " + why);
+    }
+
+    private static Optional<String> unmeasured(BoatCapabilities boatCan, String sensor) {
+        return boatCan.measures()
+                .filter(channels -> channels.stream().noneMatch(channel -> isOf(channel, sensor)))
+                .map(channels -> channels.isEmpty() ? "it has no sensors" : "it has " + String.join(", ", channels));
+    }
+
+    /** Whether a plan names a channel so: by its sensor, by what it measures, or both. */
+    private static boolean isOf(String channel, String named) {
+        int slash = channel.indexOf('/');
+        return channel.equals(named)
+                || channel.substring(0, Math.max(0, slash)).equals(named)
+                || channel.substring(slash + 1).equals(named);
+    }
+
+    private static Optional<String> cannot(BoatCapabilities boatCan, String what) {
+        return Optional.ofNullable(boatCan.cannot().get(what))
+                .map(why -> "cannot " + Optional.ofNullable(WORDS.get(what)).orElse(what)
+                        + (why.isEmpty() ? "" : ": " + why));
+    }
+
+    /** What plans may ask for and a boat cannot do, each as {@code cannot take pictures all round: there is no camera on board}. */
+    public static List<String> missing(BoatCapabilities boatCan) {
+        return BY_EVENT.values().stream()
+                .sorted()
+                .flatMap(what -> cannot(boatCan, what).stream())
+                .toList();
+    }
+
+    /**
+     * What a boat offers to tasks that need something: what the plan says, and what the boat itself says.
+     *
+     * @param stated by the plan
+     */
+    static Set<String> offers(Set<String> stated, BoatCapabilities boatCan) {
+        Set<String> offers = new TreeSet<>(stated);
+        if (boatCan.cannot().containsKey(BoatCapabilities.PANORAMA)) {
+            offers.remove(CAMERA);
+        } else if (boatCan.isKnown()) {
+            offers.add(CAMERA);
+        }
+        boatCan.measures()
+                .ifPresent(channels -> channels.forEach(channel -> {
+                    offers.add(channel);
+                    offers.add(channel.substring(channel.indexOf('/') + 1));
+                }));
+        return offers;
+    }
+}
