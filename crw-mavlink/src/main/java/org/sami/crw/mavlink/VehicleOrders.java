@@ -126,8 +126,9 @@ final class VehicleOrders {
 
     /** Executes a command; the answer comes when the vehicle has done it, or refuses. */
     void execute(CommandMessage command, String clientId, Consumer<LinkMessage> answer) {
-        Consumer<Optional<String>> ended = why -> answer.accept(
-                why.<LinkMessage>map(words -> refused(command, words)).orElseGet(() -> new Ack(command.commandId())));
+        Consumer<Optional<String>> ended =
+                why -> answer.accept(why.<LinkMessage>map(words -> VehiclePaths.refused(command, words))
+                        .orElseGet(() -> new Ack(command.commandId())));
         if (command instanceof StopMotors) {
             motion.stop(ended);
         } else if (command instanceof FleetStop) {
@@ -164,12 +165,6 @@ final class VehicleOrders {
                     "an autopilot takes no " + command.type()
                             + " from here: set its parameters in its ground station"));
         }
-    }
-
-    static Nack refused(CommandMessage command, String why) {
-        return why.equals(VehiclePilot.VOID)
-                ? new Nack(command.commandId(), NackReason.STALE, why)
-                : new Nack(command.commandId(), NackReason.NOT_ABLE, why);
     }
 
     private void latch(String clientId) {

@@ -147,7 +147,10 @@ final class VehiclePaths {
 
     // ---- what is asked
 
-    /** A vehicle that is on its way keeps its place until the new list is started; where it does not, the old one stays. */
+    /**
+     * A vehicle that is on its way, or keeps its place at the end of its mission, keeps its place until the new list is started; where it does not, the old one
+     * stays. So no item is replaced under a vehicle that carries it out.
+     */
     void upload(UploadWaypoints upload, boolean isUnderWay, Consumer<LinkMessage> answer) {
         Runnable taken = () -> {
             list = Optional.of(new DrivenList(upload));
@@ -157,11 +160,17 @@ final class VehiclePaths {
             list.filter(VehiclePaths::isMission).ifPresent(store::put);
         };
         if (isUnderWay) {
-            motion.hold(
-                    why -> why.ifPresentOrElse(words -> answer.accept(VehicleOrders.refused(upload, words)), taken));
+            motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
         } else {
             taken.run();
         }
+    }
+
+    /** The refusal of a command for a reason in words; of one that a later command made void it says so. */
+    static Nack refused(CommandMessage command, String why) {
+        return why.equals(VehiclePilot.VOID)
+                ? new Nack(command.commandId(), NackReason.STALE, why)
+                : new Nack(command.commandId(), NackReason.NOT_ABLE, why);
     }
 
     /** Whether it goes there by a mission; to a single place it goes in GUIDED. */
@@ -185,7 +194,7 @@ final class VehiclePaths {
                 } else if (why.get().equals(MissionStore.ANOTHER)) {
                     answer.accept(new HeldWaypoints(command.commandId(), "", List.of()));
                 } else {
-                    answer.accept(VehicleOrders.refused(command, why.get()));
+                    answer.accept(refused(command, why.get()));
                 }
             });
         }

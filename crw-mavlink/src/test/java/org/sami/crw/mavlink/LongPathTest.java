@@ -18,7 +18,11 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.mavlink.testing.SmallBoat;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
 
 /** A path that is longer than what a vehicle holds, in parts while it drives. */
 @Timeout(300)
@@ -74,10 +78,13 @@ class LongPathTest {
                 "it is at the end",
                 WAIT_S,
                 () -> client.last(Progress.class).filter(Progress::completed).isPresent());
-        assertThat(boat.visited())
-                .isEqualTo(PATH.stream()
-                        .map(place -> List.of(degrees(place.latDeg()), degrees(place.lonDeg())))
-                        .toList());
+        assertThat(boat.visited()).isEqualTo(places(PATH));
+    }
+
+    private static List<List<Double>> places(List<Waypoint> waypoints) {
+        return waypoints.stream()
+                .map(place -> List.of(degrees(place.latDeg()), degrees(place.lonDeg())))
+                .toList();
     }
 
     private static double degrees(double exact) {
@@ -86,13 +93,42 @@ class LongPathTest {
 
     @Test
     void isDrivenWithoutAStopAndEachLocationOnce() {
-        start();
+        client.close();
+        try (GatewayWorld world = new GatewayWorld(folder)) {
+            world.connect(boat.address() + "/5");
+            world.untilReady("mav5");
+            List<GeoPoint> path = PATH.stream()
+                    .map(place -> GeoPoint.of(place.latDeg(), place.lonDeg()))
+                    .toList();
+            world.tell("mav5", proxy -> proxy.commands().submit(FollowPath.of("long", 1, 1, path, Priority.MEDIUM)));
 
-        arrives();
+            Await.until(
+                    "it is at the end",
+                    WAIT_S,
+                    () -> world.has(
+                            FleetEvent.CommandCompleted.class,
+                            done -> done.command().commandId().equals("long")));
+            assertThat(world.faults).isEmpty();
+        }
 
+        assertThat(boat.visited()).isEqualTo(places(PATH));
         assertThat(boat.stops()).isZero();
         assertThat(boat.uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
+    }
+
+    @Test
+    void waitsAtTheEndOfItsPartWhileNothingComesThrough() {
+        start();
+        untilPassed(20);
+        boat.silent(true);
+        Await.untilStill("it waits", 3, () -> boat.visited().size());
+        assertThat(boat.visited()).hasSizeBetween(390, 600);
+
+        boat.silent(false);
+
+        arrives();
+        assertThat(boat.stops()).isEqualTo(1);
     }
 
     @Test

@@ -129,6 +129,18 @@ class VehicleBoatTest {
     }
 
     @Test
+    void followsAnotherPathFromTheEndOfTheFirst() {
+        submit(path(FIRST, SECOND, THIRD));
+        completes("p3");
+
+        submit(path(SECOND, FIRST));
+
+        completes("p2");
+        assertThat(boat.uploads()).isEqualTo(2);
+        assertThat(metresTo(FIRST)).isLessThan(NEAR_M);
+    }
+
+    @Test
     void goesToASinglePlaceInGuidedWithoutAMission() {
         submit(path(FIRST));
 
