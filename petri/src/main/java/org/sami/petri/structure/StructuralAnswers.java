@@ -88,8 +88,11 @@ public final class StructuralAnswers {
     private List<String> words(List<SiphonTrapCheck.Pair> pairs) {
         List<String> words = new ArrayList<>();
         for (SiphonTrapCheck.Pair pair : pairs) {
-            words.add("siphon " + names(pair.siphon()) + " contains the trap " + names(pair.trap())
-                    + ", which is marked at first");
+            String siphon = names(pair.siphon());
+            words.add(
+                    pair.trap().equals(pair.siphon())
+                            ? siphon + " is a siphon and a trap, marked at first"
+                            : "siphon " + siphon + " contains the trap " + names(pair.trap()) + ", marked at first");
         }
         return words;
     }

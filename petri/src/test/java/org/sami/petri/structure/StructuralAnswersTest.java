@@ -183,7 +183,7 @@ final class StructuralAnswersTest {
         StructuralProof live =
                 new StructuralAnswers(ring.build(), LIMITS).isLive().orElseThrow();
 
-        assertThat(live.words()).containsExactly("siphon {a, b} contains the trap {a, b}, which is marked at first");
+        assertThat(live.words()).containsExactly("{a, b} is a siphon and a trap, marked at first");
         assertThat(new StructuralAnswers(Philosophers.net(3), LIMITS).isLive()).isEmpty();
         ring.inhibit(0, 1, 1);
         assertThat(new StructuralAnswers(ring.build(), LIMITS).isLive()).isEmpty();

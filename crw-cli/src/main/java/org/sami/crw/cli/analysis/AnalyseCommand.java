@@ -67,6 +67,7 @@ import picocli.CommandLine.Spec;
             "  crw analyse line.pnml",
             "  crw analyse line.pnml --query 'invariant m(gate) + m(inside) = 1' --query deadlock",
             "  crw analyse kanban-4 --query 'reachable m(out4) >= 2 and m(kanban1) = 0'",
+            "  crw analyse producer-consumer-0 --structure",
             "  crw analyse philosophers-8 --write philosophers-8.pnml"
         })
 public final class AnalyseCommand implements Callable<Integer> {
@@ -82,6 +83,12 @@ public final class AnalyseCommand implements Callable<Integer> {
 
     @Mixin
     private SearchOptions options = new SearchOptions();
+
+    @Option(
+            names = "--structure",
+            description = "Say what follows from the arcs alone: invariants, bounds, whether it never stops, and which"
+                    + " places are unbounded.")
+    private boolean structure;
 
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
@@ -108,6 +115,9 @@ public final class AnalyseCommand implements Callable<Integer> {
             NetArgument.print(spec.commandLine().getErr(), name, reading.findings());
             return write(net.get(), file);
         }
+        if (structure) {
+            return structure(net.get(), reading, budget);
+        }
         List<NetQuery> asked = parsed(net.get());
         if (!json) {
             NetArgument.print(out, name, reading.findings());
@@ -120,6 +130,31 @@ public final class AnalyseCommand implements Callable<Integer> {
             return ExitCode.FINDINGS;
         }
         return analyses.stream().anyMatch(NetAnalysis::isOpen) ? ExitCode.RUNNING : ExitCode.OK;
+    }
+
+    private int structure(PetriNet net, PnmlReading reading, SearchBudget budget) {
+        if (!queries.isEmpty()) {
+            throw new UsageFault("--structure answers no --query; without it queries are answered");
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        ProgressDisplay progress =
+                new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
+        StructureFacts facts;
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            facts = StructureFacts.of(net, budget, watch(progress, stop), stop);
+            progress.end();
+        }
+        if (json) {
+            ObjectNode object = AnalysisJson.of(name, reading.findings());
+            StructureJson.put(object, facts);
+            out.println(object.toPrettyString());
+        } else {
+            NetArgument.print(out, name, reading.findings());
+            out.println(net);
+            new StructureText(out, facts).print();
+        }
+        out.flush();
+        return facts.isOpen() ? ExitCode.RUNNING : ExitCode.OK;
     }
 
     private List<NetQuery> parsed(PetriNet net) {
