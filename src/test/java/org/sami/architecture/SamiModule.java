@@ -135,6 +135,8 @@ enum SamiModule {
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
     MAVLINK("mavlink", 82, List.of("org.sami.mavlink.."), List.of()),
+    /** Our boats in ground stations of other makers: a client of the boat's server that speaks MAVLink for it. */
+    BOAT_MAVLINK("boat-mavlink", 10, List.of("org.sami.boat.mavlink.."), List.of(MAVLINK, BOAT_SERVER, BOAT_LINK)),
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
@@ -153,6 +155,7 @@ enum SamiModule {
                     CRW_DOMAIN,
                     CRW_SERVICES,
                     LESSONS,
+                    BOAT_MAVLINK,
                     MAVLINK,
                     NET_PICTURE,
                     PETRI,
@@ -183,6 +186,8 @@ enum SamiModule {
                     CRW_SESSION,
                     CRW_DOMAIN,
                     CRW_SERVICES,
+                    BOAT_MAVLINK,
+                    MAVLINK,
                     BOAT_LINK,
                     SPN_AUTHORING,
                     SPN_CORE,

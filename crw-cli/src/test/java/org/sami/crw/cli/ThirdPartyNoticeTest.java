@@ -29,6 +29,7 @@ class ThirdPartyNoticeTest {
 
     private static final Set<String> OWN = Set.of(
             "boat-link",
+            "boat-mavlink",
             "crw-cli",
             "crw-domain",
             "crw-mavlink",

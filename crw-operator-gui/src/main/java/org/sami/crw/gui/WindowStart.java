@@ -78,6 +78,7 @@ final class WindowStart {
         OperatorWindow window = EventThread.get(() -> {
             OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
             opener.named().ifPresent(made::showConditions);
+            opener.simulated().ifPresent(made::showToGroundStations);
             made.lookForBoats(() -> BoatFinder.on(options.near().network()));
             made.open();
             return made;

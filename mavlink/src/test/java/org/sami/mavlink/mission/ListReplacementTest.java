@@ -13,9 +13,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.mavlink.onboard.ListKeeper;
+import org.sami.mavlink.onboard.OnboardLists;
 import org.sami.mavlink.testing.BadRadio;
-import org.sami.mavlink.testing.ListKeeper;
-import org.sami.mavlink.testing.OnboardLists;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** Lists that are sent and read back over radios that lose, double and reorder, on a clock of the test's own; the vehicle asks for 50 items a second. */

@@ -32,6 +32,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -181,6 +182,11 @@ public final class BoatServer {
     /** The client that commands now; empty for none. */
     public Optional<String> commandedBy() {
         return commander.filter(session -> !commanderLost).map(ServerSession::clientId);
+    }
+
+    /** The waypoint list that the boat holds. */
+    public List<Waypoint> waypoints() {
+        return modes.path().track().waypoints();
     }
 
     String boatId() {

@@ -45,6 +45,9 @@ public record RealBoatRun(
 
         /** Opens what tells others of the boat while it serves; closed when it ends. */
         Closeable announce(InetSocketAddress address, String hull, DoubleSupplier batteryPercent);
+
+        /** Opens what shows the boat to ground stations while it serves; closed when it ends. */
+        Closeable show(HullBoat boat, SteadyClock clock);
     }
 
     /**
@@ -75,8 +78,9 @@ public record RealBoatRun(
             Optional<LogPlace> log = logFolder.map(folder -> new LogPlace(folder.resolve(name + ".log"), logBytes));
             boat.serve(address, lostLink, log, console, links.make());
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
-            try (Closeable announcer =
-                    console.announce(boat.address(), hull.kind().name().toLowerCase(Locale.ROOT), () -> charge(boat))) {
+            try (Closeable announcer = console.announce(
+                            boat.address(), hull.kind().name().toLowerCase(Locale.ROOT), () -> charge(boat));
+                    Closeable shown = console.show(boat, clock)) {
                 waiter.await();
             }
         }

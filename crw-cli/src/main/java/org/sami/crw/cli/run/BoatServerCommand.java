@@ -14,6 +14,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.DoubleSupplier;
 import org.jspecify.annotations.Nullable;
+import org.sami.boat.hull.host.HullBoat;
 import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
@@ -58,7 +59,8 @@ import picocli.CommandLine.Spec;
             "  crw boat --port 5001 --name anna --at 45.4,10.9 --log boats   go on with its log after a restart",
             "  crw boat --port 5001 --name anna --at 45.4,10.9 --gps-noise 1 --current 0.3@90 --sensor temperature",
             "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --gps gpsd --hull anna.json   a real boat",
-            "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --hull anna.json --check-motors"
+            "  crw boat --port 5001 --name anna --board /dev/ttyACM0 --hull anna.json --check-motors",
+            "  crw boat --port 5001 --name anna --at 45.4,10.9 --mavlink udp:127.0.0.1:14550   also in QGroundControl"
         })
 public final class BoatServerCommand implements Callable<Integer> {
     private static final Set<String> OF_REAL_BOATS = Set.of(
@@ -78,7 +80,9 @@ public final class BoatServerCommand implements Callable<Integer> {
             "--gps",
             "--hull",
             "--check-motors",
-            "--declination");
+            "--declination",
+            "--mavlink",
+            "--mavlink-id");
     private static final int MAX_PORT = 65_535;
     private static final double MOST_TOP_SPEED_MPS = 20;
 
@@ -171,6 +175,9 @@ public final class BoatServerCommand implements Callable<Integer> {
     @Mixin
     private AnnounceOption announcing = new AnnounceOption();
 
+    @Mixin
+    private GroundStationOptions groundStations = new GroundStationOptions();
+
     @Option(
             names = "--while-input",
             description =
@@ -182,6 +189,7 @@ public final class BoatServerCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         checkPort();
         keys.check(bind);
+        groundStations.check();
         if (hullOptions.isReal()) {
             return drive();
         }
@@ -193,7 +201,8 @@ public final class BoatServerCommand implements Callable<Integer> {
         try (StopOnInterrupt stop = new StopOnInterrupt();
                 BoatOnTcp boat = new BoatOnTcp(settings, clock, console, keys.links(clock, console::say))) {
             console.listening(boat.address(), boat.restored(), boat.unreadLogLines());
-            try (Closeable announcer = console.announce(boat.address(), "simulated", boat::batteryPercent)) {
+            try (Closeable announcer = console.announce(boat.address(), "simulated", boat::batteryPercent);
+                    Closeable shown = groundStations.show(name, clock, boat::attach, boat::detach, console::say)) {
                 awaitEnd();
             }
         } catch (InterruptedException e) {
@@ -334,6 +343,11 @@ public final class BoatServerCommand implements Callable<Integer> {
         @Override
         public Closeable announce(InetSocketAddress address, String hull, DoubleSupplier batteryPercent) {
             return announcing.open(address, () -> announcement(hull, batteryPercent.getAsDouble()), this::say);
+        }
+
+        @Override
+        public Closeable show(HullBoat boat, SteadyClock clock) {
+            return groundStations.show(name, clock, boat::attach, boat::detach, this::say);
         }
 
         private BoatAnnouncement announcement(String hull, double percent) {

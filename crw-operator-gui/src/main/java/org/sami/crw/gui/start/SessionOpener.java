@@ -46,6 +46,7 @@ public final class SessionOpener {
     private final boolean beginsBuiltIn;
     private final String domain;
     private Optional<NamedConditions> named = Optional.empty();
+    private Optional<SimulatedBoatsOnTcp> simulated = Optional.empty();
 
     /** An opener that states nothing about boats. */
     public SessionOpener(DataDirectory data, List<BoatAddress> boats, Optional<Path> projectFile) {
@@ -173,19 +174,25 @@ public final class SessionOpener {
         return named;
     }
 
+    /** The simulated boats of the session that was opened. */
+    public Optional<SimulatedBoatsOnTcp> simulated() {
+        return simulated;
+    }
+
     private Session opened(SessionSetup setup, boolean builtIn, Optional<NamedConditions> water) throws IOException {
         named = water;
         RobotKind robots = HandlerModules.robotsOf(setup.vocabulary().domain());
-        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
+        SimulatedBoatsOnTcp launcher = new SimulatedBoatsOnTcp(
                 1, water.map(NamedConditions::conditions).orElse(Conditions.CALM), robots);
+        simulated = Optional.of(launcher);
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
                 .withFront(EventThread.executor())
-                .withSimulatedBoats(simulated);
+                .withSimulatedBoats(launcher);
         Session session = Session.open(setup.with(runtime));
         List<BoatAddress> addresses = boats;
         if (builtIn) {
-            addresses = BuiltInFleet.launch(
-                    simulated, robots, session.earlierBoats().lastPositions());
+            addresses =
+                    BuiltInFleet.launch(launcher, robots, session.earlierBoats().lastPositions());
         }
         if (setup.journal().resumedFrom().isPresent()) {
             session.earlierBoats().reconnectWithout(builtIn ? Set.copyOf(BuiltInFleet.names(robots)) : Set.of());

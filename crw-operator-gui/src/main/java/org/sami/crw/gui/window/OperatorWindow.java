@@ -27,6 +27,7 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
+import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.palette.IdentityMarks;
 import org.sami.spn.protocol.Priority;
@@ -148,6 +149,11 @@ public final class OperatorWindow {
     /** Says where boats near are looked for; else on all networks of this machine. */
     public void lookForBoats(Supplier<BoatFinder> where) {
         commands.lookForBoats(where);
+    }
+
+    /** Says which simulated boats can be shown to ground stations. */
+    public void showToGroundStations(SimulatedBoatsOnTcp boats) {
+        commands.showToGroundStations(boats);
     }
 
     /** The frame, for those who drive it. */

@@ -62,6 +62,7 @@ public final class WindowMenus {
                 "phone-add",
                 "keys",
                 "boat-add-simulated",
+                "boats-ground-station",
                 "logs-fetch",
                 "",
                 "boat-stop",

@@ -22,6 +22,7 @@ import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LogEntries;
 import org.sami.boat.server.log.LogPlace;
 import org.sami.boat.server.picture.PictureFolder;
+import org.sami.boat.server.tcp.BoatCompanion;
 import org.sami.boat.server.tcp.LogFaultReports;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
@@ -189,6 +190,21 @@ public final class BoatOnTcp implements Closeable {
     /** Where the boat listens, with the port that it got. */
     public InetSocketAddress address() {
         return server.address();
+    }
+
+    /** The boat's name. */
+    public String name() {
+        return name;
+    }
+
+    /** Has something work with the boat's server from now on, until it is detached or the boat ends. */
+    public void attach(BoatCompanion companion) {
+        server.attach(companion);
+    }
+
+    /** Ends what {@link #attach} began. */
+    public void detach(BoatCompanion companion) {
+        server.detach(companion);
     }
 
     /** Its charge in percent, a moment ago. */

@@ -6,10 +6,13 @@ import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.BoatCompanion;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BaseProtection;
@@ -30,9 +33,22 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     private final RobotKind robots;
     private final SteadyClock clock = SteadyClock.ofThisMachine();
     private final List<BoatOnTcp> boats = new ArrayList<>();
+    private final Map<BoatOnTcp, BoatCompanion> companions = new LinkedHashMap<>();
+    private Optional<Companions> company = Optional.empty();
     private final BoatsInSight water = new BoatsInSight();
     private Optional<Path> pictures = Optional.empty();
     private boolean closed;
+
+    /** Makes what works with a boat's server, for each boat. */
+    public interface Companions {
+        /**
+         * For one boat.
+         *
+         * @param number of the boat among those that were launched, from 1
+         * @param boatClock the clock of its server
+         */
+        BoatCompanion of(String boat, int number, SteadyClock boatClock);
+    }
 
     /** Nobody is launched yet, on still water. */
     public SimulatedBoatsOnTcp(long seed) {
@@ -68,10 +84,36 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
                 .withPicturesIn(pictures().resolve(boat));
         BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water);
         boats.add(launched);
+        company.ifPresent(each -> attach(each, launched));
         BaseProtection.ofThisProcess().linkPlainly(launched.address(), true);
         return new BoatAddress(
                 launched.address().getAddress().getHostAddress(),
                 launched.address().getPort());
+    }
+
+    /** What is launched. */
+    public RobotKind robots() {
+        return robots;
+    }
+
+    /** Has something work with each boat from now on, also with those that are launched later, until {@link #leaveAlone}. */
+    public synchronized void accompany(Companions each) {
+        leaveAlone();
+        company = Optional.of(each);
+        boats.forEach(boat -> attach(each, boat));
+    }
+
+    private void attach(Companions each, BoatOnTcp boat) {
+        BoatCompanion companion = each.of(boat.name(), boats.indexOf(boat) + 1, clock);
+        companions.put(boat, companion);
+        boat.attach(companion);
+    }
+
+    /** Ends what {@link #accompany} began. */
+    public synchronized void leaveAlone() {
+        companions.forEach(BoatOnTcp::detach);
+        companions.clear();
+        company = Optional.empty();
     }
 
     /** The boats keep their pictures there as long as they are launched. */
@@ -94,6 +136,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
             }
         }
         boats.clear();
+        companions.clear();
         try {
             if (pictures.isPresent()) {
                 SessionPictures.delete(pictures.get());

@@ -32,6 +32,7 @@ import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LogEntries;
 import org.sami.boat.server.log.LogPlace;
+import org.sami.boat.server.tcp.BoatCompanion;
 import org.sami.boat.server.tcp.LogFaultReports;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
@@ -234,8 +235,21 @@ public final class HullBoat implements Closeable {
 
     /** Where it listens, with the port that it got. */
     public InetSocketAddress address() {
-        return server.orElseThrow(() -> new IllegalStateException("it does not serve yet"))
-                .address();
+        return serving().address();
+    }
+
+    private TcpBoatServer serving() {
+        return server.orElseThrow(() -> new IllegalStateException("it does not serve yet"));
+    }
+
+    /** Has something work with the boat's server from now on, until it is detached or the boat ends; after {@link #serve}. */
+    public void attach(BoatCompanion companion) {
+        serving().attach(companion);
+    }
+
+    /** Ends what {@link #attach} began. */
+    public void detach(BoatCompanion companion) {
+        serving().detach(companion);
     }
 
     /** How many commands of earlier starts the boat knows from its log. */

@@ -48,6 +48,7 @@ public final class TcpBoatServer implements Closeable {
     private final Thread acceptor;
     private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
     private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
+    private final List<BoatCompanion> companions = new ArrayList<>(); // for the boat's thread
     private final ConnectionSlots places;
     private final FileThread files;
     private final AtomicLong refused = new AtomicLong();
@@ -110,6 +111,23 @@ public final class TcpBoatServer implements Closeable {
         return (InetSocketAddress) socket.getLocalSocketAddress();
     }
 
+    /** Has something work with the boat's server from now on. */
+    public void attach(BoatCompanion companion) {
+        onBoat(() -> {
+            companion.begin(boat, this::onBoat, now());
+            companions.add(companion);
+        });
+    }
+
+    /** Ends what {@link #attach} began; otherwise it ends with the server. */
+    public void detach(BoatCompanion companion) {
+        onBoat(() -> {
+            if (companions.remove(companion)) {
+                companion.end(now());
+            }
+        });
+    }
+
     /** How many clients are connected. */
     public int clientCount() {
         return connections.size();
@@ -134,6 +152,7 @@ public final class TcpBoatServer implements Closeable {
             open.forEach(connection -> connection.close("the boat's server stops"));
             ticks.cancel(false);
             files.close(STOP_MS);
+            onBoat(this::endCompanions);
             boatThread.shutdown(); // the ends of the links still reach the boat
             boatThread.awaitTermination(STOP_MS, TimeUnit.MILLISECONDS);
             for (ClientConnection connection : open) {
@@ -144,6 +163,23 @@ public final class TcpBoatServer implements Closeable {
         } finally {
             boatThread.shutdownNow();
         }
+    }
+
+    private void tickCompanions(long nowMs) {
+        for (BoatCompanion companion : companions) {
+            try {
+                companion.tick(nowMs);
+            } catch (RuntimeException e) { // the boat and its clients go on
+                listener.failed("what works with the boat's server failed", e);
+            }
+        }
+    }
+
+    private void endCompanions() {
+        for (BoatCompanion companion : companions) {
+            companion.end(now());
+        }
+        companions.clear();
     }
 
     private void accept() {
@@ -199,6 +235,7 @@ public final class TcpBoatServer implements Closeable {
             long nowMs = now();
             beforeTick.accept(nowMs);
             boat.tick(nowMs);
+            tickCompanions(nowMs);
             for (Client client : new ArrayList<>(clients.values())) {
                 client.closeIfLeaving(nowMs);
                 if (client.tick() * config.tickMs() > config.silentAfterMs()) {

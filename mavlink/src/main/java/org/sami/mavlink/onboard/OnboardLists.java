@@ -1,4 +1,4 @@
-package org.sami.mavlink.testing;
+package org.sami.mavlink.onboard;
 
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
@@ -12,6 +12,7 @@ import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.common.MissionWritePartialList;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -124,10 +125,13 @@ public final class OnboardLists {
 
     private void begin(VehicleId station, EnumValue<MavMissionType> type, int from, int to, boolean part, long nowMs) {
         Optional<HeldKind> kind = HeldKind.of(type);
+        Optional<ListKeeper.Refusal> whyNot = kind.flatMap(known -> keeper.whyNoList(station, known));
         if (kind.isEmpty()) {
             acknowledge(station, type, MavMissionResult.MAV_MISSION_UNSUPPORTED);
         } else if (arriving.filter(other -> !other.station.equals(station)).isPresent()) {
             acknowledge(station, type, MavMissionResult.MAV_MISSION_DENIED);
+        } else if (whyNot.isPresent()) {
+            acknowledge(station, type, result(whyNot.get()));
         } else if (to > capacity) {
             acknowledge(station, type, MavMissionResult.MAV_MISSION_NO_SPACE);
         } else if (part && (from < 0 || from >= to || to > held(kind.get()).size())) {
@@ -188,11 +192,16 @@ public final class OnboardLists {
                 list.items.add(item);
             }
         }
-        return why.map(refused -> switch (refused) {
+        return why.map(OnboardLists::result);
+    }
+
+    private static MavMissionResult result(ListKeeper.Refusal refused) {
+        return switch (refused) {
             case UNSUPPORTED -> MavMissionResult.MAV_MISSION_UNSUPPORTED;
             case UNSUPPORTED_FRAME -> MavMissionResult.MAV_MISSION_UNSUPPORTED_FRAME;
             case INVALID -> MavMissionResult.MAV_MISSION_INVALID;
-        });
+            case DENIED -> MavMissionResult.MAV_MISSION_DENIED;
+        };
     }
 
     private void clear(VehicleId station, EnumValue<MavMissionType> type) {
@@ -200,14 +209,17 @@ public final class OnboardLists {
             acknowledge(station, type, MavMissionResult.MAV_MISSION_DENIED);
             return;
         }
-        if (type.entry() == MavMissionType.MAV_MISSION_TYPE_ALL) {
-            for (HeldKind kind : HeldKind.values()) {
-                change(kind, List.of());
-            }
-        } else {
-            HeldKind.of(type).ifPresent(kind -> change(kind, List.of()));
+        List<HeldKind> full = Arrays.stream(HeldKind.values())
+                .filter(kind -> type.entry() == MavMissionType.MAV_MISSION_TYPE_ALL || type.entry() == kind.type())
+                .filter(kind -> !held(kind).isEmpty())
+                .toList();
+        Optional<ListKeeper.Refusal> refused = full.stream()
+                .flatMap(kind -> keeper.whyNoList(station, kind).stream())
+                .findFirst();
+        if (refused.isEmpty()) {
+            full.forEach(kind -> change(kind, List.of()));
         }
-        acknowledge(station, type, MavMissionResult.MAV_MISSION_ACCEPTED);
+        acknowledge(station, type, refused.map(OnboardLists::result).orElse(MavMissionResult.MAV_MISSION_ACCEPTED));
     }
 
     private void change(HeldKind kind, List<MissionItem> items) {

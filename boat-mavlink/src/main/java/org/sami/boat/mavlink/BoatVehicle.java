@@ -1,0 +1,270 @@
+package org.sami.boat.mavlink;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.FleetRelease;
+import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.SettingsReport;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.onboard.OnboardModes;
+import org.sami.mavlink.onboard.OrderReply;
+import org.sami.mavlink.onboard.StationOrder;
+import org.sami.mavlink.vehicle.VehicleId;
+
+/**
+ * Does what a ground station that commands the boat orders. Our boats have no arming: here a boat is armed once a station has armed it, or while it moves or
+ * keeps its place for anybody. A mode that is chosen while it is disarmed begins when it is armed, as with ArduPilot. For the boat's thread.
+ */
+final class BoatVehicle {
+    private static final double FARTHEST_M = 20_000;
+
+    private final String name;
+    private final BoatClient boat;
+    private final StationCommand command;
+    private final BoatMission mission;
+    private final BoatParameters parameters;
+    private int mode = OnboardModes.HOLD; // that a station has chosen
+    private boolean armed;
+    private Optional<Waypoint> target = Optional.empty(); // in mode GUIDED
+    private int lists;
+
+    BoatVehicle(String name, BoatClient boat, StationCommand command, BoatMission mission, BoatParameters parameters) {
+        this.name = name;
+        this.boat = boat;
+        this.command = command;
+        this.mission = mission;
+        this.parameters = parameters;
+    }
+
+    /** Carries out an order, or says why not. */
+    OrderReply order(VehicleId station, StationOrder order, long nowMs) {
+        if (order instanceof StationOrder.Disarm) {
+            return disarm(nowMs);
+        } else if (order instanceof StationOrder.Steer sticks) {
+            return steer(station, sticks, nowMs);
+        }
+        Optional<String> wrong = whyWrong(order);
+        if (wrong.isPresent()) {
+            return OrderReply.denied(wrong.get());
+        }
+        Optional<String> refused = command.take(station, nowMs);
+        if (refused.isPresent()) {
+            return OrderReply.notNow(refused.get());
+        }
+        if (order instanceof StationOrder.Arm) {
+            return arm(nowMs);
+        } else if (order instanceof StationOrder.ChangeMode change) {
+            return change((int) change.customMode(), nowMs);
+        } else if (order instanceof StationOrder.GoTo place) {
+            return goTo(place, nowMs);
+        } else if (order instanceof StationOrder.StartMission start) {
+            return startMission(start, nowMs);
+        } else if (order instanceof StationOrder.GoOnAt at) {
+            return goOnAt(at.item(), nowMs);
+        } else if (order instanceof StationOrder.Pause) {
+            return change(OnboardModes.LOITER, nowMs);
+        } else if (order instanceof StationOrder.ChangeSpeed speed) {
+            parameters.setSpeedMps(speed.speedMps());
+            return mission.isUnderWay() || target.isPresent() ? begin(nowMs) : OrderReply.ACCEPTED;
+        }
+        throw new IllegalStateException("no way to carry out " + order);
+    }
+
+    /** What is wrong with an order whoever commands; an order that cannot be carried out takes no command. */
+    private Optional<String> whyWrong(StationOrder order) {
+        if (order instanceof StationOrder.ChangeMode change && !isMode(change.customMode())) {
+            return Optional.of(name + " has no " + OnboardModes.name(change.customMode())
+                    + "; it has MANUAL, HOLD, LOITER, AUTO, RTL, GUIDED");
+        } else if (order instanceof StationOrder.GoTo place && !boat.commands() && !place.changesMode()) {
+            return Optional.of("choose GUIDED first");
+        } else if (order instanceof StationOrder.GoTo place) {
+            return boat.telemetry()
+                    .map(here -> new LocalFrame(here.latDeg(), here.lonDeg()).distanceM(place.latDeg(), place.lonDeg()))
+                    .filter(metres -> metres > FARTHEST_M)
+                    .map(metres -> "it is " + Math.round(metres / 1000) + " km away");
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isMode(long number) {
+        return number == OnboardModes.MANUAL
+                || number == OnboardModes.HOLD
+                || number == OnboardModes.LOITER
+                || number == OnboardModes.AUTO
+                || number == OnboardModes.RETURN
+                || number == OnboardModes.GUIDED;
+    }
+
+    /** Whoever is at a station may stop the boat: as its commander, or else with the stop that is latched until a base releases it. */
+    private OrderReply disarm(long nowMs) {
+        armed = false;
+        mission.pause();
+        target = Optional.empty();
+        Optional<String> refused = boat.commands()
+                ? boat.send(StopMotors::new, nowMs)
+                : boatMode() == BoatMode.STOPPED ? Optional.empty() : boat.send(FleetStop::new, nowMs);
+        return refused.map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
+    }
+
+    private OrderReply arm(long nowMs) {
+        if (boatMode() == BoatMode.FLEET_STOP) {
+            String by = boat.settings().map(SettingsReport::stoppedBy).orElse("");
+            if (!by.equals(BoatClient.NAME)) {
+                return OrderReply.failed(
+                        name + " is stopped by " + (by.isEmpty() ? "a fleet stop" : by) + ": release it there");
+            }
+            boat.send(FleetRelease::new, nowMs);
+        }
+        if (armed) {
+            return OrderReply.ACCEPTED;
+        }
+        armed = true;
+        OrderReply begun = begin(nowMs);
+        armed = begun.isAccepted();
+        return begun;
+    }
+
+    private OrderReply change(int next, long nowMs) {
+        if (next == OnboardModes.AUTO && mission.isEmpty(home())) {
+            return OrderReply.denied("there is no mission");
+        }
+        if (next != OnboardModes.AUTO) {
+            mission.pause();
+        }
+        target = Optional.empty();
+        mode = next;
+        return armed ? begin(nowMs) : OrderReply.ACCEPTED;
+    }
+
+    /** Has the boat do what the mode says. */
+    private OrderReply begin(long nowMs) {
+        Optional<String> refused = switch (mode) {
+            case OnboardModes.AUTO -> mission.start(parameters.speedMps(), BoatParameters.MOST_MPS, home(), nowMs);
+            case OnboardModes.RETURN ->
+                home().map(at -> drive(new Waypoint(at.latDeg(), at.lonDeg(), parameters.speedMps()), nowMs))
+                        .orElse(Optional.of("it has no home"));
+            case OnboardModes.GUIDED ->
+                target.map(at -> drive(new Waypoint(at.latDeg(), at.lonDeg(), parameters.speedMps()), nowMs))
+                        .orElseGet(() -> boat.send(HoldPosition::new, nowMs));
+            case OnboardModes.LOITER -> boat.send(HoldPosition::new, nowMs);
+            default -> boat.send(StopMotors::new, nowMs); // HOLD, and MANUAL until sticks come
+        };
+        return refused.map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
+    }
+
+    private Optional<String> drive(Waypoint to, long nowMs) {
+        String id = "place-" + ++lists;
+        Optional<String> refused = boat.send(command -> new UploadWaypoints(command, id, List.of(to)), nowMs);
+        return refused.isPresent() ? refused : boat.send(command -> new StartWaypoints(command, id, 0), nowMs);
+    }
+
+    private OrderReply goTo(StationOrder.GoTo place, long nowMs) {
+        if (!armed) {
+            return OrderReply.notNow(name + " is not armed");
+        } else if (mode != OnboardModes.GUIDED && !place.changesMode()) {
+            return OrderReply.notNow("choose GUIDED first");
+        }
+        place.speedMps().ifPresent(parameters::setSpeedMps);
+        Waypoint next = new Waypoint(place.latDeg(), place.lonDeg(), parameters.speedMps());
+        if (mode == OnboardModes.GUIDED && target.equals(Optional.of(next))) {
+            return OrderReply.ACCEPTED; // stations repeat it; the boat is on its way
+        }
+        mission.pause();
+        mode = OnboardModes.GUIDED;
+        target = Optional.of(next);
+        return begin(nowMs);
+    }
+
+    private OrderReply startMission(StationOrder.StartMission start, long nowMs) {
+        if (!armed) {
+            return OrderReply.notNow(name + " is not armed");
+        } else if (start.item() > 0 && !mission.goOnAt(start.item(), home())) {
+            return OrderReply.denied("there is no item " + start.item());
+        }
+        return change(OnboardModes.AUTO, nowMs);
+    }
+
+    private OrderReply goOnAt(int item, long nowMs) {
+        if (!mission.goOnAt(item, home())) {
+            return OrderReply.denied("there is no item " + item);
+        }
+        return mission.isUnderWay() ? begin(nowMs) : OrderReply.ACCEPTED;
+    }
+
+    /** Sticks take no command: they are only for who has chosen MANUAL. */
+    private OrderReply steer(VehicleId station, StationOrder.Steer sticks, long nowMs) {
+        if (!armed || mode != OnboardModes.MANUAL || !command.isHolder(station)) {
+            return OrderReply.notNow("");
+        }
+        boat.steer(new Teleoperate(sticks.thrust(), sticks.turn()), nowMs);
+        return OrderReply.ACCEPTED;
+    }
+
+    /** The command was won or lost: what a station had armed and chosen before counts no longer. */
+    void commandChanged(boolean commands) {
+        armed = commands && boatMode() != BoatMode.STOPPED && boatMode() != BoatMode.FLEET_STOP;
+        mode = shownMode(boatMode());
+        target = Optional.empty();
+        mission.pause();
+    }
+
+    /** Looks what has happened to the boat by itself, or by others. */
+    void watch() {
+        if (boatMode() == BoatMode.FLEET_STOP && armed) {
+            armed = false;
+            mission.pause();
+        }
+        if (mode == OnboardModes.AUTO && mission.progress().isDone()) {
+            mode = OnboardModes.LOITER; // what the boat does at the end of its list
+        }
+    }
+
+    private BoatMode boatMode() {
+        return boat.mode();
+    }
+
+    private static int shownMode(BoatMode mode) {
+        return switch (mode) {
+            case PATH -> OnboardModes.AUTO;
+            case HOLD -> OnboardModes.LOITER;
+            case TELEOPERATION -> OnboardModes.MANUAL;
+            case RETURN -> OnboardModes.RETURN;
+            case STOPPED, FLEET_STOP -> OnboardModes.HOLD;
+        };
+    }
+
+    /** The number of the mode that stations are shown. */
+    int mode() {
+        return boat.commands() && boatMode() != BoatMode.FLEET_STOP ? mode : shownMode(boatMode());
+    }
+
+    /** Whether the motors may turn. */
+    boolean isArmed() {
+        return boat.commands() ? armed : boatMode() != BoatMode.STOPPED && boatMode() != BoatMode.FLEET_STOP;
+    }
+
+    /** Where the boat returns to. */
+    Optional<Waypoint> home() {
+        return boat.settings().flatMap(SettingsReport::home);
+    }
+
+    /** A mission came; one that is under way does not go on by itself with other items. */
+    Optional<String> missionChanged(List<MissionItem> items, long nowMs) {
+        boolean stops = mission.isUnderWay() && boat.commands();
+        mission.replace(items);
+        if (!stops) {
+            return Optional.empty();
+        }
+        mode = OnboardModes.LOITER;
+        begin(nowMs);
+        return Optional.of("the mission is another: " + name + " keeps its place until AUTO is chosen again");
+    }
+}
