@@ -30,7 +30,8 @@ import org.sami.boat.server.tcp.TcpServerListener;
 final class ShownBoat implements AutoCloseable {
     static final double LAT = 45.4;
     static final double LON = 10.9;
-    private static final double TIMES = 4; // as fast as a real one
+    private static final double TIMES = 2; // as fast as a real one
+    private static final double LONGEST_STEP_S = 0.2; // a busy machine slows it, and does not throw it about
 
     final int port;
     private final TcpBoatServer server;
@@ -52,7 +53,7 @@ final class ShownBoat implements AutoCloseable {
                 TcpServerConfig.onLoopback(0),
                 clock,
                 now -> {
-                    hull.move(lastMs == 0 ? 0 : Math.min(1, (now - lastMs) / 1000.0) * TIMES);
+                    hull.move(lastMs == 0 ? 0 : Math.min(LONGEST_STEP_S, (now - lastMs) / 1000.0) * TIMES);
                     lastMs = now;
                 },
                 TcpServerListener.NONE);

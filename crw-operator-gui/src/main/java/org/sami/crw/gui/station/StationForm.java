@@ -51,7 +51,7 @@ public final class StationForm extends JPanel {
         add(label, "span");
         add(address, "hmin 40");
         add(start, "hmin 40");
-        add(said, "growx, hmin 40, wmin 0");
+        add(said, "growx, hmin 60, wmin 0");
         add(stop, "hmin 40");
         add(rule, "span, growx, wmin 0");
         Timer look = new Timer(POLL_MS, e -> refresh());

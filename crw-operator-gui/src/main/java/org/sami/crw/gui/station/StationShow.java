@@ -83,12 +83,13 @@ public final class StationShow {
 
     private String shown() {
         int count = links.size();
-        return count == 0
-                ? "No boat is"
-                : count == 1
-                        ? links.get(0).boat() + " is"
-                        : count + " boats are (" + links.get(0).boat() + " as vehicle 1 to "
-                                + links.get(count - 1).boat() + " as vehicle " + count + ")";
+        return switch (count) {
+            case 0 -> "No boat is";
+            case 1 -> links.get(0).boat() + ", as vehicle 1, is";
+            default ->
+                count + " boats, " + links.get(0).boat() + " to "
+                        + links.get(count - 1).boat() + " as vehicles 1 to " + count + ", are";
+        };
     }
 
     private String station() {
