@@ -36,7 +36,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 class GroundStationLinkTest {
     private static final VehicleId BOAT = new VehicleId(7, 1);
 
-    private static MavlinkBase station(ShownBoat boat) {
+    private static MavlinkBase station(BoatWithStation boat) {
         return new MavlinkBase(List.of(AddressText.parse("mavlink:udp:" + boat.port)), ProcessClock::ms);
     }
 
@@ -54,7 +54,7 @@ class GroundStationLinkTest {
     }
 
     private static MissionItem point(int number, double north, double waitS) {
-        return MissionItem.waypoint(number, ShownBoat.LAT + north, ShownBoat.LON, 0, waitS);
+        return MissionItem.waypoint(number, BoatWithStation.LAT + north, BoatWithStation.LON, 0, waitS);
     }
 
     private static CommandOutcome give(MavlinkBase station, VehicleCommand command) {
@@ -63,14 +63,14 @@ class GroundStationLinkTest {
 
     @Test
     void isASurfaceBoatWithPositionBatteryAndParameters() throws Exception {
-        try (ShownBoat boat = new ShownBoat(LostLinkAction.HOLD);
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
                 MavlinkBase station = station(boat)) {
             VehicleSnapshot seen = seen(station);
 
             assertThat(seen.id()).isEqualTo(BOAT);
             assertThat(seen.kind()).isEqualTo(VehicleKind.BOAT);
             assertThat(seen.mode()).isEqualTo("HOLD");
-            assertThat(seen.position().orElseThrow().latDeg()).isEqualTo(ShownBoat.LAT);
+            assertThat(seen.position().orElseThrow().latDeg()).isEqualTo(BoatWithStation.LAT);
             assertThat(seen.battery().orElseThrow().percent()).contains(90);
             SortedMap<String, Double> parameters = station.readParameters(BOAT).join();
             assertThat(parameters)
@@ -87,7 +87,7 @@ class GroundStationLinkTest {
 
     @Test
     void carriesOutAMissionThatIsReadBackEqual() throws Exception {
-        try (ShownBoat boat = new ShownBoat(LostLinkAction.HOLD);
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
                 MavlinkBase station = station(boat)) {
             seen(station);
             List<MissionItem> mission = List.of(
@@ -107,13 +107,13 @@ class GroundStationLinkTest {
             untilMode(station, "LOITER", true); // at the end
             assertThat(seen(station).currentItem()).contains(3);
 
-            CommandPlace start = new CommandPlace(ShownBoat.LAT, ShownBoat.LON, 0);
+            CommandPlace start = new CommandPlace(BoatWithStation.LAT, BoatWithStation.LON, 0);
             assertThat(give(station, VehicleCommand.reposition(start, Optional.of(3.0)))
                             .isAccepted())
                     .isTrue();
             untilMode(station, "GUIDED", true);
             Await.until(
-                    "it is there", () -> seen(station).position().orElseThrow().latDeg() < ShownBoat.LAT + 4e-5);
+                    "it is there", () -> seen(station).position().orElseThrow().latDeg() < BoatWithStation.LAT + 4e-5);
             assertThat(give(station, VehicleCommand.disarm()).isAccepted()).isTrue();
             untilMode(station, "GUIDED", false);
             assertThat(boat.base().mode()).isEqualTo(BoatMode.STOPPED);
@@ -122,12 +122,12 @@ class GroundStationLinkTest {
 
     @Test
     void obeysTheBaseThatCommandsAndAsksItsOperatorUntilItHandsOver() throws Exception {
-        try (ShownBoat boat = new ShownBoat(LostLinkAction.HOLD);
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
                 MavlinkBase station = station(boat)) {
             boat.base().command(Role.COMMANDER);
             boat.base()
                     .send(id -> new UploadWaypoints(
-                            id, "l1", List.of(new Waypoint(ShownBoat.LAT + 0.01, ShownBoat.LON, 1))));
+                            id, "l1", List.of(new Waypoint(BoatWithStation.LAT + 0.01, BoatWithStation.LON, 1))));
             boat.base().send(id -> new StartWaypoints(id, "l1", 0));
             untilMode(station, "AUTO", true); // a station sees what the base has it do
             assertThat(station.held(BOAT, HeldKind.MISSION).join()).hasSize(2);
@@ -154,7 +154,7 @@ class GroundStationLinkTest {
 
     @Test
     void doesWhatIsSetForALostLinkWhenItsStationIsGone() throws Exception {
-        try (ShownBoat boat = new ShownBoat(LostLinkAction.DRIFT)) {
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.DRIFT)) {
             try (MavlinkBase station = station(boat)) {
                 seen(station);
                 station.setMode(BOAT, "LOITER").join();
@@ -175,7 +175,7 @@ class GroundStationLinkTest {
 
     @Test
     void refusesWhatABoatCannotDo() throws Exception {
-        try (ShownBoat boat = new ShownBoat(LostLinkAction.HOLD);
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
                 MavlinkBase station = station(boat)) {
             seen(station);
 
@@ -188,7 +188,7 @@ class GroundStationLinkTest {
                             .inWords())
                     .contains("km away");
             assertThat(boat.base().commandedBy()).isEmpty(); // what cannot be done takes no command
-            CommandPlace near = new CommandPlace(ShownBoat.LAT + 0.001, ShownBoat.LON, 0);
+            CommandPlace near = new CommandPlace(BoatWithStation.LAT + 0.001, BoatWithStation.LON, 0);
             assertThat(give(station, VehicleCommand.reposition(near, Optional.empty()))
                             .inWords())
                     .contains("anna is not armed");

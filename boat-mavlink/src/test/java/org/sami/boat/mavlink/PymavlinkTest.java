@@ -45,7 +45,7 @@ class PymavlinkTest {
         try (InputStream text = PymavlinkTest.class.getResourceAsStream("station.py")) {
             Files.write(script, text.readAllBytes());
         }
-        try (ShownBoat boat = new ShownBoat(LostLinkAction.HOLD)) {
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD)) {
             List<String> lines = run(PYTHON, script.toString(), String.valueOf(boat.port))
                     .lines()
                     .toList();

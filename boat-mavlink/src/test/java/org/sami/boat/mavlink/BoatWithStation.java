@@ -27,7 +27,7 @@ import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
 
 /** A boat that is shown to a ground station on a UDP port of this machine, with a base of ours in its own process. */
-final class ShownBoat implements AutoCloseable {
+final class BoatWithStation implements AutoCloseable {
     static final double LAT = 45.4;
     static final double LON = 10.9;
     private static final double TIMES = 2; // as fast as a real one
@@ -39,7 +39,7 @@ final class ShownBoat implements AutoCloseable {
     private final Base base = new Base();
     private long lastMs;
 
-    ShownBoat(LostLinkAction lostLink) throws Exception {
+    BoatWithStation(LostLinkAction lostLink) throws Exception {
         try (DatagramSocket free = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();
         }
