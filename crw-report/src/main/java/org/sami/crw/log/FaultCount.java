@@ -20,23 +20,31 @@ public record FaultCount(LineFault fault, long count, List<Long> lines, String e
 
     /** Counts problems by their kind. */
     static final class Counter {
-        private final Map<LineFault, Long> counts = new EnumMap<>(LineFault.class);
-        private final Map<LineFault, List<Long>> lines = new EnumMap<>(LineFault.class);
-        private final Map<LineFault, String> examples = new EnumMap<>(LineFault.class);
+        private final Map<LineFault, Found> found = new EnumMap<>(LineFault.class);
+
+        /** The problems of a kind. */
+        private static final class Found {
+            private final String example;
+            private final List<Long> lines = new ArrayList<>();
+            private long count;
+
+            Found(String example) {
+                this.example = example;
+            }
+        }
 
         void add(LineProblem problem) {
-            counts.merge(problem.fault(), 1L, Long::sum);
-            examples.putIfAbsent(problem.fault(), problem.message());
-            List<Long> named = lines.computeIfAbsent(problem.fault(), fault -> new ArrayList<>());
-            if (named.size() < NAMED) {
-                named.add(problem.line());
+            Found one = found.computeIfAbsent(problem.fault(), fault -> new Found(problem.message()));
+            one.count++;
+            if (one.lines.size() < NAMED) {
+                one.lines.add(problem.line());
             }
         }
 
         /** The counts, in the order of the kinds. */
         List<FaultCount> counts() {
-            return counts.entrySet().stream()
-                    .map(e -> new FaultCount(e.getKey(), e.getValue(), lines.get(e.getKey()), examples.get(e.getKey())))
+            return found.entrySet().stream()
+                    .map(e -> new FaultCount(e.getKey(), e.getValue().count, e.getValue().lines, e.getValue().example))
                     .toList();
         }
     }

@@ -75,7 +75,7 @@ final class LogReader {
             entry(line, parser.parse(line.number(), line.text()));
         } catch (BadLineException e) {
             boolean cutOff = !line.ended() && e.fault() != LineFault.UNKNOWN_TOPIC;
-            problem(line, cutOff ? LineFault.CUT_OFF : e.fault(), e.getMessage());
+            problem(line, cutOff ? LineFault.CUT_OFF : e.fault(), String.valueOf(e.getMessage()));
         }
     }
 

@@ -12,6 +12,7 @@ import java.math.RoundingMode;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.value.GeoPoint;
 
 /** What a log holds, as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
@@ -99,7 +100,12 @@ public final class LogSummaryJson {
     }
 
     private record Channel(
-            String sensor, String channel, long values, BigDecimal least, BigDecimal most, BigDecimal last) {
+            String sensor,
+            String channel,
+            long values,
+            @Nullable BigDecimal least,
+            @Nullable BigDecimal most,
+            @Nullable BigDecimal last) {
         static Channel of(ChannelSummary channel) {
             return new Channel(
                     channel.sensor(),
@@ -111,7 +117,7 @@ public final class LogSummaryJson {
         }
 
         /** JSON has no word for what is no number: null. */
-        private static BigDecimal orNull(double value) {
+        private static @Nullable BigDecimal orNull(double value) {
             return Double.isFinite(value) ? BigDecimal.valueOf(value) : null;
         }
     }

@@ -9,7 +9,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.report.file.CsvRow;
 import org.sami.spn.value.GeoPoint;
 
@@ -22,7 +24,7 @@ final class LogTables implements Closeable {
 
     private final Path folder;
     private final Map<String, BufferedWriter> open = new LinkedHashMap<>();
-    private GeoPoint latest;
+    private @Nullable GeoPoint latest;
 
     LogTables(Path folder) throws IOException {
         this.folder = folder;
@@ -39,7 +41,7 @@ final class LogTables implements Closeable {
     }
 
     private void row(String table, Object... cells) throws IOException {
-        open.get(table).write(CsvRow.of(cells));
+        Objects.requireNonNull(open.get(table), table).write(CsvRow.of(cells));
     }
 
     /**

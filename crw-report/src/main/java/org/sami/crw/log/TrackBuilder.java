@@ -2,6 +2,7 @@ package org.sami.crw.log;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 
@@ -19,7 +20,7 @@ final class TrackBuilder {
     static final int MOST_STRETCHES = 1000;
 
     private final List<TrackSegment> stretches = new ArrayList<>();
-    private Open open;
+    private @Nullable Open open;
     private int count;
     private long positions;
     private double distanceM;

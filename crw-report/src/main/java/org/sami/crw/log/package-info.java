@@ -6,4 +6,7 @@
  * is drawn belongs to {@code crw.report}, the options to {@code crw.cli}. The log of our own boat server is
  * another one ({@code boat.server.log}).
  */
+@NullMarked
 package org.sami.crw.log;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,6 +6,7 @@ import java.math.RoundingMode;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What the operator did.
@@ -28,8 +29,8 @@ public record OperatorActionsPart(List<OperatorAction> actions) implements Repor
             String text,
             long mission,
             List<String> boats,
-            BigDecimal latDeg,
-            BigDecimal lonDeg) {
+            @Nullable BigDecimal latDeg,
+            @Nullable BigDecimal lonDeg) {
         static Row of(OperatorAction action) {
             return new Row(
                     action.number(),
@@ -42,7 +43,7 @@ public record OperatorActionsPart(List<OperatorAction> actions) implements Repor
                     decimal(action.lonDeg()));
         }
 
-        private static BigDecimal decimal(Optional<Double> degrees) {
+        private static @Nullable BigDecimal decimal(Optional<Double> degrees) {
             return degrees.map(value -> BigDecimal.valueOf(value)
                             .setScale(DEGREE_DIGITS, RoundingMode.HALF_UP)
                             .stripTrailingZeros())

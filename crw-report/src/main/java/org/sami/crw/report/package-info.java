@@ -5,4 +5,7 @@
  * What fills the records belongs to {@code crw.sim.run}, which options ask for them to {@code crw.cli}. Nothing here knows an engine or
  * a clock.
  */
+@NullMarked
 package org.sami.crw.report;
+
+import org.jspecify.annotations.NullMarked;

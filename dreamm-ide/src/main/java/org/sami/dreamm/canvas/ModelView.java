@@ -16,6 +16,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.context.NetPreview;
@@ -214,7 +215,7 @@ public final class ModelView extends JPanel implements NetDropTarget, TermSource
         return moved > 1 && 2 * moved >= now.size();
     }
 
-    private static boolean isElsewhere(LayoutPoint before, LayoutPoint now) {
+    private static boolean isElsewhere(@Nullable LayoutPoint before, LayoutPoint now) {
         return before != null && Math.hypot(before.x() - now.x(), before.y() - now.y()) > 1;
     }
 

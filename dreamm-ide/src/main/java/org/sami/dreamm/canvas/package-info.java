@@ -3,4 +3,7 @@
  * stands in {@code org.sami.spn.edit}, where things lie in {@code org.sami.spn.drawing}, how they are painted in {@code org.sami.ui.net};
  * palettes put things onto the net as {@link org.sami.dreamm.canvas.NetDrop}s.
  */
+@NullMarked
 package org.sami.dreamm.canvas;
+
+import org.jspecify.annotations.NullMarked;

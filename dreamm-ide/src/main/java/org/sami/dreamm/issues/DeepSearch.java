@@ -78,7 +78,7 @@ public final class DeepSearch {
                 DeepResult result = check.run(request, watch);
                 owner.execute(() -> done(Optional.of(new Outcome(check, request, result)), ""));
             } catch (IllegalArgumentException refused) {
-                owner.execute(() -> done(Optional.empty(), refused.getMessage()));
+                owner.execute(() -> done(Optional.empty(), String.valueOf(refused.getMessage())));
             }
         });
         tell();

@@ -8,6 +8,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.Icon;
@@ -288,7 +289,7 @@ public final class IssuesPanel extends FoldingPanel {
     }
 
     private void label(Severity severity, int count) {
-        JToggleButton button = severities.get(severity);
+        JToggleButton button = button(severity);
         button.setText(String.valueOf(count));
         String word = severity.name().toLowerCase(Locale.ROOT);
         button.getAccessibleContext().setAccessibleName(count + " " + word + "s");
@@ -344,6 +345,10 @@ public final class IssuesPanel extends FoldingPanel {
         }
     }
 
+    private JToggleButton button(Severity severity) {
+        return Objects.requireNonNull(severities.get(severity), severity::name);
+    }
+
     private void style() {
         LookColors.background(this, SemanticColor.SURFACE);
         message.setFont(Fonts.text());
@@ -351,7 +356,7 @@ public final class IssuesPanel extends FoldingPanel {
         hidden.setFont(Fonts.text());
         LookColors.foreground(hidden, SemanticColor.WARNING);
         for (Severity severity : Severity.values()) {
-            severities.get(severity).setIcon(icon(severity));
+            button(severity).setIcon(icon(severity));
         }
     }
 }

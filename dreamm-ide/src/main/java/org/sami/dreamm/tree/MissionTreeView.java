@@ -17,6 +17,7 @@ import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreeNode;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
+import org.jspecify.annotations.Nullable;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.tree.TreeItem.Kind;
 import org.sami.palette.SemanticColor;
@@ -139,7 +140,7 @@ final class MissionTreeView extends JTree {
     }
 
     @Override
-    public String getToolTipText(MouseEvent e) {
+    public @Nullable String getToolTipText(MouseEvent e) {
         TreePath path = getPathForLocation(e.getX(), e.getY());
         return path == null
                 ? null

@@ -12,6 +12,7 @@ import javax.swing.JTree;
 import javax.swing.TransferHandler;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.TreePath;
+import org.jspecify.annotations.Nullable;
 import org.sami.dreamm.tree.TreeItem.Kind;
 
 /** Reorders the mission tree by dragging: plans and folders go between others, or onto one to go below it. */
@@ -42,7 +43,7 @@ final class TreeDrop extends TransferHandler {
     }
 
     @Override
-    protected Transferable createTransferable(JComponent c) {
+    protected @Nullable Transferable createTransferable(JComponent c) {
         return c instanceof JTree tree
                 ? item(tree.getSelectionPath())
                         .filter(TreeDrop::moves)

@@ -162,7 +162,7 @@ public final class TryOut {
             message = "Started with " + as.proxies().size() + " robots"
                     + (disabled == 0 ? "" : "; " + disabled + " disabled left out");
         } catch (IllegalArgumentException refused) {
-            message = refused.getMessage();
+            message = String.valueOf(refused.getMessage());
             tell();
             return false;
         }

@@ -97,7 +97,8 @@ final class CarriedTokens {
             boolean taken = edge.locked() ? takes(edge.requirements(), need) : !addedBy(edge.transition(), need);
             if (taken) {
                 for (String place : placesBefore(edge.transition())) {
-                    more |= needs.get(place).add(need);
+                    more |= needs.computeIfAbsent(place, one -> EnumSet.noneOf(Need.class))
+                            .add(need);
                 }
             }
         }

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -45,7 +46,7 @@ final class ManualDrawing {
         Map<String, String> ids = paste.idsIn(plan);
         Set<String> pasted = new LinkedHashSet<>(ids.values());
         Plan drawn = finished(paste.change(plan, context), pasted, to.isPresent());
-        return merged(drawn, ids.get(sequence.anchor()), vertex);
+        return merged(drawn, Objects.requireNonNull(ids.get(sequence.anchor()), "anchor"), vertex);
     }
 
     private Plan finished(Plan plan, Set<String> pasted, boolean laidOut) {

@@ -3,10 +3,9 @@ package org.sami.spn.wizard;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.sami.spn.edit.EditContext;
 import org.sami.spn.edit.EditRefusedException;
@@ -33,15 +32,19 @@ public record RemoveWithRequirements(String plan, Set<String> elements, Authorin
     @Override
     public Plan change(Plan before, EditContext context) throws EditRefusedException {
         Plan removed = new RemoveElements(plan, elements).change(before, context);
-        Map<Boolean, List<InEdge>> in = removed.inEdges().stream()
-                .collect(Collectors.partitioningBy(e -> joins(removed, e.place(), e.transition())));
-        Map<Boolean, List<OutEdge>> out = removed.outEdges().stream()
-                .collect(Collectors.partitioningBy(e -> joins(removed, e.place(), e.transition())));
-        Plan joined = removed.withInEdges(in.get(true)).withOutEdges(out.get(true));
+        Predicate<InEdge> joinsIn = e -> joins(removed, e.place(), e.transition());
+        Predicate<OutEdge> joinsOut = e -> joins(removed, e.place(), e.transition());
+        Plan joined = removed.withInEdges(
+                        removed.inEdges().stream().filter(joinsIn).toList())
+                .withOutEdges(removed.outEdges().stream().filter(joinsOut).toList());
         Plan adjusted = new RequirementComputation(context.vocabulary(), library).adjusted(before, joined);
         // edges without an end are removed as well and reported, as with every edit
-        return adjusted.withInEdges(both(adjusted.inEdges(), in.get(false)))
-                .withOutEdges(both(adjusted.outEdges(), out.get(false)));
+        return adjusted.withInEdges(both(
+                        adjusted.inEdges(),
+                        removed.inEdges().stream().filter(joinsIn.negate()).toList()))
+                .withOutEdges(both(
+                        adjusted.outEdges(),
+                        removed.outEdges().stream().filter(joinsOut.negate()).toList()));
     }
 
     private static boolean joins(Plan plan, String place, String transition) {

@@ -3,4 +3,7 @@
  * what can come next at a vertex. All of it is edits and answers about plans; what belongs to which event is data of the domain
  * ({@link org.sami.spn.sequence.AuthoringLibrary}). No window.
  */
+@NullMarked
 package org.sami.spn.wizard;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,6 +3,7 @@ package org.sami.spn.stepping;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.protocol.Activation;
@@ -24,8 +25,8 @@ final class Moment {
     long nowMillis;
     long mission = Ids.NONE;
     Optional<Outcome> outcome = Optional.empty();
-    private MomentKey key;
-    private String summary;
+    private @Nullable MomentKey key;
+    private @Nullable String summary;
 
     Moment(EngineState state) {
         this(state, new RobotTasks());

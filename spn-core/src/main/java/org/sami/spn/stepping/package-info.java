@@ -8,4 +8,7 @@
  * <p>{@link org.sami.spn.stepping.Stepper} is where to begin. Nobody but its caller answers, and time stands still unless a step lets
  * it pass.
  */
+@NullMarked
 package org.sami.spn.stepping;
+
+import org.jspecify.annotations.NullMarked;

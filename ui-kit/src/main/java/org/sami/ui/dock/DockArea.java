@@ -21,6 +21,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -289,7 +290,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         if (alone.isPresent()) {
             unfold();
         } else {
-            fold(panels.get(panel));
+            fold(named(panel));
         }
     }
 
@@ -371,7 +372,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
 
     /** Brings a panel to the front, back into the window if it was closed, and the keyboard's focus to the first thing in it. */
     public void show(String panel) {
-        DockPanel shown = panels.get(panel);
+        DockPanel shown = named(panel);
         if (alone.isPresent() && folded.has(shown)) {
             folded.show(shown);
             focus(shown);
@@ -386,6 +387,10 @@ public final class DockArea extends JPanel implements AutoCloseable {
             Docking.display(shown);
         }
         focus(shown);
+    }
+
+    private DockPanel named(String panel) {
+        return Objects.requireNonNull(panels.get(panel), () -> "there is no panel " + panel);
     }
 
     /** The panels, in order. */

@@ -12,6 +12,7 @@ import java.awt.event.ContainerEvent;
 import java.util.Objects;
 import javax.swing.JTabbedPane;
 import javax.swing.UIManager;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Keeps all tabs of a pane in sight: where they have no room with their words, those behind the front one are their icons, whose tooltips are
@@ -64,7 +65,7 @@ final class TabWidths {
         put(FlatClientProperties.TABBED_PANE_MINIMUM_TAB_WIDTH, brief ? 0 : null);
     }
 
-    private void put(String property, Object value) {
+    private void put(String property, @Nullable Object value) {
         if (!Objects.equals(tabs.getClientProperty(property), value)) {
             tabs.putClientProperty(property, value);
         }

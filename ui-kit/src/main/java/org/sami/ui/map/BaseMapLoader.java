@@ -5,11 +5,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.ui.EventThread;
 import org.sami.ui.map.base.BaseSource;
 import org.sami.ui.map.base.MapFileLimits;
@@ -34,7 +36,7 @@ final class BaseMapLoader {
     /** A file that is being read. */
     private static final class Load {
         private final Path file;
-        private Future<?> work;
+        private @Nullable Future<?> work;
 
         Load(Path file) {
             this.file = file;
@@ -91,7 +93,7 @@ final class BaseMapLoader {
 
     private void leave(Load load) {
         loads.remove(load);
-        load.work.cancel(true);
+        Objects.requireNonNull(load.work, "a load that is left has begun").cancel(true);
     }
 
     private void read(Load load) {

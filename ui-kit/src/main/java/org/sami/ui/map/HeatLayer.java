@@ -7,6 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
@@ -24,7 +25,7 @@ public final class HeatLayer extends MapLayer {
     private static final int MARGIN = 12;
 
     private Optional<HeatMap> map = Optional.empty();
-    private BufferedImage image;
+    private @Nullable BufferedImage image;
 
     public HeatLayer(String id, String title) {
         super(id, title);

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.jxmapviewer.JXMapViewer;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
@@ -41,7 +42,7 @@ final class MapCanvas extends JXMapViewer {
     private transient Optional<GeoBounds> toFit = Optional.empty();
     private final transient MapLabels labels = new MapLabels();
     private transient Optional<GeoBounds> fitted = Optional.empty();
-    private transient MapFrame fittedAt;
+    private transient @Nullable MapFrame fittedAt;
     private boolean grid = true;
     private boolean inForm;
     private double magnification = 1; // of the zoom, less than 2
@@ -183,6 +184,7 @@ final class MapCanvas extends JXMapViewer {
     private boolean isFitted() {
         MapFrame now = frame();
         return fitted.isPresent()
+                && fittedAt != null
                 && now.worldPx() == fittedAt.worldPx()
                 && now.centreX() == fittedAt.centreX()
                 && now.centreY() == fittedAt.centreY();

@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What stays as it is while vehicles move, painted once in the pixels of the screen and kept. It is opaque: copying it costs a hundredth of
@@ -13,7 +14,7 @@ import java.util.function.Consumer;
  */
 final class StillImage {
     private Optional<Key> kept = Optional.empty();
-    private BufferedImage image;
+    private @Nullable BufferedImage image;
 
     private record Key(Object what, double scaleX, double scaleY, int width, int height) {}
 

@@ -5,4 +5,7 @@
  * <p>Belongs here: the view, its layers and tools, base maps. Does not belong here: geography without a window
  * ({@link org.sami.ui.geo}), and what a layer's vehicles are.
  */
+@NullMarked
 package org.sami.ui.map;
+
+import org.jspecify.annotations.NullMarked;

@@ -16,6 +16,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import org.jspecify.annotations.Nullable;
 import org.sami.palette.IdentityMarks;
 import org.sami.picture.GraphicsCanvas;
 import org.sami.picture.NetFonts;
@@ -342,7 +343,7 @@ public final class NetView extends JPanel {
         tool.paint(g);
     }
 
-    private String tip(MouseEvent e) {
+    private @Nullable String tip(MouseEvent e) {
         return tooltip.at(viewport.point(e.getX(), e.getY()), scene, content, marking)
                 .orElse(null);
     }

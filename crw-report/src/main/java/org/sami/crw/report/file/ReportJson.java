@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.ReadingSummary;
 import org.sami.crw.report.RunHeader;
@@ -99,7 +100,7 @@ public final class ReportJson {
     }
 
     /** The value under a name: records as objects, null where there is none. */
-    private static void set(ObjectNode json, String name, Object value) {
+    private static void set(ObjectNode json, String name, @Nullable Object value) {
         json.set(name, MAPPER.valueToTree(value));
     }
 

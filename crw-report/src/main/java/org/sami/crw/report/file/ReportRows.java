@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.report.Approach;
 import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.DecisionResult;
@@ -46,9 +47,9 @@ final class ReportRows {
             BigDecimal spacingM,
             BigDecimal areaM2,
             BigDecimal uncoveredM2,
-            BigDecimal plannedUncoveredM2,
-            BigDecimal reportedUncoveredM2,
-            BigDecimal trueUncoveredM2) {
+            @Nullable BigDecimal plannedUncoveredM2,
+            @Nullable BigDecimal reportedUncoveredM2,
+            @Nullable BigDecimal trueUncoveredM2) {
         static Explored of(Exploration exploration) {
             return new Explored(
                     seconds(exploration.askedAtMillis()),
@@ -60,7 +61,7 @@ final class ReportRows {
                     orNull(exploration.left().trueM2()));
         }
 
-        private static BigDecimal orNull(Optional<Double> m2) {
+        private static @Nullable BigDecimal orNull(Optional<Double> m2) {
             return m2.map(value -> decimal(value, 1)).orElse(null);
         }
     }
@@ -98,12 +99,12 @@ final class ReportRows {
             BigDecimal latDeg,
             BigDecimal lonDeg,
             boolean visited,
-            BigDecimal visitedAt,
-            String visitedBy,
+            @Nullable BigDecimal visitedAt,
+            @Nullable String visitedBy,
             boolean reported,
-            BigDecimal reportedAt,
-            String reportedBy,
-            BigDecimal nearestM) {
+            @Nullable BigDecimal reportedAt,
+            @Nullable String reportedBy,
+            @Nullable BigDecimal nearestM) {
         static Location of(LocationResult location) {
             OptionalDouble near =
                     location.truth().map(LocationResult.Truth::nearestM).orElse(OptionalDouble.empty());
@@ -120,7 +121,7 @@ final class ReportRows {
                     near.isPresent() ? decimal(near.getAsDouble(), 2) : null);
         }
 
-        private static BigDecimal at(Optional<Visit> visit) {
+        private static @Nullable BigDecimal at(Optional<Visit> visit) {
             return visit.map(one -> seconds(one.atMillis())).orElse(null);
         }
     }
@@ -130,10 +131,10 @@ final class ReportRows {
             String name,
             String boat,
             String trigger,
-            BigDecimal pressedAt,
+            @Nullable BigDecimal pressedAt,
             int presses,
             boolean taken,
-            BigDecimal takenAt) {
+            @Nullable BigDecimal takenAt) {
         static Interrupt of(InterruptResult interrupt) {
             return new Interrupt(
                     interrupt.name(),
@@ -150,13 +151,13 @@ final class ReportRows {
     record Task(
             long mission,
             String task,
-            BigDecimal latDeg,
-            BigDecimal lonDeg,
+            @Nullable BigDecimal latDeg,
+            @Nullable BigDecimal lonDeg,
             String boat,
             int allocations,
-            BigDecimal startedAt,
+            @Nullable BigDecimal startedAt,
             boolean complete,
-            BigDecimal completedAt) {
+            @Nullable BigDecimal completedAt) {
         static Task of(TaskResult task) {
             return new Task(
                     task.mission(),
@@ -172,7 +173,13 @@ final class ReportRows {
     }
 
     @JsonInclude(JsonInclude.Include.NON_NULL)
-    record Question(long id, String type, BigDecimal openedAt, BigDecimal closedAt, String by, int clicks) {
+    record Question(
+            long id,
+            String type,
+            BigDecimal openedAt,
+            @Nullable BigDecimal closedAt,
+            String by,
+            int clicks) {
         static Question of(DecisionResult decision) {
             return new Question(
                     decision.id(),
@@ -208,7 +215,7 @@ final class ReportRows {
         return BigDecimal.valueOf(millis, 3).stripTrailingZeros();
     }
 
-    private static BigDecimal seconds(OptionalLong millis) {
+    private static @Nullable BigDecimal seconds(OptionalLong millis) {
         return millis.isPresent() ? seconds(millis.getAsLong()) : null;
     }
 

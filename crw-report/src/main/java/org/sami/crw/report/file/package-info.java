@@ -3,4 +3,7 @@
  *
  * <p>Here belongs how a report is written. What it says belongs to {@code crw.report}, how the map is drawn to {@code crw.report.picture}.
  */
+@NullMarked
 package org.sami.crw.report.file;
+
+import org.jspecify.annotations.NullMarked;

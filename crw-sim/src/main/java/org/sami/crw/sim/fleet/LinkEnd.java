@@ -2,6 +2,7 @@ package org.sami.crw.sim.fleet;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.server.ServerSession;
@@ -15,7 +16,7 @@ final class LinkEnd implements FrameSink {
     private List<Frame> arriving = new ArrayList<>(); // for the clock's thread
     private List<Frame> arrived = new ArrayList<>(); // for the thread that ticks the boat, while it does
     private final List<Frame> said = new ArrayList<>(); // likewise
-    private ServerSession session;
+    private @Nullable ServerSession session; // null until the boat has connected it
 
     LinkEnd(FrameSink toBase) {
         this.toBase = toBase;
@@ -42,7 +43,7 @@ final class LinkEnd implements FrameSink {
 
     /** The boat takes in what had arrived, on the thread that ticks it. */
     void takeIn(long nowMs) {
-        if (!arrived.isEmpty()) {
+        if (session != null && !arrived.isEmpty()) {
             for (Frame frame : arrived) {
                 session.receive(frame, nowMs);
             }

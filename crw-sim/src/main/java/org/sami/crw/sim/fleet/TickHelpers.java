@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Threads that do the same for many while another one, the caller, does something else, again and again, each time for some hundred microseconds. When the
@@ -101,7 +102,7 @@ class TickHelpers implements AutoCloseable {
         private final AtomicInteger takenByHelpers = new AtomicInteger();
         private final AtomicInteger done = new AtomicInteger();
         private int faultAt = Integer.MAX_VALUE;
-        private Throwable fault;
+        private @Nullable Throwable fault;
 
         Work(int size, IntConsumer action) {
             this.size = size;
