@@ -7,11 +7,6 @@ public enum RobotKind {
     /** Copters in the air. */
     COPTER("copter");
 
-    /** Not within a name, an address or a path: boat-2, boat.local:5001 and /home/me/boats/x.log stay as they are. */
-    private static final String BEFORE = "(?<![\\w./\\\\-])";
-
-    private static final String AFTER = "(?=s?\\b(?![-/\\\\:]|\\.\\w))";
-
     private final String word;
 
     RobotKind(String word) {
@@ -37,13 +32,9 @@ public enum RobotKind {
         throw new IllegalArgumentException("there are no robots of the kind '" + word + "'");
     }
 
-    /** Replaces boat, boats, Boat and Boats in a text by the word of this kind. */
+    /** Says a text about boats of robots of this kind: by their word, and by what they do. Names and paths stay as they are. */
     public String say(String text) {
-        if (this == BOAT) {
-            return text;
-        }
-        String capital = Character.toUpperCase(word.charAt(0)) + word.substring(1);
-        return text.replaceAll(BEFORE + "boat" + AFTER, word).replaceAll(BEFORE + "Boat" + AFTER, capital);
+        return this == COPTER ? CopterWords.of(text) : text;
     }
 
     /** The name of a simulated one, counted from 0. */

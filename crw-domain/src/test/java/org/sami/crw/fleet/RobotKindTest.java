@@ -18,6 +18,9 @@ class RobotKindTest {
                 "no answer of boat.local:5001 | no answer of boat.local:5001",
                 "written to /home/me/boats/x.log | written to /home/me/boats/x.log",
                 "C:\\boats\\x.log | C:\\boats\\x.log",
+                "Select a boat: it is driven by hand: drive on | Select a copter: it is flown by hand: fly on",
+                "a is outside of the water in which boats may go | a is outside of the area in which copters may fly",
+                "Close; boats stop their motors and drift | Close; copters stop and hover",
                 "a lifeboat | a lifeboat",
                 "a boathouse | a boathouse"
             })

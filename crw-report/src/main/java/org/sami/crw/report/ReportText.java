@@ -59,7 +59,7 @@ public final class ReportText {
                 .underWay()
                 .filter(underWay -> !report.map().closest().ever().equals(Optional.of(underWay)))
                 .ifPresent(underWay -> line(text, "  %-20s%s", "  under way", ReportWords.words(underWay)));
-        near(text, report.map().closest().near());
+        near(text, report);
         report.map()
                 .explorations()
                 .forEach(explored -> line(text, "  %-20s%s", "explored", ReportWords.words(explored)));
@@ -83,7 +83,7 @@ public final class ReportText {
     /** What boats reported, and under it, where that is known, where they truly were. */
     private static void visits(StringBuilder text, RunReport report) {
         int count = report.locations().size();
-        String told = count == 0 ? "" : ", as boats reported";
+        String told = count == 0 ? "" : report.header().robots().say(", as boats reported");
         line(text, "  %-20s%d of %d%s", "locations visited", report.locationsReported(), count, told);
         List<Truth> truths = report.locations().stream()
                 .flatMap(location -> location.truth().stream())
@@ -92,7 +92,8 @@ public final class ReportText {
             return;
         }
         long far = truths.stream().filter(truth -> truth.nearestM().isEmpty()).count();
-        String unmeasured = far == 0 ? "" : ", " + far + " where no boat came near";
+        String unmeasured =
+                far == 0 ? "" : ", " + far + report.header().robots().say(" where no boat came near");
         String farthest = truths.stream()
                 .flatMapToDouble(truth -> truth.nearestM().stream())
                 .boxed()
@@ -110,12 +111,14 @@ public final class ReportText {
     }
 
     /** The pairs of boats that came too near to one another, the first few of them. */
-    private static void near(StringBuilder text, List<Approach> pairs) {
+    private static void near(StringBuilder text, RunReport report) {
+        List<Approach> pairs = report.map().closest().near();
         if (pairs.isEmpty()) {
             return;
         }
         String label = String.format(Locale.ROOT, "  under %.0f m", ClosestApproach.NEAR_M);
-        line(text, "  %-20s%d %s of boats", label, pairs.size(), pairs.size() == 1 ? "pair" : "pairs");
+        String of = report.header().robots().say(pairs.size() == 1 ? "pair of boats" : "pairs of boats");
+        line(text, "  %-20s%d %s", label, pairs.size(), of);
         pairs.stream().limit(MOST_PAIRS).forEach(pair -> line(text, "  %-20s%s", "", ReportWords.words(pair)));
         if (pairs.size() > MOST_PAIRS) {
             line(text, "  %-20s%d more in approaches.csv", "", pairs.size() - MOST_PAIRS);
@@ -137,7 +140,14 @@ public final class ReportText {
 
     private static void boats(StringBuilder text, RunReport report) {
         line(text, "");
-        line(text, "  %-12s%12s%12s%12s   %s", "boat", "distance", "battery", "recharges", "link");
+        line(
+                text,
+                "  %-12s%12s%12s%12s   %s",
+                report.header().robots().word(),
+                "distance",
+                "battery",
+                "recharges",
+                "link");
         for (BoatResult boat : report.boats()) {
             line(
                     text,
@@ -169,8 +179,8 @@ public final class ReportText {
                 .toList();
         if (!whys.isEmpty()) {
             line(text, "");
-            line(text, "  boats when the run stopped");
-            whys.forEach(why -> line(text, "  %s", why));
+            line(text, report.header().robots().say("  boats when the run stopped"));
+            whys.forEach(why -> line(text, "  %s", report.header().robots().say(why)));
         }
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.judgement;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.fleet.RobotKind;
 
 /**
  * What is to be said of an answer before it is given. Immutable.
@@ -49,6 +50,13 @@ public record Judgement(List<Remark> remarks) {
 
     public Judgement {
         remarks = List.copyOf(remarks);
+    }
+
+    /** The same in words about robots of a kind. */
+    public Judgement inWordsFor(RobotKind robots) {
+        return new Judgement(remarks.stream()
+                .map(remark -> new Remark(remark.kind(), robots.say(remark.words())))
+                .toList());
     }
 
     /** Each remark once, the worst first. */

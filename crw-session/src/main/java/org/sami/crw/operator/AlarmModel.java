@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.operator.alarm.ApproachCheck;
@@ -37,6 +38,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
     private final Consumer<Runnable> inbox;
     private final CommandModel commands;
     private final OperatorLog log;
+    private final RobotKind robots;
     private final FenceCheck fence;
     private final BoatAlarms boatAlarms;
     private final ApproachCheck approaches = new ApproachCheck();
@@ -60,13 +62,16 @@ public final class AlarmModel extends Model<List<Alarm>> {
         }
     }
 
-    AlarmModel(Consumer<Runnable> inbox, CommandModel commands, OperatorLog log, MissionTitles titles) {
+    /** @param robots what alarms are about */
+    AlarmModel(
+            Consumer<Runnable> inbox, CommandModel commands, OperatorLog log, MissionTitles titles, RobotKind robots) {
         super(List.of());
         fence = new FenceCheck(titles);
         boatAlarms = new BoatAlarms(fence);
         this.inbox = inbox;
         this.commands = commands;
         this.log = log;
+        this.robots = robots;
     }
 
     /** Boats are seen once in this time, if nothing happens. From any thread. */
@@ -275,7 +280,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
                 key.kind(),
                 key.boat(),
                 key.other(),
-                text,
+                robots.say(text),
                 sinceMillis,
                 active,
                 acknowledged,

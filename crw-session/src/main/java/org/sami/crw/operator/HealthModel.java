@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.health.HealthEntry;
@@ -33,6 +34,7 @@ public final class HealthModel extends Model<Health> {
 
     private final Consumer<Runnable> inbox;
     private final LongSupplier nowMillis;
+    private final RobotKind robots;
     private final Map<Key, HealthEntry> entries = new LinkedHashMap<>();
     private long reported;
 
@@ -42,10 +44,12 @@ public final class HealthModel extends Model<Health> {
         }
     }
 
-    HealthModel(Consumer<Runnable> inbox, LongSupplier nowMillis) {
+    /** @param robots what faults are about */
+    HealthModel(Consumer<Runnable> inbox, LongSupplier nowMillis, RobotKind robots) {
         super(Health.WELL);
         this.inbox = inbox;
         this.nowMillis = nowMillis;
+        this.robots = robots;
     }
 
     /** A fault is there from now on, or is still there, maybe in other words. From any thread. */
@@ -106,7 +110,8 @@ public final class HealthModel extends Model<Health> {
                 Ids.NONE);
     }
 
-    private void put(HealthFault fault, long sinceMillis) {
+    private void put(HealthFault given, long sinceMillis) {
+        HealthFault fault = given.inWordsFor(robots);
         HealthEntry before = entries.get(Key.of(fault));
         HealthEntry now = before == null
                 ? new HealthEntry(++reported, fault, sinceMillis)

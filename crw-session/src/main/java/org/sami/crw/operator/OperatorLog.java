@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 
@@ -19,14 +20,22 @@ public final class OperatorLog extends Model<List<OperatorLogEntry>> {
 
     private final Consumer<Runnable> inbox;
     private final LongSupplier nowMillis;
+    private final RobotKind robots;
     private final AtomicLong numbers = new AtomicLong();
     private final Deque<OperatorLogEntry> entries = new ArrayDeque<>();
     private volatile Consumer<OperatorLogEntry> keeper = entry -> {};
 
+    /** The log of a session of boats. */
     OperatorLog(Consumer<Runnable> inbox, LongSupplier nowMillis) {
+        this(inbox, nowMillis, RobotKind.BOAT);
+    }
+
+    /** @param robots what entries about robots call them */
+    OperatorLog(Consumer<Runnable> inbox, LongSupplier nowMillis, RobotKind robots) {
         super(List.of());
         this.inbox = inbox;
         this.nowMillis = nowMillis;
+        this.robots = robots;
     }
 
     /** From now on each entry is given to somebody who keeps it; on the thread that adds it, so it must not wait. */
@@ -67,7 +76,7 @@ public final class OperatorLog extends Model<List<OperatorLogEntry>> {
                 numbers.incrementAndGet(),
                 nowMillis.getAsLong(),
                 kind,
-                text,
+                kind == OperatorLogEntry.Kind.BOAT ? robots.say(text) : text, // others have words of plans and people
                 mission,
                 boats.stream().filter(boat -> !boat.isEmpty()).toList(),
                 position);

@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.boat.BoatSnapshot;
@@ -67,7 +68,7 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     /** Models of a session without a thread of their own: the thread that reports computes what the map needs. */
     public OperatorModels(Executor owner, LongSupplier nowMillis) {
-        this(owner, nowMillis, Runnable::run);
+        this(owner, nowMillis, Runnable::run, RobotKind.BOAT);
     }
 
     /**
@@ -77,15 +78,16 @@ public final class OperatorModels implements HostListener, MessageSink {
      * @param nowMillis the session's clock; from any thread
      * @param computing computes what sensors measured for the map, one after the other; never the owner's thread, where that is a
      *     window's
+     * @param robots what alarms, faults and the log speak of
      */
-    public OperatorModels(Executor owner, LongSupplier nowMillis, Executor computing) {
+    public OperatorModels(Executor owner, LongSupplier nowMillis, Executor computing, RobotKind robots) {
         inbox = new ModelInbox(owner, this::publish);
         decisions = new DecisionQueue(inbox::post);
-        log = new OperatorLog(inbox::post, nowMillis);
+        log = new OperatorLog(inbox::post, nowMillis, robots);
         logged = new OperatorSteps(log);
         messages = new MessageList(MESSAGES_KEPT, inbox::post, log, nowMillis);
-        alarms = new AlarmModel(inbox::post, commands, log, missions::title);
-        health = new HealthModel(inbox::post, nowMillis);
+        alarms = new AlarmModel(inbox::post, commands, log, missions::title, robots);
+        health = new HealthModel(inbox::post, nowMillis, robots);
         unreached = new UnreachedModel(inbox::post);
         pictures = new PictureModel(inbox::post);
         fleetStop = new FleetStopModel(inbox::post, nowMillis);

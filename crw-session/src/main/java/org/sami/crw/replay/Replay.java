@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.ReplayFeed;
 import org.sami.crw.session.BoatStart;
@@ -55,7 +56,11 @@ public final class Replay {
     public Replay(ReplayedJournal journal, Executor owner, Executor computing) {
         this.journal = journal;
         engine = journal.engine();
-        models = new OperatorModels(owner, () -> shownMillis, computing);
+        models = new OperatorModels(
+                owner,
+                () -> shownMillis,
+                computing,
+                HandlerModules.robotsOf(journal.vocabulary().domain()));
         feed = models.replayFeed();
         boats = new RecordedBoats(feed, models, SessionPictures.besides(journal.file()));
         begin();

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.judgement.AnswerJudge;
 import org.sami.crw.judgement.DraftAnswer;
@@ -30,13 +31,16 @@ public final class JudgedAnswers {
     private final Executor computing;
     private final CrwServices services;
     private final AnswerJudge judge;
+    private final RobotKind robots;
 
     /**
      * Judges for one session.
      *
      * @param computing finds ways
+     * @param robots what judgements speak of
      */
-    JudgedAnswers(Fleet fleet, SessionEngine engine, CrwServices services, Executor computing) {
+    JudgedAnswers(Fleet fleet, SessionEngine engine, CrwServices services, Executor computing, RobotKind robots) {
+        this.robots = robots;
         this.fleet = fleet;
         this.engine = engine;
         this.services = services;
@@ -70,7 +74,8 @@ public final class JudgedAnswers {
 
     private CompletionStage<Judgement> judge(JudgedQuestion question, DraftAnswer draft) {
         return fleet.ask(known -> boats(known, question.boats(draft)))
-                .thenCompose(boats -> engine.replies().on(computing, () -> judge.judge(question, boats, draft)));
+                .thenCompose(boats -> engine.replies()
+                        .on(computing, () -> judge.judge(question, boats, draft).inWordsFor(robots)));
     }
 
     private List<JudgedBoat> boats(ProxyRegistry known, List<String> names) {

@@ -80,7 +80,7 @@ public final class Session implements AutoCloseable {
                 parts.threads::nowMs,
                 parts.threads.drawing());
         project = new SessionProject(engine, new ProjectFiles(setup.vocabulary()), parts.threads.files());
-        drafts = new JudgedAnswers(fleet, engine, setup.services(), parts.threads.drawing());
+        drafts = new JudgedAnswers(fleet, engine, setup.services(), parts.threads.drawing(), parts.robots);
         fence = new Fence(this::post, models.log());
         actions = new MissionActions(engine, models);
         earlierBoats = new EarlierBoats(setup.journal(), fleet, parts.messages);

@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.archive.MapHistory;
@@ -34,6 +35,9 @@ final class SessionParts {
     final SessionDomain domain;
     final SessionFaults faults;
 
+    /** What the session's plans command. */
+    final RobotKind robots;
+
     SessionParts(SessionSetup setup) throws IOException {
         journal = toClose(setup.journal());
         guard = new ThreadGuard(
@@ -42,12 +46,12 @@ final class SessionParts {
         threads = toClose(new SessionThreads(setup.runtime(), journal.cameToMillis(), guard));
         engine = toClose(new SessionEngine(setup, threads));
         telemetry = new SessionTelemetry(journal, threads::nowMs);
-        models = new OperatorModels(threads.front(), threads::nowMs, threads.drawing());
+        robots = HandlerModules.robotsOf(setup.vocabulary().domain());
+        models = new OperatorModels(threads.front(), threads::nowMs, threads.drawing(), robots);
         if (!threads.isRealTime()) {
             models.showBoatsWhenAsked();
         }
-        messages = new SessionMessages(
-                telemetry, models, HandlerModules.robotsOf(setup.vocabulary().domain()));
+        messages = new SessionMessages(telemetry, models, robots);
         fleet = toClose(new SessionFleet(setup, threads, engine, telemetry, models, messages, guard));
         if (threads
                 .isRealTime()) { // a run in process is resumed by running its world again, with all that was done in it

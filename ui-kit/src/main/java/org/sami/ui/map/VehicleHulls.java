@@ -2,40 +2,32 @@ package org.sami.ui.map;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.map.Sprites.Sprite;
 
 /** Paints the hulls of vehicles, turned to their headings, with lines to where they will be in ten seconds. */
 final class VehicleHulls {
-    private static final double HALF_PX = 13; // from the middle to the bow
     static final double RING_PX = 5; // between a hull and the ring around one that is chosen
     private static final double LOOKAHEAD_S = 10;
     private static final double LEAST_VECTOR_PX = 4;
     private static final int HEADINGS = 120; // three degrees apart
-    private static final Path2D HULL = hull();
 
     private final Sprites<Hull> sprites = new Sprites<>();
+    private final VehicleShape form;
 
     private record Hull(Color color, boolean stale, int heading) {}
 
-    /** From the middle to the bow, in logical pixels at the scale in force. */
-    static double halfPx() {
-        return Painting.px(HALF_PX);
+    VehicleHulls(VehicleShape form) {
+        this.form = form;
     }
 
-    /** The bow up, the middle at the origin. */
-    private static Path2D hull() {
-        Path2D hull = new Path2D.Double();
-        hull.moveTo(0, -HALF_PX);
-        hull.curveTo(6, -7, 6.5, 0, 5.5, HALF_PX - 3);
-        hull.lineTo(-5.5, HALF_PX - 3);
-        hull.curveTo(-6.5, 0, -6, -7, 0, -HALF_PX);
-        hull.closePath();
-        return hull;
+    /** From the middle to the bow, in logical pixels at the scale in force. */
+    static double halfPx() {
+        return Painting.px(VehicleShape.HALF_PX);
     }
 
     /** How far from its middle a vehicle is painted on this map, in pixels. */
@@ -74,11 +66,11 @@ final class VehicleHulls {
         return sprites.get(g, hull, side, side, own -> paint(own, hull, side / 2));
     }
 
-    private static void paint(Graphics2D g, Hull hull, double middle) {
+    private void paint(Graphics2D g, Hull hull, double middle) {
         AffineTransform place = AffineTransform.getTranslateInstance(middle, middle);
         place.rotate(hull.heading() * 2 * Math.PI / HEADINGS);
         place.scale(Painting.px(1), Painting.px(1));
-        java.awt.Shape shape = place.createTransformedShape(HULL);
+        Shape shape = place.createTransformedShape(form.outline());
         g.setColor(hull.stale() ? Painting.alpha(hull.color(), 0.35) : hull.color());
         g.fill(shape);
         g.setStroke(Painting.line(1.5));

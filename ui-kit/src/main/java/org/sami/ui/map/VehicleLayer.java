@@ -7,16 +7,22 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Snapping;
 
-/** Vehicles as hulls with their heading, a line to where they will be in ten seconds, and their short names. */
+/** Vehicles as seen from above with their heading, a line to where they will be in ten seconds, and their short names. */
 public final class VehicleLayer extends MapLayer {
     private static final double REACH_PX = 16;
 
-    private final VehicleHulls hulls = new VehicleHulls();
+    private final VehicleHulls hulls;
     private final VehicleNames names = new VehicleNames();
     private List<ShownVehicle> vehicles = List.of();
 
+    /** A layer of hulls. */
     public VehicleLayer(String id, String title) {
+        this(id, title, VehicleShape.HULL);
+    }
+
+    public VehicleLayer(String id, String title, VehicleShape form) {
         super(id, title);
+        hulls = new VehicleHulls(form);
     }
 
     /** Shows these vehicles instead of those before; later ones lie on top. */

@@ -57,7 +57,7 @@ public final class BoatPanel extends FoldingPanel {
         queue = new BoatQueue(context);
         settings = new SettingsForm(context);
         launch = new LaunchPanel(context);
-        byHand = new ByHandPanel(control.teleoperation());
+        byHand = new ByHandPanel(control.teleoperation(), context::say);
         name.setName("boat-name");
         why.setName("boat-why");
         facts.setName("boat-facts");
@@ -67,7 +67,7 @@ public final class BoatPanel extends FoldingPanel {
         JTabbedPane tabs = new JTabbedPane();
         tabs.setName("boat-tabs");
         tabs.addTab("Commands", WidthTrackingPanel.fromLeastHeight(commands));
-        tabs.addTab("Before launch", WidthTrackingPanel.fromLeastHeight(launch));
+        tabs.addTab(context.say("Before launch"), WidthTrackingPanel.fromLeastHeight(launch));
         tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
         tabs.addTab("Settings", scrolled(settings));
         CommandRow buttons = new CommandRow();
@@ -128,10 +128,10 @@ public final class BoatPanel extends FoldingPanel {
         BoatSnapshot now = boat.get();
         name.setText(now.boat());
         name.setIcon(new MarkIcon(context.marks().of(now.boat())));
-        why.setText(BoatWords.state(now));
+        why.setText(context.say(BoatWords.state(now)));
         why.setToolTipText(why.getText());
         LookColors.foreground(why, BoatWords.color(BoatWords.trouble(now)));
-        facts.setText(facts(now));
+        facts.setText(context.say(facts(now)));
         facts.setVisible(!low.isFolded());
         facts.setToolTipText(facts.getText());
         name.setToolTipText(facts.getText());

@@ -33,12 +33,16 @@ final class BoatQueue {
         this.context = context;
         table = new RowTable<>(
                 "boat-queue",
-                "Nobody wants anything of this boat. Commands of missions stand here: the one in force, those that wait and why.",
+                context.say(
+                        "Nobody wants anything of this boat. Commands of missions stand here: the one in force, those"
+                                + " that wait and why."),
                 row -> row.command().orElse(row.turn() + row.what()),
                 List.of(
                         RowColumn.words("Turn", 88, Row::turn),
-                        RowColumn.words("Command", 0, Row::what),
-                        RowColumn.<Row>words("State", 190, Row::state).colored(Row::color)));
+                        RowColumn.words("Command", 0, row -> context.say(row.what())),
+                        RowColumn.<Row>words("State", 190, row -> context.say(row.state()))
+                                .colored(Row::color)));
+        table.table().getAccessibleContext().setAccessibleName(context.say("Boat queue"));
         cancel = context.commands()
                 .add(new Command("boat-cancel-command", "Cancel the command", this::cancel)
                         .withKey("ctrl DELETE")

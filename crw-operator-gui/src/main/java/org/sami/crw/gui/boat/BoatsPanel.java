@@ -50,6 +50,7 @@ public final class BoatsPanel extends JPanel {
                 Shown::name,
                 columns(context));
         table.showOneLine();
+        table.table().getAccessibleContext().setAccessibleName(context.say("Boats"));
         BoatTables.shareSelection(context, table, Shown::name);
         Command giveUp = context.commands()
                 .add(new Command("address-give-up", "Give up the address", this::giveUpAddress)

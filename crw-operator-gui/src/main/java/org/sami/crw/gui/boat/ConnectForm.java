@@ -40,7 +40,7 @@ public final class ConnectForm extends JPanel {
         super(new MigLayout("novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2", "[grow,fill][]"));
         this.context = context;
         setName("boat-connect-form");
-        JLabel label = new JLabel("Address of the boat's server, HOST:PORT");
+        JLabel label = new JLabel(context.say("Address of the boat's server, HOST:PORT"));
         label.setLabelFor(address);
         address.setName("boat-connect-address");
         connect.setName("boat-connect-do");
@@ -99,7 +99,7 @@ public final class ConnectForm extends JPanel {
     private void judge() {
         Optional<String> wrong = wrong();
         connect.setEnabled(wrong.isEmpty());
-        connect.setToolTipText(wrong.orElse("Connect to this boat (Enter)"));
+        connect.setToolTipText(context.say(wrong.orElse("Connect to this boat (Enter)")));
         if (!address.getText().isBlank()) {
             attempt =
                     Optional.empty(); // another address is typed: what came of the last one is in messages and the list
@@ -125,7 +125,8 @@ public final class ConnectForm extends JPanel {
                 bad ? SemanticColor.WARNING : state == State.CONNECTED ? SemanticColor.OK : SemanticColor.TEXT);
     }
 
-    private void say(String text, SemanticColor color) {
+    private void say(String given, SemanticColor color) {
+        String text = context.say(given);
         if (!said.getText().equals(text)) {
             said.setText(text);
             revalidate();

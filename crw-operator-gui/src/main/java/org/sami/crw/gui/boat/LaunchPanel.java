@@ -32,15 +32,16 @@ final class LaunchPanel extends JPanel {
         setName("boat-launch");
         table = new RowTable<>(
                 "boat-launch-table",
-                "Select a boat: link, position, compass, motor, battery and what it does without a link are gone"
-                        + " through here.",
+                context.say("Select a boat: link, position, compass, motor, battery and what it does without a link are"
+                        + " gone through here."),
                 Item::subject,
                 List.of(
                         RowColumn.<Item>words(
                                         "Check", 150, item -> LaunchWords.mark(item.state()) + name(item.subject()))
                                 .colored(item -> LaunchWords.color(item.state())),
-                        RowColumn.<Item>words("How it is", 0, Item::text)
+                        RowColumn.<Item>words("How it is", 0, item -> context.say(item.text()))
                                 .colored(item -> LaunchWords.color(item.state()))));
+        table.table().getAccessibleContext().setAccessibleName(context.say("Boat launch"));
         summary.setName("boat-launch-summary");
         CommandRow head = new CommandRow();
         head.left(summary).right(new CommandButton(motor.command()));
@@ -56,7 +57,7 @@ final class LaunchPanel extends JPanel {
                 one, context.models().alarms().snapshot(), motor.seenMps(one.boat()), context.nowMillis()));
         table.show(check.map(LaunchCheck::items).orElse(List.of()));
         summary.setFont(Fonts.strong());
-        summary.setText(check.map(LaunchPanel::words).orElse("No boat is selected"));
+        summary.setText(context.say(check.map(LaunchPanel::words).orElse("No boat is selected")));
         LookColors.foreground(
                 summary,
                 check.map(one -> one.mayLaunch() ? SemanticColor.OK : SemanticColor.WARNING)

@@ -45,11 +45,13 @@ final class SettingsForm extends JPanel {
             command = context.commands()
                     .add(new Command("boat-set-" + id, "Set " + title.toLowerCase(Locale.ROOT), () -> set(setting))
                             .withIcon("check")
-                            .unless(() -> boat.isPresent() ? Optional.empty() : Optional.of("select a boat first")));
+                            .unless(() -> boat.isPresent()
+                                    ? Optional.empty()
+                                    : Optional.of(context.say("select a boat first"))));
             now.setName("boat-" + id + "-now");
             CommandButton button = new CommandButton(command);
             button.setText("Set");
-            add(new JLabel(title));
+            add(new JLabel(context.say(title)));
             add(fields, "hmin 40");
             add(button);
             add(now, "wmin 60");
@@ -75,7 +77,7 @@ final class SettingsForm extends JPanel {
         }
 
         private void say(String text, boolean wrong) {
-            answer = text;
+            answer = context.say(text);
             bad = wrong;
         }
 
@@ -113,9 +115,9 @@ final class SettingsForm extends JPanel {
                 (fleet, whom) -> fleet.setVelocityMultiplier(whom, number(multiplier))));
         JComboBox<LostLinkAction> action = new JComboBox<>(LostLinkAction.values());
         action.setName("boat-lost-link");
-        action.getAccessibleContext().setAccessibleName("What the boat does when its link is lost");
+        action.getAccessibleContext().setAccessibleName(context.say("What the boat does when its link is lost"));
         action.setRenderer((list, value, index, selected, focused) -> {
-            JLabel label = new JLabel(value == null ? "" : LostLinkWords.of(value));
+            JLabel label = new JLabel(value == null ? "" : context.say(LostLinkWords.of(value)));
             label.setOpaque(selected);
             LookColors.background(label, SemanticColor.SELECTION);
             LookColors.foreground(label, selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
@@ -125,7 +127,7 @@ final class SettingsForm extends JPanel {
                 "lost-link",
                 "Without a link",
                 action,
-                settings -> LostLinkWords.of(settings.lostLinkAction()),
+                settings -> context.say(LostLinkWords.of(settings.lostLinkAction())),
                 (fleet, whom) -> fleet.setLostLinkAction(whom, action.getItemAt(action.getSelectedIndex()))));
     }
 
@@ -150,10 +152,10 @@ final class SettingsForm extends JPanel {
                 (fleet, whom) -> fleet.setGains(whom, axis, new Gains(number(p), number(i), number(d)))));
     }
 
-    private static JTextField field(String name, String text) {
+    private JTextField field(String name, String text) {
         JTextField field = new JTextField(text, 5);
         field.setName(name);
-        field.getAccessibleContext().setAccessibleName(name.replace('-', ' '));
+        field.getAccessibleContext().setAccessibleName(context.say(name.replace('-', ' ')));
         return field;
     }
 

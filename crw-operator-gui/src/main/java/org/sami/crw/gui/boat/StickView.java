@@ -10,6 +10,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import org.sami.palette.SemanticColor;
@@ -26,6 +27,7 @@ final class StickView extends JPanel {
 
     private final Deflection told;
     private final Supplier<Optional<String>> whyNot;
+    private final UnaryOperator<String> words;
     private double thrust;
     private double rudder;
 
@@ -35,15 +37,22 @@ final class StickView extends JPanel {
         void stands(double thrust, double rudder);
     }
 
-    /** @param whyNot why it can be moved by nobody now; empty where it can */
-    StickView(Deflection told, Supplier<Optional<String>> whyNot) {
+    /**
+     * A stick in the middle.
+     *
+     * @param whyNot why it can be moved by nobody now; empty where it can
+     * @param words puts the word for the session's robots into a text about boats
+     */
+    StickView(Deflection told, Supplier<Optional<String>> whyNot, UnaryOperator<String> words) {
+        this.words = words;
         this.told = told;
         this.whyNot = whyNot;
         setName("boat-stick");
         setOpaque(false);
         setToolTipText("");
-        getAccessibleContext().setAccessibleName("Stick: up and down is thrust, left and right the rudder");
-        getAccessibleContext().setAccessibleDescription("With keys: Drive by hand, then the arrow keys");
+        getAccessibleContext()
+                .setAccessibleName(words.apply("Stick: up and down is thrust, left and right the rudder"));
+        getAccessibleContext().setAccessibleDescription(words.apply("With keys: Drive by hand, then the arrow keys"));
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
         MouseAdapter mouse = new MouseAdapter() {
             @Override
@@ -89,9 +98,9 @@ final class StickView extends JPanel {
 
     @Override
     public String getToolTipText(MouseEvent event) {
-        return whyNot.get()
+        return words.apply(whyNot.get()
                 .map(why -> "Stick: " + why)
-                .orElse("Drag: up and down is thrust, left and right the rudder");
+                .orElse("Drag: up and down is thrust, left and right the rudder"));
     }
 
     @Override

@@ -41,9 +41,7 @@ final class LogsForm extends JPanel {
     private final LogFetch fetch;
     private final RowTable<LogRow> table;
     private final JTextField folder = new JTextField(40);
-    private final WrappedText hint =
-            new WrappedText("Logs of all boats are fetched, or of those that are selected. Commands go first: a fetch"
-                    + " slows none, also during a mission.");
+    private final WrappedText hint;
     private final WrappedText said = new WrappedText("");
     private final Command begin;
     private final Command cancel;
@@ -59,10 +57,13 @@ final class LogsForm extends JPanel {
         setLayout(layout);
         this.context = context;
         this.fetch = fetch;
+        hint = new WrappedText(
+                context.say("Logs of all boats are fetched, or of those that are selected. Commands go first: a fetch"
+                        + " slows none, also during a mission."));
         setName("logs-form");
         table = new RowTable<>(
                 "logs-table",
-                EMPTY,
+                context.say(EMPTY),
                 LogRow::address,
                 List.of(
                         BoatTables.names(context, LogRow::boat),
@@ -70,7 +71,8 @@ final class LogsForm extends JPanel {
                                         "Address", 150, row -> row.address().toString())
                                 .keepingEnds()
                                 .asSpare(),
-                        RowColumn.<LogRow>words("Its logs", 0, LogsForm::words).colored(LogsForm::color)));
+                        RowColumn.<LogRow>words("Its logs", 0, row -> context.say(words(row)))
+                                .colored(LogsForm::color)));
         folder.setName("logs-folder");
         folder.setText(offered.toString());
         said.setName("logs-said");
@@ -161,7 +163,7 @@ final class LogsForm extends JPanel {
         if (fetch.isRunning()) {
             return Optional.of("a fetch runs");
         }
-        return fetch.rows().isEmpty() ? Optional.of("no boat is connected") : Optional.empty();
+        return fetch.rows().isEmpty() ? Optional.of(context.say("no boat is connected")) : Optional.empty();
     }
 
     private void begin() {
@@ -178,7 +180,7 @@ final class LogsForm extends JPanel {
     /** Shows the fetch as it is now. */
     void refresh() {
         table.show(fetch.rows());
-        said.setText((fetch.isBad() ? "▲ " : "") + fetch.said());
+        said.setText((fetch.isBad() ? "▲ " : "") + context.say(fetch.said()));
         said.setColor(fetch.isBad() ? SemanticColor.WARNING : SemanticColor.TEXT);
         said.setVisible(!fetch.said().isEmpty());
         begin.refresh();

@@ -1,6 +1,7 @@
 package org.sami.crw.gui.key;
 
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -19,21 +20,25 @@ final class CheckCodePanel extends JPanel {
             setFont(Fonts.display());
         }
     };
-    private final JButton same = new JButton("The boat shows the same");
+    private final JButton same;
     private final JButton other = new JButton("It shows another code");
     private final JButton cancel = new JButton("Cancel");
-    private final JButton connect = new JButton("Connect to the boat");
+    private final JButton connect;
     private Optional<PairingAttempt.State> before = Optional.empty();
 
-    CheckCodePanel(Runnable confirmed, Runnable denied, Runnable cancelled, Runnable connecting) {
+    /** @param words puts the word for the session's robots into a text about boats */
+    CheckCodePanel(
+            UnaryOperator<String> words, Runnable confirmed, Runnable denied, Runnable cancelled, Runnable connecting) {
         super(new MigLayout("novisualpadding, insets 0, gap 8", "[][][][]push"));
+        same = new JButton(words.apply("The boat shows the same"));
+        connect = new JButton(words.apply("Connect to the boat"));
         setOpaque(false);
         code.setName("pair-code");
         code.getAccessibleContext().setAccessibleName("Check code");
-        button(same, "pair-same", "Keeps the boat's key", confirmed);
+        button(same, "pair-same", words.apply("Keeps the boat's key"), confirmed);
         button(other, "pair-other", "Keeps nothing", denied);
-        button(cancel, "pair-cancel", "Asks the boat no longer", cancelled);
-        button(connect, "pair-connect", "Links this window to the boat", connecting);
+        button(cancel, "pair-cancel", words.apply("Asks the boat no longer"), cancelled);
+        button(connect, "pair-connect", words.apply("Links this window to the boat"), connecting);
         add(code, "hidemode 3, gapright 16");
         add(same, TALL);
         add(other, TALL);

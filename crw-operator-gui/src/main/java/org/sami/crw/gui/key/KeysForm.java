@@ -57,7 +57,7 @@ public final class KeysForm extends JPanel {
                 new BaseKeys(protection.keysFolder()), EventThread.executor(), protection::readAgain, this::changed);
         table = new RowTable<>(
                 "keys-table",
-                "No boat is paired with this base. Have a boat show its words, then press Pair a boat.",
+                context.say("No boat is paired with this base. Have a boat show its words, then press Pair a boat."),
                 Row::key,
                 List.of(
                         RowColumn.<Row>words("Name", 160, Row::name).colored(KeysForm::color),
@@ -70,7 +70,7 @@ public final class KeysForm extends JPanel {
         below.setName("keys-below");
         below.setOpaque(false);
         actions.setOpaque(false);
-        actions.add(button("keys-pair", "Pair a boat…", pair), "growy");
+        actions.add(button("keys-pair", context.say("Pair a boat…"), pair), "growy");
         withdraw = button("keys-withdraw", "Withdraw…", this::askWithdraw);
         actions.add(withdraw, "growy");
         actions.add(button("keys-lost", "A laptop is lost…", this::askLost), "growy");
@@ -100,7 +100,7 @@ public final class KeysForm extends JPanel {
 
     private void changed() {
         work.listing().ifPresent(this::show);
-        said.setText((work.isBad() ? "▲ " : "") + work.said());
+        said.setText((work.isBad() ? "▲ " : "") + context.say(work.said()));
         said.setColor(work.isBad() ? SemanticColor.WARNING : SemanticColor.TEXT);
         said.setVisible(!work.said().isEmpty());
         enableButtons();
@@ -111,7 +111,7 @@ public final class KeysForm extends JPanel {
         buttons.forEach(button -> button.setEnabled(!work.isBusy()));
         boolean boat = table.selected().filter(row -> !row.withdrawn()).isPresent();
         withdraw.setEnabled(!work.isBusy() && boat);
-        withdraw.setToolTipText(boat ? "Withdraw the key of the selected boat" : "Select a boat first");
+        withdraw.setToolTipText(context.say(boat ? "Withdraw the key of the selected boat" : "Select a boat first"));
     }
 
     private void show(BaseKeys.Listing listing) {
@@ -177,8 +177,8 @@ public final class KeysForm extends JPanel {
         Optional<Row> chosen = table.selected().filter(row -> !row.withdrawn());
         chosen.ifPresent(row -> ask(new KeyQuestion(
                         "Withdraw the key of " + row.name()
-                                + "? This base links to it no longer, and tells the other boats, until"
-                                + " it is paired anew.",
+                                + context.say("? This base links to it no longer, and tells the other boats, until"
+                                        + " it is paired anew."),
                         this::leave)
                 .withAnswer("Withdraw", question -> {
                     leave();
@@ -188,8 +188,9 @@ public final class KeysForm extends JPanel {
 
     private void askLost() {
         ask(new KeyQuestion(
-                        "Which laptop's key do boats refuse from now on? Its 64 digits stand in this panel of the laptop, in"
-                                + " crw keys list, and in what you have noted.",
+                        context.say(
+                                "Which laptop's key do boats refuse from now on? Its 64 digits stand in this panel of"
+                                        + " the laptop, in crw keys list, and in what you have noted."),
                         this::leave)
                 .withText("key", "Key of the lost laptop", "")
                 .withAnswer("Withdraw", question -> {
@@ -200,7 +201,9 @@ public final class KeysForm extends JPanel {
 
     private void askExport() {
         ask(new KeyQuestion(
-                        "All keys go into one encrypted file, for a second laptop, which is then the same base to the boats.",
+                        context.say(
+                                "All keys go into one encrypted file, for a second laptop, which is then the same base"
+                                        + " to the boats."),
                         this::leave)
                 .withText("file", "File", System.getProperty("user.home") + "/fleet.keys")
                 .withPassword("password", "Password, 8 characters or more")
@@ -215,8 +218,8 @@ public final class KeysForm extends JPanel {
 
     private void askImport() {
         ask(new KeyQuestion(
-                        "The keys of the file replace those above, which are given up: what only they were paired with is"
-                                + " paired anew.",
+                        "The keys of the file replace those above, which are given up: what only they were paired with"
+                                + " is paired anew.",
                         this::leave)
                 .withText("file", "File", System.getProperty("user.home") + "/fleet.keys")
                 .withPassword("password", "Password of the file")

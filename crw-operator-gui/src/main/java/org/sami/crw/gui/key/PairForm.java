@@ -19,6 +19,7 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.key.BaseKeys;
@@ -48,13 +49,12 @@ final class PairForm extends JPanel {
     private final JTextField address = new JTextField(30);
     private final JComboBox<String> unpaired = new JComboBox<>();
     private final JTextField said = new JTextField(30);
-    private final JComboBox<String> role =
-            new JComboBox<>(new String[] {"Command the boat, and stop it", "Observe the boat, and stop it"});
+    private final JComboBox<String> role;
     private final JButton picture = new JButton("Read a picture of the QR code…");
     private final JButton pair = new JButton("Pair");
     private final WrappedText offered = new WrappedText("");
     private final WrappedText judged = new WrappedText("");
-    private final CheckCodePanel check = new CheckCodePanel(this::confirm, this::deny, this::cancel, this::connect);
+    private final CheckCodePanel check;
     private Optional<PairingAttempt> attempt = Optional.empty();
     private Runnable choosePicture = () -> {};
 
@@ -64,23 +64,28 @@ final class PairForm extends JPanel {
                 "novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2, hidemode 3, w 620::", "[][grow,fill]"));
         this.context = context;
         this.protection = protection;
+        role = new JComboBox<>(
+                new String[] {context.say("Command the boat, and stop it"), context.say("Observe the boat, and stop it")
+                });
+        check = new CheckCodePanel(context::say, this::confirm, this::deny, this::cancel, this::connect);
+        String notLinked = context.say("Boats that are not linked");
         setName("pair-form");
         name(address, "pair-address", "Address");
-        name(unpaired, "pair-unpaired", "Boats that are not linked");
+        name(unpaired, "pair-unpaired", notLinked);
         name(said, "pair-words", "Words or QR code");
         name(role, "pair-role", "This base may");
         picture.setName("pair-picture");
-        picture.setToolTipText("A photo or screenshot of what the boat shows: PNG, JPEG, GIF or BMP");
+        picture.setToolTipText(context.say("A photo or screenshot of what the boat shows: PNG, JPEG, GIF or BMP"));
         pair.setName("pair-do");
         judged.setName("pair-judged");
         offered.setName("pair-offered");
         offered.setColor(SemanticColor.MUTED);
         add(
-                new WrappedText(
-                        "Have the boat show its words: PAIR on the phone's screen, or crw boat --pair. They count for"
-                                + " five minutes."),
+                new WrappedText(context.say("Have the boat show its words: PAIR on the phone's screen, or "
+                        + (context.robots() == RobotKind.BOAT ? "crw boat --pair" : "the program that runs its server")
+                        + ". They count for five minutes.")),
                 WIDE);
-        row("Boats that are not linked", unpaired);
+        row(notLinked, unpaired);
         row("Address, HOST:PORT", address);
         row("Six words, or text of the QR code", said);
         add(offered, "skip 1, growx, wmin 60");
@@ -135,7 +140,10 @@ final class PairForm extends JPanel {
     /** Offers the addresses to which this window would link and is not linked; hidden where there are none. */
     private void offerUnpaired() {
         unpaired.addItem("");
-        context.models().unreached().snapshot().forEach(one -> unpaired.addItem(one.address() + words(one)));
+        context.models()
+                .unreached()
+                .snapshot()
+                .forEach(one -> unpaired.addItem(one.address() + context.say(words(one))));
         boolean any = unpaired.getItemCount() > 1;
         unpaired.setVisible(any);
         for (Component each : getComponents()) {
@@ -179,7 +187,7 @@ final class PairForm extends JPanel {
         boolean complete = now.state() == PairingDraft.State.COMPLETE;
         boolean wrong = now.state() == PairingDraft.State.WRONG;
         pair.setEnabled(complete && !isUnderWay());
-        pair.setToolTipText(complete ? "Pair this boat (Enter)" : now.words());
+        pair.setToolTipText(context.say(complete ? "Pair this boat (Enter)" : now.words()));
         String completions = String.join(", ", draft().completions());
         offered.setText(completions.isEmpty() ? " " : "Ctrl+Space: " + completions);
         if (!isUnderWay()) {
@@ -206,7 +214,7 @@ final class PairForm extends JPanel {
     }
 
     private void say(String text, SemanticColor color) {
-        judged.setText(text);
+        judged.setText(context.say(text));
         judged.setColor(color);
     }
 

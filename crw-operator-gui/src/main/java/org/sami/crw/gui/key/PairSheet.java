@@ -26,7 +26,7 @@ public final class PairSheet {
 
     /** Opens it for whichever boat. */
     public void open() {
-        open(Optional.empty(), "a boat", () -> {});
+        open(Optional.empty(), context.say("a boat"), () -> {});
     }
 
     /**

@@ -40,7 +40,7 @@ final class PhoneForm extends JPanel {
     private final CodePicture code = new CodePicture("phone-code", "QR code for a phone");
     private final WrappedText steps = new WrappedText(STEPS);
     private final WrappedText said = new WrappedText("Looking for networks");
-    private final CheckCodePanel check = new CheckCodePanel(this::confirm, this::deny, this::deny, () -> {});
+    private final CheckCodePanel check;
     private final Timer look = new Timer(LOOK_MS, e -> refresh());
     private Optional<PhoneInvitation> invitation = Optional.empty();
     private boolean closed;
@@ -49,6 +49,7 @@ final class PhoneForm extends JPanel {
         super(new MigLayout(
                 "novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2, hidemode 3, w 660::", "[][grow,fill]"));
         this.context = context;
+        check = new CheckCodePanel(context::say, this::confirm, this::deny, this::deny, () -> {});
         setName("phone-form");
         networks.setName("phone-network");
         networkLabel.setLabelFor(networks);
@@ -83,7 +84,9 @@ final class PhoneForm extends JPanel {
         all.forEach(networks::addItem); // the first one is chosen with that
         networks.requestFocusInWindow();
         if (all.isEmpty()) {
-            say("▲ This computer is in no network: join that of the phones, and open this again", SemanticColor.WARNING);
+            say(
+                    "▲ This computer is in no network: join that of the phones, and open this again",
+                    SemanticColor.WARNING);
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.SessionWays;
@@ -32,6 +33,7 @@ final class DecisionOverlay implements DecisionMap {
     private final PlacesOnMap places;
     private final NamedPlaces named;
     private final MapPen pen;
+    private final UnaryOperator<String> words;
     private Optional<GeoSketch> drawn = Optional.empty();
     private long shownFor;
     private Optional<DoubtedPaths> doubted = Optional.empty();
@@ -41,11 +43,13 @@ final class DecisionOverlay implements DecisionMap {
      *
      * @param pen with which decisions are answered on the map
      * @param ways of boats: the paths of an option are drawn as they would be driven
+     * @param words puts the word for the session's robots into a text about boats
      */
-    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways, MapPen pen) {
+    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways, MapPen pen, UnaryOperator<String> words) {
         this.view = view;
         this.pen = pen;
         this.ways = ways;
+        this.words = words;
         places = new PlacesOnMap(view, "decision", marks::of);
         named = new NamedPlaces(view, "question");
     }
@@ -141,7 +145,7 @@ final class DecisionOverlay implements DecisionMap {
     }
 
     @Override
-    public void say(String words) {
-        view.setHint(words);
+    public void say(String text) {
+        view.setHint(words.apply(text));
     }
 }

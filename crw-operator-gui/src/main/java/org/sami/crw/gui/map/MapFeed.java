@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.markup.MapRelevance.Visualization;
@@ -38,6 +39,7 @@ import org.sami.ui.map.ShownVehicle;
 import org.sami.ui.map.Track;
 import org.sami.ui.map.TrackLayer;
 import org.sami.ui.map.VehicleLayer;
+import org.sami.ui.map.VehicleShape;
 
 /** Puts a snapshot of the map's model into the layers of a map. The layers follow the model: what is off there has nothing here. */
 final class MapFeed {
@@ -48,7 +50,7 @@ final class MapFeed {
     private final PathLayer paths = new PathLayer("paths", "Paths");
     private final ExpectedPathLayer waysHome = new ExpectedPathLayer("ways-home", "Expected ways home");
     private final PointLayer places = new PointLayer("places", "Places");
-    private final VehicleLayer boats = new VehicleLayer("boats", "Boats");
+    private final VehicleLayer boats;
 
     private final Map<String, Known> known = new HashMap<>();
 
@@ -57,6 +59,10 @@ final class MapFeed {
 
     MapFeed(OperatorContext context, MapLayers layers) {
         this.context = context;
+        boats = new VehicleLayer(
+                "boats",
+                context.say("Boats"),
+                context.robots() == RobotKind.COPTER ? VehicleShape.COPTER : VehicleShape.HULL);
         List.of(data, areas, tracks, paths, waysHome, places, boats).forEach(layers::add);
     }
 

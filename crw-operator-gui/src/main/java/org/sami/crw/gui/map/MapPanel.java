@@ -14,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.RobotIcons;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.gui.decision.DecisionMap;
@@ -76,7 +77,7 @@ public final class MapPanel extends JPanel {
         feed = new MapFeed(context, view.layers());
         guided = new GuidedMode(context);
         preview = new PlacesOnMap(view, "preview", context.marks()::of);
-        pen = new MapPen(view, () -> pointing, this::placeOf);
+        pen = new MapPen(view, () -> pointing, this::placeOf, context::say);
         MapPen.onEscape(this, this::escape);
         addTools();
         consequence.setName("boats-consequence");
@@ -138,7 +139,7 @@ public final class MapPanel extends JPanel {
 
     private void addTools() {
         tool("boats-go", "Go here", "ctrl G", "go-to", this::beginPointing);
-        tool("boats-hold", "Hold", "ctrl H", "hold", () -> {
+        tool("boats-hold", "Hold", "ctrl H", RobotIcons.hold(context.robots()), () -> {
             context.notices().show(guided.consequence());
             guided.hold();
         });
@@ -242,9 +243,10 @@ public final class MapPanel extends JPanel {
     private JPopupMenu layersMenu() {
         JPopupMenu menu = new JPopupMenu();
         for (LayerState state : map().snapshot().layers()) {
-            JCheckBoxMenuItem item = new JCheckBoxMenuItem(state.layer().label(), state.on());
+            JCheckBoxMenuItem item =
+                    new JCheckBoxMenuItem(context.say(state.layer().label()), state.on());
             item.setName("layer-" + state.layer().label().replace(' ', '-'));
-            item.setToolTipText(state.why());
+            item.setToolTipText(context.say(state.why()));
             item.addActionListener(e -> map().show(state.layer(), Optional.of(item.isSelected())));
             menu.add(item);
         }
@@ -326,7 +328,7 @@ public final class MapPanel extends JPanel {
 
     /** Where the shown decision is seen on this map; to be asked for once. */
     public DecisionMap decisionMap() {
-        return new DecisionOverlay(view, context.marks(), new SessionWays(context), pen);
+        return new DecisionOverlay(view, context.marks(), new SessionWays(context), pen, context::say);
     }
 
     /** Shows the base maps that an earlier window of these settings had, and keeps in them those that this one has. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
@@ -37,13 +38,19 @@ final class MapPen {
      * A pen that is not out.
      *
      * @param busy whether the map waits for a click that is meant for something else
-     * @param places where boats are shown
+     * @param places where robots are shown
+     * @param words puts their word into a text about boats
      */
-    MapPen(MapView view, BooleanSupplier busy, Function<String, Optional<GeoPoint>> places) {
+    MapPen(
+            MapView view,
+            BooleanSupplier busy,
+            Function<String, Optional<GeoPoint>> places,
+            UnaryOperator<String> words) {
         this.view = view;
         this.busy = busy;
         this.places = places;
-        picked = view.layers().add(new PickLayer("decision-picked", "Boats that are chosen for the answer"));
+        picked = view.layers()
+                .add(new PickLayer("decision-picked", words.apply("Boats that are chosen for the answer")));
         view.canvas().addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {

@@ -41,7 +41,7 @@ public final class AllocationPanel extends FoldingPanel {
 
     private final OperatorContext context;
     private final RowTable<Row> table;
-    private final WrappedText effect = new WrappedText(HINT);
+    private final WrappedText effect = new WrappedText("");
     private final JPanel tools = new JPanel(
             new MigLayout("novisualpadding, hidemode 3, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
     private final Command give;
@@ -174,7 +174,7 @@ public final class AllocationPanel extends FoldingPanel {
     }
 
     private void say(Optional<TaskMovePreview> preview) {
-        effect.setText(preview.map(TaskMovePreview::words).orElse(HINT));
+        effect.setText(preview.map(TaskMovePreview::words).orElse(context.say(HINT)));
         effect.setColor(preview.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
         if (low.isFolded()) {
             preview.ifPresent(shown -> context.notices().show(shown.words()));

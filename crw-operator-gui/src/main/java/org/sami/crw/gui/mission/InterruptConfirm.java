@@ -62,10 +62,10 @@ final class InterruptConfirm extends JPanel {
         context.commands().get("interrupt-leave").refresh();
         press.proposed().ifPresent(now -> {
             String whom = now.boats().isEmpty()
-                    ? (now.choice().asksForBoats() ? "; which boats is asked then" : "")
+                    ? (now.choice().asksForBoats() ? context.say("; which boats is asked then") : "")
                     : " for " + String.join(", ", now.boats());
             text.setText("Press " + press.title(now.choice()) + whom + "? It cannot be undone. "
-                    + now.choice().noWayBack());
+                    + context.say(now.choice().noWayBack()));
         });
         setVisible(press.proposed().isPresent());
         revalidate();

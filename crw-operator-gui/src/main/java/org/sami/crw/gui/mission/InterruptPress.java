@@ -52,7 +52,7 @@ final class InterruptPress {
     Optional<String> whyNot(InterruptChoice choice) {
         return context.whyNotAct()
                 .or(() -> choice.asking().isPresent()
-                        ? Optional.of("it asks already which boats it is for: answer that, or withdraw it")
+                        ? Optional.of(context.say("it asks already which boats it is for: answer that, or withdraw it"))
                         : Optional.empty())
                 .or(() -> choice.isEnabled() ? Optional.empty() : Optional.of(choice.whyNot()));
     }

@@ -43,7 +43,7 @@ final class InterruptRow extends JPanel {
         choice = Optional.of(now);
         List<String> boats = press.boats(now);
         String whom = press.whom(now);
-        String brief = boats.size() > MOST_NAMED ? " for " + boats.size() + " boats" : whom;
+        String brief = boats.size() > MOST_NAMED ? context.say(" for " + boats.size() + " boats") : whom;
         boolean asks = now.isFinal() && !brief.endsWith("…");
         button.setText(now.name() + brief + (asks ? "…" : ""));
         button.setIcon(now.isFinal() ? Icons.of("interrupt", 20, SemanticColor.CRITICAL) : Icons.normal("interrupt"));
@@ -51,9 +51,10 @@ final class InterruptRow extends JPanel {
         button.setEnabled(whyNot.isEmpty());
         String title = press.title(now);
         String does = boats.isEmpty() && now.asksForBoats()
-                ? "Press " + title + "; you are asked for which boats"
+                ? "Press " + title + context.say("; you are asked for which boats")
                 : "Press " + title + whom;
-        String undo = now.isFinal() ? ". It cannot be undone, and is confirmed first: " + now.noWayBack() : "";
+        String undo =
+                now.isFinal() ? ". It cannot be undone, and is confirmed first: " + context.say(now.noWayBack()) : "";
         button.setToolTipText(
                 whyNot.map(why -> title + ": " + why).orElse(does + undo) + (key.isEmpty() ? "" : " (" + key + ")"));
         button.getAccessibleContext().setAccessibleName(title + whom);

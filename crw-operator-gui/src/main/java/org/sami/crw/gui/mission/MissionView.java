@@ -124,13 +124,16 @@ final class MissionView extends FoldingPanel {
         if (ending.proposed().isPresent()) {
             OperatorModels models = context.models();
             ending.say(EndWords.lines(
-                    MissionEnd.of(
-                            mission,
-                            models.missions().snapshot(),
-                            models.commands().snapshot(),
-                            models.decisions().snapshot()),
-                    interceptor,
-                    context.titles()));
+                            MissionEnd.of(
+                                    mission,
+                                    models.missions().snapshot(),
+                                    models.commands().snapshot(),
+                                    models.decisions().snapshot()),
+                            interceptor,
+                            context.titles())
+                    .stream()
+                    .map(context::say)
+                    .toList());
         }
     }
 

@@ -68,13 +68,13 @@ final class ReadyNote extends JLabel {
         if (!missing.isEmpty()) {
             told.add(missing.get(0) + (missing.size() > 1 ? "; and " + (missing.size() - 1) + " more" : ""));
         }
-        String text = told.isEmpty() ? "" : "△ " + String.join(" · ", told);
+        String text = told.isEmpty() ? "" : context.say("△ " + String.join(" · ", told));
         if (!text.equals(getText())) {
             setText(text);
             setVisible(room && !text.isEmpty());
         }
         List<String> lines = new ArrayList<>(check.reasons());
         lines.addAll(missing);
-        setToolTipText(lines.isEmpty() ? null : TooltipLines.of(String.join("\n", lines)));
+        setToolTipText(lines.isEmpty() ? null : TooltipLines.of(context.say(String.join("\n", lines))));
     }
 }

@@ -70,7 +70,7 @@ final class NearForm extends JPanel {
         setName("boats-near");
         table = new RowTable<>(
                 "boats-near-table",
-                EMPTY,
+                context.say(EMPTY),
                 one -> one.row().address(),
                 List.of(
                         BoatTables.names(context, CheckedBoat::name),
@@ -82,11 +82,14 @@ final class NearForm extends JPanel {
                                 .asSpare(),
                         RowColumn.number("Battery", 68, CheckedBoat::battery),
                         RowColumn.<CheckedBoat>words(
-                                        "Link", 150, one -> one.row().words())
+                                        "Link",
+                                        150,
+                                        one -> context.say(one.row().words()))
                                 .colored(CheckedBoat::linkColor),
-                        RowColumn.<CheckedBoat>words("Ready for a mission", 0, CheckedBoat::checkWords)
+                        RowColumn.<CheckedBoat>words("Ready for a mission", 0, one -> context.say(one.checkWords()))
                                 .colored(CheckedBoat::checkColor)));
         table.showOneLine();
+        table.table().getAccessibleContext().setAccessibleName(context.say("Boats near"));
         Command all = new Command("near-connect-all", "Connect all", this::connectAll).withIcon("connect");
         connect = new Command("near-connect", "Connect", this::connectSelected).unless(this::whyNotConnect);
         pair = new Command("near-pair", "Pair…", this::pairSelected)
@@ -146,13 +149,13 @@ final class NearForm extends JPanel {
         return Optional.of(selected()
                 .findFirst()
                 .map(row -> row.name() + ": " + row.whyNot().orElseGet(row::words))
-                .orElse("select a boat first"));
+                .orElse(context.say("select a boat first")));
     }
 
     private Optional<String> whyNotPair() {
         Optional<NearRow> one = table.selected().map(CheckedBoat::row);
         if (one.isEmpty()) {
-            return Optional.of("select one boat first");
+            return Optional.of(context.say("select one boat first"));
         }
         return one.filter(NearRow::needsPairing).isPresent()
                 ? Optional.empty()
@@ -204,11 +207,11 @@ final class NearForm extends JPanel {
         now.forEach(one -> one.known().ifPresent(boat -> context.marks().of(boat.boat())));
         table.show(now);
         count.setFont(Fonts.heading());
-        count.setText(now.isEmpty() ? "Looking for boats" : CheckedBoat.count(now));
+        count.setText(context.say(now.isEmpty() ? "Looking for boats" : CheckedBoat.count(now)));
         String wrong = String.join(". ", boats.list().problems());
-        problems.setText(wrong.isEmpty() ? "" : "▲ " + wrong);
+        problems.setText(wrong.isEmpty() ? "" : "▲ " + context.say(wrong));
         problems.setVisible(!wrong.isEmpty());
-        said.setText(saying.get());
+        said.setText(context.say(saying.get()));
         said.setVisible(!said.getText().isEmpty());
         refreshCommands();
         tableFit.fit(now.size(), said.getText());

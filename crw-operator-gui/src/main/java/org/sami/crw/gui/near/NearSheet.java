@@ -44,7 +44,8 @@ public final class NearSheet {
 
     private void show(NearBoats looking) {
         NearForm form = new NearForm(context, looking, row -> pair(looking, row));
-        WindowSheet.in(inside).open(new Sheet("boats-near-sheet", "Boats near", form).whenClosed(() -> left(looking)));
+        WindowSheet.in(inside)
+                .open(new Sheet("boats-near-sheet", context.say("Boats near"), form).whenClosed(() -> left(looking)));
     }
 
     private void left(NearBoats looking) {

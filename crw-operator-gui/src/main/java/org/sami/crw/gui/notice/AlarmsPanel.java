@@ -36,7 +36,9 @@ public final class AlarmsPanel extends JPanel {
         this.context = context;
         table = new RowTable<>(
                 "alarms-table",
-                "No alarm. Lost links, empty batteries, boats that drift, are outside of their water, too near to each other or without headway appear here.",
+                context.say(
+                        "No alarm. Lost links, empty batteries, boats that drift, are outside of their water, too near"
+                                + " to each other or without headway appear here."),
                 alarm -> new Key(alarm.kind(), alarm.boat(), alarm.other()),
                 List.of(
                         RowColumn.number("Since", 72, alarm -> SessionClock.text(alarm.sinceMillis())),

@@ -46,8 +46,8 @@ public final class CommunicationPanel extends JPanel {
         this.context = context;
         table = new RowTable<>(
                 "communication-table",
-                "No boat is known. Each stands here as missions see it, such as Monitor Communications, and with its"
-                        + " link.",
+                context.say("No boat is known. Each stands here as missions see it, such as Monitor Communications, and"
+                        + " with its link."),
                 Shown::name,
                 List.of(
                         BoatTables.names(context, Shown::name),
@@ -76,7 +76,7 @@ public final class CommunicationPanel extends JPanel {
         FleetCount count = FleetCount.of(
                 context.models().fleet().snapshot(),
                 context.models().unreached().snapshot());
-        summary.setText(summary(boats, count));
+        summary.setText(context.say(summary(boats, count)));
         summary.setToolTipText(summary.getText());
         LookColors.foreground(
                 summary,

@@ -27,7 +27,8 @@ public final class HealthPanel extends JPanel {
         super(new BorderLayout());
         table = new RowTable<>(
                 "health-table",
-                "No fault. What lasts stands here until it is over: engine, journal, disk, missions that cannot go on, boats, links.",
+                context.say("No fault. What lasts stands here until it is over: engine, journal, disk, missions that"
+                        + " cannot go on, boats, links."),
                 HealthEntry::number,
                 List.of(
                         RowColumn.number("Since", 72, entry -> SessionClock.text(entry.sinceMillis())),

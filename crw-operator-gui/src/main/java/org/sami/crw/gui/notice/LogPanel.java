@@ -37,10 +37,10 @@ public final class LogPanel extends JPanel {
                         RowColumn.<OperatorLogEntry>words(
                                         "Kind",
                                         110,
-                                        entry -> entry.kind()
+                                        entry -> context.say(entry.kind()
                                                 .name()
                                                 .toLowerCase(Locale.ROOT)
-                                                .replace('_', ' '))
+                                                .replace('_', ' ')))
                                 .colored(entry -> SemanticColor.MUTED),
                         RowColumn.words("What", 0, OperatorLogEntry::text)));
         note.setName("log-note");

@@ -44,17 +44,18 @@ public final class PicturesPanel extends JPanel {
         view = new PictureView(pictures);
         strip = new PictureStrip(pictures, 1);
         toFront = () -> context.commands().find("panel-pictures").ifPresent(Command::run);
-        add(empty(), NONE);
+        add(empty(context), NONE);
         add(some(context), SOME);
         pictures.addListener(this::refresh);
         pictures.onOpen(this::open);
         refresh();
     }
 
-    private static JComponent empty() {
+    private static JComponent empty(OperatorContext context) {
         JPanel empty = new JPanel(new MigLayout("insets 16, fill", "[grow,fill]", "[center]"));
-        WrappedText text = new WrappedText("No picture yet. What boats take appears here by itself, a few seconds after"
-                + " a panorama is complete.");
+        WrappedText text = new WrappedText(
+                context.say("No picture yet. What boats take appears here by itself, a few seconds after a panorama is"
+                        + " complete."));
         text.setName("pictures-empty");
         text.setColor(SemanticColor.MUTED);
         empty.add(text, "wmin 60");

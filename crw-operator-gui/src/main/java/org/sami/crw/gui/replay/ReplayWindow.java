@@ -106,7 +106,7 @@ public final class ReplayWindow {
         frame.setTitle("REPLAY " + journal.file().getFileName() + " – SAMI operator");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(new WindowMenus(commands, panels.all(), robots).bar());
-        frame.getContentPane().add(band(journal), BorderLayout.NORTH);
+        frame.getContentPane().add(band(journal, robots), BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         frame.getContentPane().add(timeLine, BorderLayout.SOUTH);
         keys = CommandKeys.install(commands);
@@ -149,7 +149,7 @@ public final class ReplayWindow {
         }
     }
 
-    private static JPanel band(ReplayedJournal journal) {
+    private static JPanel band(ReplayedJournal journal, RobotKind robots) {
         JPanel band = new JPanel(new MigLayout("insets 8 12 8 12, gap 16", "[][]push[]", "[]"));
         band.setName("replay-band");
         LookColors.background(band, SemanticColor.WARNING_FILL);
@@ -162,7 +162,7 @@ public final class ReplayWindow {
                 .orElse("");
         JLabel what = new BandLabel(
                 damage.isEmpty()
-                        ? "Nothing here acts on boats. The fleet stop is in the session's own window."
+                        ? robots.say("Nothing here acts on boats. The fleet stop is in the session's own window.")
                         : damage,
                 "replay-note",
                 Fonts::strong);

@@ -25,7 +25,7 @@ public final class ResumeQuestion {
         JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, gap 8, fillx, w 480::", "[grow,fill]"));
         WrappedText text = new WrappedText(trouble.map(words -> words + ".\n").orElse("") + "The session of " + name
                 + (trouble.isEmpty() ? " was not finished." : " may not have been finished.")
-                + " Its missions, decisions and boats are in its journal. Escape closes this and leaves it on offer.");
+                + " Its missions, decisions and links are in its journal. Escape closes this and leaves it on offer.");
         text.setName("resume-question-text");
         panel.add(text, "span, wmin 60, gapbottom 8");
         JButton goOn = button("resume-go-on", "Go on with it", true);

@@ -27,6 +27,7 @@ public final class HealthRow extends JButton {
     private static final int INSET = 12;
     private static final int GAP = 16;
 
+    private final transient OperatorContext context;
     private final transient Command showHealth;
     private final JLabel what = new JLabel();
     private final JLabel advice = new JLabel();
@@ -38,6 +39,7 @@ public final class HealthRow extends JButton {
      * @param showHealth brings the panel with all faults to the front
      */
     public HealthRow(OperatorContext context, Command showHealth) {
+        this.context = context;
         this.showHealth = showHealth;
         setLayout(null);
         setName("health-row");
@@ -118,7 +120,7 @@ public final class HealthRow extends JButton {
         revalidate();
         colour(worst.map(HealthEntry::severity));
         String all = worst.map(entry -> words(entry) + ". " + entry.fault().advice() + details(entry))
-                        .orElse("No fault of engine, journal, missions, boats or links")
+                        .orElse(context.say("No fault of engine, journal, missions, boats or links"))
                 + (besides > 0 ? ". " + others.getText() : "");
         getAccessibleContext().setAccessibleName(all);
         setToolTipText(TooltipLines.of(all + " – show all (" + showHealth.keyText() + ")"));

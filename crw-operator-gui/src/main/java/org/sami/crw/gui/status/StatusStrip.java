@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.RobotIcons;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.alarm.AlarmCount;
 import org.sami.crw.operator.boat.Age;
@@ -136,7 +137,7 @@ public final class StatusStrip extends FoldingPanel {
         List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
         missions.setIcon(icon("net"));
         decisions.setIcon(icon("decision"));
-        boats.setIcon(icon("boat"));
+        boats.setIcon(icon(RobotIcons.one(context.robots())));
         ink(missions, SemanticColor.TEXT);
         notice.setInk(red ? Optional.of(SemanticColor.ON_CRITICAL) : Optional.empty());
         ink(clock, SemanticColor.TEXT);

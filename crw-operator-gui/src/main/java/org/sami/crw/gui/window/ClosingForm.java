@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.RobotIcons;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.session.BoatsAtEnd;
@@ -24,7 +25,8 @@ import org.sami.ui.value.WrappedText;
 final class ClosingForm extends JPanel {
     private static final String WIDE = "span, growx, wmin 60";
 
-    private final WrappedText without = new WrappedText("What boats do without a link is being asked of them.");
+    private final OperatorContext context;
+    private final WrappedText without;
 
     /**
      * The question.
@@ -34,6 +36,8 @@ final class ClosingForm extends JPanel {
      */
     ClosingForm(OperatorContext context, Consumer<BoatsAtEnd> chosen, Runnable stay) {
         super(new MigLayout("novisualpadding, insets 4 12 12 12, gap 8, fillx, wrap 1, w 560::", "[grow,fill]"));
+        this.context = context;
+        without = new WrappedText(context.say("What boats do without a link is being asked of them."));
         setName("closing");
         List<String> running = context.models().missions().snapshot().running().stream()
                 .filter(mission -> mission.parent() == Ids.NONE)
@@ -42,7 +46,8 @@ final class ClosingForm extends JPanel {
         WrappedText what =
                 new WrappedText((running.size() == 1 ? "1 mission runs: " : running.size() + " missions run: ")
                         + String.join(", ", running)
-                        + ". What shall boats do? The session is offered again when the window is opened next.");
+                        + context.say(
+                                ". What shall boats do? The session is offered again when the window is opened next."));
         what.setName("closing-missions");
         without.setName("closing-without-link");
         without.setColor(SemanticColor.MUTED);
@@ -51,7 +56,12 @@ final class ClosingForm extends JPanel {
         stays.addActionListener(e -> stay.run());
         add(stays, "hmin 40");
         add(
-                choice("closing-hold", "Close; each boat holds its place", "hold", chosen, BoatsAtEnd.HOLD),
+                choice(
+                        "closing-hold",
+                        "Close; each boat holds its place",
+                        RobotIcons.hold(context.robots()),
+                        chosen,
+                        BoatsAtEnd.HOLD),
                 "hmin 40, gaptop 8");
         add(
                 choice("closing-stop", "Close; boats stop their motors and drift", "stop", chosen, BoatsAtEnd.STOP),
@@ -65,11 +75,11 @@ final class ClosingForm extends JPanel {
                         BoatsAtEnd.GO_ON),
                 "hmin 40");
         add(without, WIDE);
-        askSettings(context);
+        askSettings();
     }
 
-    private static JButton choice(
-            String name, String words, String icon, Consumer<BoatsAtEnd> chosen, BoatsAtEnd what) {
+    private JButton choice(String name, String ofBoats, String icon, Consumer<BoatsAtEnd> chosen, BoatsAtEnd what) {
+        String words = context.say(ofBoats);
         JButton button = button(name, words, icon, words);
         button.addActionListener(e -> chosen.accept(what));
         return button;
@@ -84,7 +94,7 @@ final class ClosingForm extends JPanel {
     }
 
     /** Says what each boat does once it notices that its link is lost, as the boats say it. */
-    private void askSettings(OperatorContext context) {
+    private void askSettings() {
         Map<LostLinkAction, Set<String>> actions = new TreeMap<>();
         Set<String> unknown = new TreeSet<>();
         context.models().fleet().snapshot().forEach(boat -> {
@@ -104,14 +114,15 @@ final class ClosingForm extends JPanel {
 
     private void say(Map<LostLinkAction, Set<String>> actions, Set<String> unknown) {
         String known = actions.entrySet().stream()
-                .map(each -> String.join(", ", each.getValue()) + ": " + LostLinkWords.of(each.getKey()))
+                .map(each -> String.join(", ", each.getValue()) + ": " + context.say(LostLinkWords.of(each.getKey())))
                 .collect(Collectors.joining("; "));
         String others = unknown.isEmpty() ? "" : String.join(", ", unknown) + ": not known";
-        without.setText(
-                "Simulated boats of this window end with it. Others notice that the link is gone, and then do what is set for that"
-                        + (known.isEmpty() && others.isEmpty()
-                                ? "."
-                                : " – " + known + (known.isEmpty() || others.isEmpty() ? "" : "; ") + others + "."));
+        without.setText(context.say(
+                        "Simulated boats of this window end with it. Others notice that the link is gone, and then do"
+                                + " what is set for that")
+                + (known.isEmpty() && others.isEmpty()
+                        ? "."
+                        : " – " + known + (known.isEmpty() || others.isEmpty() ? "" : "; ") + others + "."));
         revalidate();
     }
 }

@@ -11,6 +11,7 @@ import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.RobotIcons;
 import org.sami.crw.gui.decision.DecisionsPanel;
 import org.sami.crw.gui.decision.SessionDecisions;
 import org.sami.crw.gui.map.MapPanel;
@@ -164,8 +165,8 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("map", "Map", "map", map).withUseOfRoom(),
                 new DockPanel("missions", "Missions", "net", missions).withUseOfRoom(),
                 asking,
-                new DockPanel("boats", context.say("Boats"), "fleet", boats),
-                new DockPanel("boat", context.say("Boat"), "boat", boat),
+                new DockPanel("boats", context.say("Boats"), RobotIcons.some(context.robots()), boats),
+                new DockPanel("boat", context.say("Boat"), RobotIcons.one(context.robots()), boat),
                 new DockPanel("messages", "Messages", "message", new MessagesPanel(context, map::pointAt, pictures)),
                 new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context, map::pointAt)),
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),

@@ -147,7 +147,7 @@ final class WindowCommands {
 
     private void connect() {
         WindowSheet sheet = WindowSheet.in(frame.getRootPane());
-        sheet.open(new Sheet("boat-connect-sheet", "Connect a boat", new ConnectForm(context)));
+        sheet.open(new Sheet("boat-connect-sheet", context.say("Connect a boat"), new ConnectForm(context)));
     }
 
     private void keys() {

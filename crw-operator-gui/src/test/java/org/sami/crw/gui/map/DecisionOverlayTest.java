@@ -6,6 +6,7 @@ import static org.sami.crw.gui.SessionWorld.until;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.decision.DecisionPresentation;
@@ -24,14 +25,15 @@ import org.sami.ui.map.MapView;
 class DecisionOverlayTest {
     private static final GeoPoint TURN = Geodesy.offset(SessionWorld.PIER, 3_000, 100);
     private static final Project PROJECT = SessionWorld.project("""
-            {'formatVersion': 1, 'id': 'p', 'name': 'p', 'domain': 'crw', 'plans': [{'id': 'far', 'name': 'Far', 'places': [
-               {'id': 'go', 'name': 'Go there', 'start': true, 'outputs': [{'id': 'way', 'type': 'ProxyExecutePath',
-                'fields': {'paths': {'value': {'anna': [{'lat': %s, 'lon': %s}, {'lat': 45.46, 'lon': 10.9}]}}}}]},
-               {'id': 'there', 'name': 'There', 'end': true}],
-              'transitions': [{'id': 't', 'inputs': [{'id': 'i', 'type': 'ProxyPathCompleted'}]}],
-              'inEdges': [{'id': 'a', 'place': 'go', 'transition': 't', 'requirements': [{'match': 'all', 'kind': 'relevant'}]}],
-              'outEdges': [{'id': 'b', 'transition': 't', 'place': 'there',
-               'requirements': [{'action': 'take', 'n': 'all', 'kind': 'relevant'}]}]}]}""".formatted(TURN.latDeg(), TURN.lonDeg()));
+        {'formatVersion': 1, 'id': 'p', 'name': 'p', 'domain': 'crw', 'plans': [{'id': 'far', 'name': 'Far', 'places': [
+           {'id': 'go', 'name': 'Go there', 'start': true, 'outputs': [{'id': 'way', 'type': 'ProxyExecutePath',
+            'fields': {'paths': {'value': {'anna': [{'lat': %s, 'lon': %s}, {'lat': 45.46, 'lon': 10.9}]}}}}]},
+           {'id': 'there', 'name': 'There', 'end': true}],
+          'transitions': [{'id': 't', 'inputs': [{'id': 'i', 'type': 'ProxyPathCompleted'}]}],
+          'inEdges': [{'id': 'a', 'place': 'go', 'transition': 't', 'requirements': [{'match': 'all', 'kind': 'relevant'}]}],
+          'outEdges': [{'id': 'b', 'transition': 't', 'place': 'there',
+           'requirements': [{'action': 'take', 'n': 'all', 'kind': 'relevant'}]}]}]}\
+        """.formatted(TURN.latDeg(), TURN.lonDeg()));
 
     private final MapView map = new MapView();
 
@@ -44,7 +46,8 @@ class DecisionOverlayTest {
                         map,
                         new IdentityMarks(),
                         new SessionWays(world.context),
-                        new MapPen(map, () -> false, boat -> Optional.empty()));
+                        new MapPen(map, () -> false, boat -> Optional.empty(), UnaryOperator.identity()),
+                        UnaryOperator.identity());
             });
             world.start("far");
             until(

@@ -32,7 +32,13 @@ final class GpxFile {
         xml.open("metadata").leaf("name", report.header().planName()).leaf("desc", MapNames.run(report));
         report.origin().ifPresent(origin -> xml.leaf("time", origin.startedAt().toString()));
         xml.close();
-        report.header().place().quay().ifPresent(quay -> wayPoint(quay, "quay", "where boats lay at the start"));
+        report.header()
+                .place()
+                .quay()
+                .ifPresent(quay -> wayPoint(
+                        quay,
+                        report.header().robots().say("quay"),
+                        report.header().robots().say("where boats lay at the start")));
         report.locations()
                 .forEach(location ->
                         wayPoint(MapNames.point(location), "location " + location.number(), MapNames.of(location)));

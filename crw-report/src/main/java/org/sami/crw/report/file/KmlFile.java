@@ -46,7 +46,7 @@ final class KmlFile {
         for (MapArea.Kind kind : MapArea.Kind.values()) {
             style("area-" + kind.name().toLowerCase(Locale.ROOT), MapColors.area(kind), 70, 2);
         }
-        folder("boats", this::tracks);
+        folder(report.header().robots().say("boats"), this::tracks);
         folder("locations", this::locations);
         folder("areas", () -> MapNames.areas(report).forEach(this::area));
         folder("points", this::points);
@@ -111,7 +111,10 @@ final class KmlFile {
 
     private void points() {
         report.header().place().quay().ifPresent(quay -> {
-            placemark("quay", "where boats lay at the start", Optional.empty());
+            placemark(
+                    report.header().robots().say("quay"),
+                    report.header().robots().say("where boats lay at the start"),
+                    Optional.empty());
             point(quay.latDeg(), quay.lonDeg());
             xml.close();
         });

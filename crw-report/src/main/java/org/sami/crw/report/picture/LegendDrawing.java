@@ -37,7 +37,7 @@ final class LegendDrawing {
 
     void draw(Graphics2D g) {
         y = frame.y + 18;
-        heading(g, "Boats");
+        heading(g, say("Boats"));
         boats(g);
         y += 18;
         heading(g, "Signs");
@@ -45,6 +45,10 @@ final class LegendDrawing {
         y += 18;
         heading(g, "Run");
         run(g);
+    }
+
+    private String say(String text) {
+        return report.header().robots().say(text);
     }
 
     private void heading(Graphics2D g, String text) {
@@ -110,12 +114,12 @@ final class LegendDrawing {
             text(g, "square in which locations are drawn");
         }
         MapSymbols.start(g, sign(), MapColors.color(0));
-        text(g, "start of a boat");
+        text(g, say("start of a boat"));
         MapSymbols.boat(g, sign(), 0, MapColors.color(0));
-        text(g, "boat at the end of the run");
+        text(g, say("boat at the end of the run"));
         if (report.header().place().quay().isPresent()) {
             MapSymbols.quay(g, sign());
-            text(g, "quay");
+            text(g, say("quay"));
         }
         if (has(MapSpot.Kind.PLAN)) {
             MapSymbols.planPoint(g, sign());
@@ -123,7 +127,7 @@ final class LegendDrawing {
         }
         if (has(MapSpot.Kind.ASSEMBLY)) {
             MapSymbols.assembly(g, sign(), MapColors.color(0));
-            text(g, "assembly place, in its boat's colour");
+            text(g, say("assembly place, in its boat's colour"));
         }
         if (report.map().closest().underWay().isPresent()) {
             MapSymbols.approach(g, sign());

@@ -1,6 +1,7 @@
 package org.sami.crw.operator.health;
 
 import java.util.Objects;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 
@@ -57,6 +58,12 @@ public record HealthFault(
     /** The same with what explains it. */
     public HealthFault withDetails(String explained) {
         return new HealthFault(kind, subject, severity, text, advice, explained, boat, mission);
+    }
+
+    /** The same in words about robots of a kind. */
+    public HealthFault inWordsFor(RobotKind robots) {
+        return new HealthFault(
+                kind, subject, severity, robots.say(text), robots.say(advice), robots.say(details), boat, mission);
     }
 
     /** All that is known of it, in sentences: what is wrong, what to do, the details. */

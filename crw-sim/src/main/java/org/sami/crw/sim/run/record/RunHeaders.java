@@ -2,6 +2,7 @@ package org.sami.crw.sim.run.record;
 
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.report.MapPoint;
 import org.sami.crw.report.RunHeader;
 import org.sami.crw.report.RunPlace;
@@ -34,7 +35,8 @@ public final class RunHeaders {
                 fleet.seed(),
                 settings.speed().toString(),
                 fleet.areaM(),
-                new RunPlace(centre(plane), quay.map(at -> point(at, plane))));
+                new RunPlace(centre(plane), quay.map(at -> point(at, plane))),
+                HandlerModules.robotsOf(plan.vocabulary().domain()));
     }
 
     /**
@@ -51,7 +53,8 @@ public final class RunHeaders {
                 0,
                 "1",
                 0,
-                new RunPlace(centre(plane), Optional.empty()));
+                new RunPlace(centre(plane), Optional.empty()),
+                HandlerModules.robotsOf(project.domain()));
     }
 
     private static MapPoint centre(LocalFrame plane) {

@@ -1,0 +1,58 @@
+package org.sami.crw.fleet;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Texts about boats as they read of copters: what is only true on the water by its own words, then driving as flying, then the word for a boat. */
+final class CopterWords {
+    /** Not within a name, an address or a path: boat-2, boat.local:5001 and /home/me/boats/x.log stay as they are. */
+    private static final String BEFORE = "(?<![\\w./\\\\-])";
+
+    private static final String AFTER = "(?!\\w|[-/\\\\]|[.:]\\w)";
+
+    private static final Map<Pattern, String> WORDS = new LinkedHashMap<>(); // longer ones first
+
+    static {
+        put("through water in which boats may not go", "through an area in which copters may not fly");
+        put("water in which boats may not go", "an area in which copters may not fly");
+        put("outside of the water in which boats may go", "outside of the area in which copters may fly");
+        put("back into its water", "back into its area");
+        put("outside of their water", "outside of their area");
+        put("stop their motors and drift", "stop and hover");
+        put("stops its motors and drifts", "stops and hovers");
+        put("its motors are stopped", "it is stopped");
+        put("turn the hull", "turn it");
+        put("Before launch", "Before take-off");
+        put("may be launched", "may take off");
+        put("where boats lay", "where copters stood");
+        put("quay", "place of the take-off");
+        put("rudder", "yaw");
+        put("drive", "fly");
+        put("drives", "flies");
+        put("driven", "flown");
+        put("driving", "flying");
+        put("Drive", "Fly");
+        put("Driving", "Flying");
+        put("boat", "copter");
+        put("boats", "copters");
+        put("Boat", "Copter");
+        put("Boats", "Copters");
+    }
+
+    private CopterWords() {}
+
+    private static void put(String ofBoats, String ofCopters) {
+        WORDS.put(Pattern.compile(BEFORE + Pattern.quote(ofBoats) + AFTER), Matcher.quoteReplacement(ofCopters));
+    }
+
+    /** The text, said of copters. */
+    static String of(String text) {
+        String said = text;
+        for (Map.Entry<Pattern, String> word : WORDS.entrySet()) {
+            said = word.getKey().matcher(said).replaceAll(word.getValue());
+        }
+        return said;
+    }
+}
