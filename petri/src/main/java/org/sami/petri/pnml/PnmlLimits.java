@@ -11,5 +11,5 @@ package org.sami.petri.pnml;
  */
 public record PnmlLimits(long bytes, int nodes, int arcs, int depth, int text) {
     /** For files of strangers: 256 MiB, two million nodes, eight million arcs. */
-    public static final PnmlLimits STANDARD = new PnmlLimits(256L << 20, 2_000_000, 8_000_000, 64, 10_000);
+    public static final PnmlLimits STANDARD = new PnmlLimits(256L << 20, 2_000_000, 8_000_000, 512, 10_000);
 }

@@ -1,7 +1,11 @@
 package org.sami.petri.pnml;
 
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import javax.xml.stream.XMLStreamException;
 import org.sami.petri.pnml.PnmlParts.ArcKind;
@@ -12,6 +16,11 @@ final class PnmlParser {
     static final String OWN_TOOL = "org.sami.petri";
 
     private static final String PT_NET = "http://www.pnml.org/version-2009/grammar/ptnet";
+    private static final String SYMMETRIC_NET = "http://www.pnml.org/version-2009/grammar/symmetricnet";
+
+    /** The labels of symmetric nets. */
+    private static final Set<String> TERMS = Set.of("type", "hlinitialMarking", "hlinscription", "condition");
+
     private static final String PT_NET_OF_EARLIER_TOOLS = "P/T net";
     private static final String CORE_MODEL = "http://www.pnml.org/version-2009/grammar/pnmlcoremodel";
 
@@ -21,6 +30,7 @@ final class PnmlParser {
     private final PnmlParts parts = new PnmlParts();
     private final Map<String, Integer> tools = new TreeMap<>();
     private int graphics;
+    private int termCount;
 
     /** What stands in a node or an arc. */
     private static final class Content {
@@ -28,6 +38,7 @@ final class PnmlParser {
         private String name = "";
         private int number;
         private ArcKind kind = ArcKind.NORMAL;
+        private final Map<String, XmlTerm> terms = new HashMap<>();
     }
 
     PnmlParser(XmlInput xml, PnmlLimits limits, FindingList findings) {
@@ -67,9 +78,16 @@ final class PnmlParser {
     private void net() throws XMLStreamException, RefusedPnmlException {
         String type = xml.attribute("type");
         String element = "net " + xml.attribute("id");
-        if (!type.equals(PT_NET) && !type.equals(CORE_MODEL) && !type.equals(PT_NET_OF_EARLIER_TOOLS)) {
+        parts.isColoured = type.equals(SYMMETRIC_NET);
+        if (!parts.isColoured
+                && !type.equals(PT_NET)
+                && !type.equals(CORE_MODEL)
+                && !type.equals(PT_NET_OF_EARLIER_TOOLS)) {
             findings.error(
-                    "E-TYPE", xml.line(), element, "nets of the type '" + type + "' are not read, only " + PT_NET);
+                    "E-TYPE",
+                    xml.line(),
+                    element,
+                    "nets of the type '" + type + "' are not read, only " + PT_NET + " and " + SYMMETRIC_NET);
             xml.skip();
             return;
         }
@@ -89,6 +107,7 @@ final class PnmlParser {
             case "place" -> node("place");
             case "transition" -> node("transition");
             case "arc" -> arc();
+            case "declaration" -> declarations();
             case "referencePlace" -> reference("referencePlace");
             case "referenceTransition" -> reference("referenceTransition");
             default -> {
@@ -116,13 +135,57 @@ final class PnmlParser {
         }
     }
 
+    private void declarations() throws XMLStreamException, RefusedPnmlException {
+        while (xml.nextElement()) {
+            if (xml.name().equals("structure")) {
+                for (XmlTerm list : term().parts()) {
+                    parts.declarations.addAll(list.parts());
+                }
+            } else {
+                xml.skip();
+            }
+        }
+    }
+
+    /** The structure of a label, which is a term; its text says the same for people. */
+    private void structure(String label, Content content, String element)
+            throws XMLStreamException, RefusedPnmlException {
+        while (xml.nextElement()) {
+            switch (xml.name()) {
+                case "structure" -> content.terms.put(label, term().only());
+                case "text" -> xml.skip();
+                default -> other(element);
+            }
+        }
+    }
+
+    /** The current element with all that stands in it. */
+    private XmlTerm term() throws XMLStreamException, RefusedPnmlException {
+        if (++termCount > limits.nodes()) {
+            throw new RefusedPnmlException("E-SIZE", xml.line(), "the net has more than " + limits.nodes() + " terms");
+        }
+        String name = xml.name();
+        String reference = xml.attribute("declaration") + xml.attribute("refvariable");
+        String value = name.equals("finiteintrange")
+                ? xml.attribute("start") + ".." + xml.attribute("end")
+                : xml.attribute(name.equals("feconstant") ? "name" : "value");
+        String id = xml.attribute("id");
+        int line = xml.line();
+        List<XmlTerm> inner = new ArrayList<>();
+        while (xml.nextElement()) {
+            inner.add(term());
+        }
+        boolean isNumber = name.equals("numberconstant"); // its parts are the sort that it is a number of
+        return new XmlTerm(name, id, reference, value, isNumber ? List.of() : inner, line);
+    }
+
     private void node(String kind) throws XMLStreamException, RefusedPnmlException {
         int line = xml.line();
         String id = id(kind);
         Content content = content(kind + " " + id, kind.equals("place") ? "initialMarking" : "", 0);
         String own = content.ownId.isEmpty() ? id : content.ownId;
-        PnmlParts.Node node =
-                new PnmlParts.Node(id, own, content.name.isEmpty() ? own : content.name, content.number, line);
+        PnmlParts.Node node = new PnmlParts.Node(
+                id, own, content.name.isEmpty() ? own : content.name, content.number, line, Map.copyOf(content.terms));
         (kind.equals("place") ? parts.places : parts.transitions).add(node);
     }
 
@@ -138,7 +201,8 @@ final class PnmlParser {
         String source = xml.attribute("source");
         String target = xml.attribute("target");
         Content content = content("arc " + id, "inscription", 1);
-        parts.arcs.add(new PnmlParts.Arc(id, source, target, content.number, content.kind, line));
+        parts.arcs.add(
+                new PnmlParts.Arc(id, source, target, content.number, content.kind, line, Map.copyOf(content.terms)));
     }
 
     private String id(String kind) throws RefusedPnmlException {
@@ -161,6 +225,10 @@ final class PnmlParser {
             } else if (name.equals(numberLabel)) {
                 int line = xml.line();
                 content.number = number(label(element), number, line, element);
+            } else if (parts.isColoured
+                    && TERMS.contains(name)
+                    && xml.attribute("value").isEmpty()) {
+                structure(name, content, element);
             } else if (name.equals("type") || name.equals("arctype")) {
                 arcKind(content, element);
             } else if (name.equals("toolspecific") && xml.attribute("tool").equals(OWN_TOOL)) {

@@ -10,7 +10,7 @@ import javax.xml.stream.XMLStreamException;
 import org.sami.petri.net.PetriNet;
 
 /**
- * Reads place/transition nets in PNML (ISO/IEC 15909-2). Pages and reference nodes are flattened; inhibitor, reset and read arcs are known by the {@code type} that
+ * Reads place/transition nets in PNML (ISO/IEC 15909-2). Pages and reference nodes are flattened; symmetric nets are unfolded; inhibitor, reset and read arcs are known by the {@code type} that
  * tools give to arcs. A file is read as a stream, so that what it holds decides about the memory and not its size.
  */
 public final class PnmlReader {
@@ -42,6 +42,9 @@ public final class PnmlReader {
         Optional<PetriNet> net = Optional.empty();
         try {
             PnmlParts parts = new PnmlParser(new XmlInput(in, limits), limits, findings).parse();
+            if (parts.isColoured && !findings.hasErrors()) {
+                parts = ColourUnfolding.unfold(parts, findings, limits);
+            }
             PetriNet assembled = new PnmlAssembly(parts, findings).net();
             if (!findings.hasErrors()) {
                 net = Optional.of(assembled);
