@@ -6,11 +6,19 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.fleet.FleetEvent;
@@ -34,10 +42,6 @@ class ArduPilotBoatTest {
     private static final double BOOT_S = 300;
     private static final double MISSION_S = 500;
     private static final double RADIUS_M = 3;
-    private static final int LONG_PATH = 1_000;
-    private static final int LONG_PATH_SPEED = 10;
-    private static final int LANE = 20; // locations
-    private static final double STAY_S = 20; // simulated time within the radius: 12 s where it turns
     private static final String BOAT = "mav" + (NUMBER + 1);
 
     @TempDir
@@ -70,27 +74,39 @@ class ArduPilotBoatTest {
     }
 
     @Test
-    void followsAPathThatIsLongerThanWhatItHolds() throws Exception {
+    void comesHomeTheWayItWentWhenTheBaseHasDied() throws Exception {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
-        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, LONG_PATH_SPEED, work);
-                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
-            connect(world);
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work)) {
+            LinkClient client =
+                    new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
             try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
-                GeoPoint start = start(world);
-                List<GeoPoint> path = IntStream.range(0, LONG_PATH)
-                        .mapToObj(i -> onLanes(start, i / LANE, i % LANE))
+                Telemetry at = client.last(Telemetry.class).orElseThrow();
+                GeoPoint start = GeoPoint.of(at.latDeg(), at.lonDeg());
+                GeoPoint corner = off(start, 40, 0);
+                assertThat(client.ask(new SetLostLinkAction("lost", LostLinkAction.RETURN)))
+                        .isInstanceOf(Ack.class);
+                List<Waypoint> path = Stream.of(corner, off(start, 40, 40), off(start, 40, 400))
+                        .map(place -> new Waypoint(place.latDeg(), place.lonDeg(), 1.5))
                         .toList();
-                submit(world, FollowPath.of("long", 1, 1, path, Priority.MEDIUM));
-                int first = samplesAt(1, world, truth);
-                int last = samplesAt(LONG_PATH - 10, world, truth);
-                completes(world, "long");
+                assertThat(client.ask(new UploadWaypoints("upload", "list", path)))
+                        .isInstanceOf(Ack.class);
+                assertThat(client.ask(new StartWaypoints("start", "list", 0))).isInstanceOf(Ack.class);
+                Await.until(
+                        "it has passed the corner",
+                        MISSION_S,
+                        () -> client.last(Progress.class).orElseThrow().nextIndex() == 2);
 
-                assertThat(path)
-                        .allSatisfy(place -> assertThat(truth.nearestM(place.latDeg(), place.lonDeg()))
-                                .isLessThan(RADIUS_M));
-                assertThat(truth.longestStayS(first, last, RADIUS_M)).isLessThan(STAY_S);
-                assertThat(world.alarms).noneMatch(alarm -> alarm.contains("mission changed"));
-                assertThat(world.faults).isEmpty();
+                client.close();
+                int died = truth.samples();
+
+                Await.until(
+                        "it is home",
+                        MISSION_S,
+                        () -> truth.nearestM(died, start.latDeg(), start.lonDeg()) < 2 * RADIUS_M);
+                assertThat(truth.nearestM(died, corner.latDeg(), corner.lonDeg()))
+                        .isLessThan(2 * RADIUS_M);
+            } finally {
+                client.close();
             }
         }
     }
@@ -136,25 +152,12 @@ class ArduPilotBoatTest {
         }
     }
 
-    private static int samplesAt(int visited, GatewayWorld world, SimulatorTruth truth) {
-        Await.until(
-                visited + " locations are visited",
-                MISSION_S,
-                () -> world.has(FleetEvent.Progressed.class, news -> news.visited() >= visited));
-        return truth.samples();
-    }
-
     private static boolean isStill(BoatProxy boat) {
         return boat.status().pose().orElseThrow().speedMps() < 0.05;
     }
 
     private static double metresNorth(GeoPoint start, BoatProxy boat) {
         return (boat.status().pose().orElseThrow().position().latDeg() - start.latDeg()) * 111_319;
-    }
-
-    /** Lanes to and fro, 8 m apart. */
-    private static GeoPoint onLanes(GeoPoint start, int lane, int place) {
-        return off(start, 10 + 8.0 * lane, 3.0 * (lane % 2 == 0 ? place : LANE - 1 - place));
     }
 
     private static GeoArea area(GeoPoint from, double northM, double eastM, double sizeM) {

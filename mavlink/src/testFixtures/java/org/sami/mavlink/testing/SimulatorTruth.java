@@ -61,9 +61,15 @@ public final class SimulatorTruth implements AutoCloseable {
 
     /** How near it came to a place, in metres. */
     public double nearestM(double latDeg, double lonDeg) {
+        return nearestM(0, latDeg, lonDeg);
+    }
+
+    /** How near it came to a place from one report on, in metres. */
+    public double nearestM(int fromSample, double latDeg, double lonDeg) {
         double narrower = Math.cos(Math.toRadians(latDeg));
         synchronized (track) {
             return track.stream()
+                    .skip(fromSample)
                     .mapToDouble(at ->
                             Math.hypot((at[0] - latDeg * 1e7) * METRES, (at[1] - lonDeg * 1e7) * METRES * narrower))
                     .min()
