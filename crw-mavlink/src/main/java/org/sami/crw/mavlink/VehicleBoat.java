@@ -32,8 +32,7 @@ final class VehicleBoat implements BaseSession.Boat {
     /** What {@link VehicleOrders} refuses. Which sensors there are is known only as they report. */
     private static final BoatCapabilities CAPABILITIES = new BoatCapabilities(
             Map.of(
-                    BoatCapabilities.PANORAMA,
-                            "a boat with an autopilot cannot turn on the spot for pictures all round",
+                    BoatCapabilities.PANORAMA, "a boat with an autopilot cannot turn on the spot",
                     BoatCapabilities.GAINS, "its gains are parameters of its autopilot"),
             Optional.empty());
 

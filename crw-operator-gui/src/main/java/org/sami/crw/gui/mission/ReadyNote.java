@@ -62,11 +62,11 @@ final class ReadyNote extends JLabel {
                 plan.map(chosen -> PlanCheck.of(chosen, boats).missing()).orElse(List.of());
         String words = check.words();
         List<String> told = new ArrayList<>();
-        if (!words.isEmpty()) {
-            told.add(words + " (Ctrl+N says why)");
-        }
         if (!missing.isEmpty()) {
             told.add(missing.get(0) + (missing.size() > 1 ? "; and " + (missing.size() - 1) + " more" : ""));
+        }
+        if (!words.isEmpty()) {
+            told.add(words + " (Ctrl+N says why)");
         }
         String text = told.isEmpty() ? "" : context.say("△ " + String.join(" · ", told));
         if (!text.equals(getText())) {
