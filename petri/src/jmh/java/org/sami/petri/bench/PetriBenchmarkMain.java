@@ -15,6 +15,7 @@ import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchSettings;
 import org.sami.petri.model.ExampleNets;
 import org.sami.petri.net.PetriNet;
+import org.sami.petri.symmetry.NetSymmetry;
 
 /**
  * Measures the search in turn with an explorer that keeps markings in a hash set, by the processor time of the thread, prints a table and puts it into the file of
@@ -36,6 +37,8 @@ public final class PetriBenchmarkMain {
     private void run() throws IOException {
         measure("kanban", ExampleNets::kanban, quick ? 4 : 5);
         measure("philosophers", ExampleNets::philosophers, quick ? 11 : 13);
+        bySymmetry(12);
+        bySymmetry(20);
         FigureFile.print(figures);
         FigureFile.replace(FigureFile.ofThisBuild(), PREFIX, figures);
         System.out.println("Written to " + FigureFile.ofThisBuild());
@@ -64,6 +67,25 @@ public final class PetriBenchmarkMain {
         figures.add(new Figure(PREFIX + name, parameters, median(speeds), "states/s", 0));
         figures.add(new Figure(PREFIX + "ratio", parameters, median(ratios), "", 0));
         figures.add(new Figure(PREFIX + "bytes", parameters, bytes, "bytes/state", 0));
+    }
+
+    /** The symmetry of a net is found, and its graph searched by it. */
+    private void bySymmetry(int agents) {
+        PetriNet net = ExampleNets.agents(agents);
+        List<Double> seconds = new ArrayList<>();
+        for (int round = 0; round <= (quick ? 2 : 5); round++) {
+            Timed<ReachabilityGraph> ours = timed(() -> ReachabilitySearch.explore(
+                    net,
+                    SearchSettings.within(SearchBudget.ofStates(SearchBudget.MOST_STATES))
+                            .withSymmetry(NetSymmetry.of(net))));
+            if (!ours.result().isComplete()) {
+                throw new IllegalStateException("the graph of " + net + " is not complete");
+            }
+            if (round > 0) {
+                seconds.add(ours.seconds());
+            }
+        }
+        figures.add(new Figure(PREFIX + "symmetry", Map.of("agents", agents), median(seconds), "s", 0));
     }
 
     private static HashSetExplorer explored(PetriNet net) {
