@@ -26,10 +26,7 @@ class NullMarkedTest {
             "org.sami.crw.judgement",
             "org.sami.crw.operator",
             "org.sami.crw.proxy",
-            "org.sami.crw.report.picture",
             "org.sami.crw.session",
-            "org.sami.crw.session.archive",
-            "org.sami.crw.sim.run.settings",
             "org.sami.dreamm.tryout",
             "org.sami.spn.drawing",
             "org.sami.spn.engine",
@@ -37,9 +34,6 @@ class NullMarkedTest {
             "org.sami.spn.engine.net",
             "org.sami.spn.engine.rule",
             "org.sami.spn.engine.state",
-            "org.sami.spn.host",
-            "org.sami.spn.journal",
-            "org.sami.spn.legacy",
             "org.sami.ui.net",
             "org.sami.ui.value");
 

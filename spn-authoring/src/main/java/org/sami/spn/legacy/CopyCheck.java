@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
@@ -124,9 +125,10 @@ final class CopyCheck {
                 && a.editable().equals(b.editable())
                 && markups(a).equals(markups(b))
                 && a.values().keySet().equals(b.values().keySet())
-                && a.values().keySet().stream()
-                        .allMatch(f -> sameValue(
-                                a.values().get(f).node(), b.values().get(f).node()))
+                && a.values().entrySet().stream()
+                        .allMatch(value -> Optional.ofNullable(b.values().get(value.getKey()))
+                                .filter(other -> sameValue(value.getValue().node(), other.node()))
+                                .isPresent())
                 && sameVariables(a.reads(), b.reads())
                 && sameVariables(a.writes(), b.writes());
     }
@@ -151,7 +153,9 @@ final class CopyCheck {
     }
 
     private boolean sameVariables(Map<String, String> a, Map<String, String> b) {
-        return a.keySet().equals(b.keySet()) && a.keySet().stream().allMatch(f -> sameVariable(a.get(f), b.get(f)));
+        return a.keySet().equals(b.keySet())
+                && a.entrySet().stream()
+                        .allMatch(read -> sameVariable(read.getValue(), b.getOrDefault(read.getKey(), "")));
     }
 
     /** Each variable of the plan is one of the copy, everywhere the same, and no two are one; globals are themselves. */

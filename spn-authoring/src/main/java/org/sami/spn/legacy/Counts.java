@@ -29,7 +29,7 @@ public record Counts(Map<CountedKind, Integer> numbers) {
 
     /** How many there are of a kind. */
     public int of(CountedKind kind) {
-        return numbers.get(kind);
+        return numbers.getOrDefault(kind, 0);
     }
 
     /** By their names in reports, in order. */

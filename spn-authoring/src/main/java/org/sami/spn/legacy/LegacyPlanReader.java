@@ -59,7 +59,7 @@ final class LegacyPlanReader {
                 p.pointer(),
                 p.text("id"),
                 p.text("name", ""),
-                oneOf(p, "role", ROLES, Role.ROOT),
+                oneOf(p, "role", ROLES).orElse(Role.ROOT),
                 vertices,
                 edges,
                 p.texts("variablesRead"),
@@ -72,10 +72,10 @@ final class LegacyPlanReader {
     }
 
     /** A word that may be missing. */
-    private static <E> E oneOf(JsonObjectReader c, String member, Map<String, E> words, E absent) {
+    private static <E> Optional<E> oneOf(JsonObjectReader c, String member, Map<String, E> words) {
         String word = c.text(member, "");
         if (word.isEmpty() && !c.node(member).filter(JsonNode::isTextual).isPresent()) {
-            return absent;
+            return Optional.empty();
         }
         E constant = words.get(word);
         if (constant == null) {
@@ -84,9 +84,9 @@ final class LegacyPlanReader {
                     member,
                     "\"" + word + "\" is none of: "
                             + String.join(", ", words.keySet().stream().sorted().toList()));
-            return absent;
+            return Optional.empty();
         }
-        return constant;
+        return Optional.of(constant);
     }
 
     private LegacyPlan.Task task(JsonObjectReader t) {
@@ -102,9 +102,9 @@ final class LegacyPlanReader {
         LegacyPlan.Vertex vertex = new LegacyPlan.Vertex(
                 v.pointer(),
                 v.text("key"),
-                oneOf(v, "type", VERTICES, true),
+                oneOf(v, "type", VERTICES).orElse(true),
                 v.text("name", ""),
-                oneOf(v, "mode", MODES, DrawingMode.NOMINAL),
+                oneOf(v, "mode", MODES).orElse(DrawingMode.NOMINAL),
                 v.number("x", 0),
                 v.number("y", 0),
                 v.flag("isStart"),
@@ -132,7 +132,7 @@ final class LegacyPlanReader {
                 new LegacyValue(e.pointer(), e.whole()),
                 e.text("key"),
                 e.text("class"),
-                oneOf(e, "direction", SIDES, Side.UNKNOWN),
+                oneOf(e, "direction", SIDES).orElse(Side.UNKNOWN),
                 e.texts("declaredFields"),
                 values(e, "fieldValues"),
                 variables(e, "readVariables"),
@@ -228,7 +228,7 @@ final class LegacyPlanReader {
                 type.equals("in"),
                 e.text("from"),
                 e.text("to"),
-                oneOf(e, "mode", MODES, DrawingMode.NOMINAL),
+                oneOf(e, "mode", MODES).orElse(DrawingMode.NOMINAL),
                 e.objects("requirements").stream().map(this::requirement).toList(),
                 value(e, "mockupRequirements"));
         e.skip("edgeId", "fromName", "toName", "visibility", "mockup").done();
@@ -241,11 +241,11 @@ final class LegacyPlanReader {
         }
         LegacyPlan.Requirement requirement = new LegacyPlan.Requirement(
                 r.pointer(),
-                oneOf(r, "kind", KINDS, Kind.NONE),
-                Optional.ofNullable(oneOf(r, "match", QUANTITIES, null)),
+                oneOf(r, "kind", KINDS).orElse(Kind.NONE),
+                oneOf(r, "match", QUANTITIES),
                 r.integer("quantity", 0),
                 r.text("taskName", ""),
-                Optional.ofNullable(oneOf(r, "action", MOVES, null)));
+                oneOf(r, "action", MOVES));
         r.skip("locked", "text").done();
         return requirement;
     }

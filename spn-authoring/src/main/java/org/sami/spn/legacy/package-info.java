@@ -6,4 +6,7 @@
  * and the counts of both. Does not belong here: any name of an event, markup or class of a domain; those stand in the domain's
  * table ({@link org.sami.spn.legacy.LegacyTable}), which is data.
  */
+@NullMarked
 package org.sami.spn.legacy;
+
+import org.jspecify.annotations.NullMarked;

@@ -11,6 +11,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
@@ -51,7 +52,7 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
     private final AtomicBoolean scheduled = new AtomicBoolean();
     private final HostCounts counts = new HostCounts();
     private volatile boolean closing;
-    private volatile Thread engineThread;
+    private volatile @Nullable Thread engineThread;
     private volatile boolean retryDue;
     private volatile boolean checkDue;
     private boolean again;
@@ -438,7 +439,7 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
         return new HostStatus(HostStatus.Kind.FAILED, "the engine met an error", when + ": " + fault);
     }
 
-    private void fail(HostStatus failed, Throwable fault) {
+    private void fail(HostStatus failed, @Nullable Throwable fault) {
         closing = true;
         counts.refused(queue.clear());
         lifecycle.failed(failed, fault);

@@ -2,6 +2,7 @@ package org.sami.spn.host;
 
 import java.util.Objects;
 import java.util.concurrent.Executor;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 
@@ -9,8 +10,8 @@ import org.sami.spn.engine.EngineState;
 public final class EngineHostBuilder {
     private final EngineFunction engine;
     private InputJournal journal = new MemoryJournal();
-    private HostClock clock;
-    private Executor executor;
+    private @Nullable HostClock clock;
+    private @Nullable Executor executor;
     private int batchLimit = 1024;
     private long slowListenerMillis = 50;
     private long journalRetryMillis = Long.MAX_VALUE;

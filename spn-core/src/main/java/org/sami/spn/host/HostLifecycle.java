@@ -1,6 +1,7 @@
 package org.sami.spn.host;
 
 import java.lang.System.Logger.Level;
+import org.jspecify.annotations.Nullable;
 
 /** Whether a host works: notifies its listeners when that changes. A host that has ended stays so. Safe for use by several threads. */
 final class HostLifecycle {
@@ -49,7 +50,7 @@ final class HostLifecycle {
     }
 
     /** It has stopped by a fault; null for one that was found elsewhere. */
-    void failed(HostStatus failed, Throwable fault) {
+    void failed(HostStatus failed, @Nullable Throwable fault) {
         if (become(failed)) {
             LOG.log(Level.ERROR, "the engine's host stops: " + failed.whole(), fault);
             listeners.each(listener -> listener.onFailed(failed));

@@ -3,6 +3,7 @@ package org.sami.spn.host;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /** A journal cannot be read or written; says which file and which entry. */
 public final class JournalException extends IOException {
@@ -16,7 +17,7 @@ public final class JournalException extends IOException {
      * @param entry the first entry that is concerned; 0 where it is the file's head, or the file as a whole
      * @param what a sentence without its subject, such as "does not follow its predecessor"
      */
-    public JournalException(Path file, long entry, String what, Throwable cause) {
+    public JournalException(Path file, long entry, String what, @Nullable Throwable cause) {
         super(file + ", " + (entry == 0 ? "head" : "entry " + entry) + ": " + what, cause);
         this.file = Objects.requireNonNull(file, "file");
         this.entry = entry;

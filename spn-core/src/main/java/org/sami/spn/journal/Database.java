@@ -166,7 +166,9 @@ final class Database implements AutoCloseable {
         if (code == SQLiteErrorCode.SQLITE_CORRUPT.code || code == SQLiteErrorCode.SQLITE_NOTADB.code) {
             return "it is damaged";
         }
-        return code == 0 ? fault.getMessage() : "its database refuses to write"; // without a code it is ours
+        return code == 0
+                ? String.valueOf(fault.getMessage())
+                : "its database refuses to write"; // without a code it is ours
     }
 
     /** SQLite's write-ahead log of a file. */

@@ -11,6 +11,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Makes what SQLite has written to the write-ahead log survive the loss of power: at once, or within a delay on its own
@@ -24,10 +25,10 @@ final class PowerSync implements AutoCloseable {
     private final Before before;
     private final ScheduledThreadPoolExecutor timer;
     private final AtomicBoolean waiting = new AtomicBoolean();
-    private FileChannel channel;
+    private @Nullable FileChannel channel;
     private volatile boolean closed;
-    private volatile Future<?> scheduled;
-    private volatile IOException fault;
+    private volatile @Nullable Future<?> scheduled;
+    private volatile @Nullable IOException fault;
 
     /**
      * For one log.

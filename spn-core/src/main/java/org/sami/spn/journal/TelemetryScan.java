@@ -48,7 +48,7 @@ final class TelemetryScan {
                 at = (gotOn ? positions.get(positions.size() - 1) + 1 : at) + step;
             }
         } catch (SQLException fault) {
-            unreadable = Optional.of(fault.getMessage());
+            unreadable = Optional.of(String.valueOf(fault.getMessage()));
         }
         dropImpossibleTimes();
         return new Telemetry(rows, damage());
@@ -67,7 +67,7 @@ final class TelemetryScan {
             }
             return true;
         } catch (SQLException fault) {
-            unreadable = Optional.of(fault.getMessage());
+            unreadable = Optional.of(String.valueOf(fault.getMessage()));
             return false;
         }
     }

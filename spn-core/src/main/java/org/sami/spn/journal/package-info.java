@@ -6,4 +6,7 @@
  * entry. Does not belong here: threads and clocks of a session ({@code spn.host}), how messages look as JSON
  * ({@code spn.json}), firing rules.
  */
+@NullMarked
 package org.sami.spn.journal;
+
+import org.jspecify.annotations.NullMarked;

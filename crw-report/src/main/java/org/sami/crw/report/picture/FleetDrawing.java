@@ -13,6 +13,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.MapPoint;
@@ -148,7 +149,7 @@ final class FleetDrawing {
         FontMetrics metrics = g.getFontMetrics();
         double width = metrics.stringWidth(result.id()) + 8.0;
         boolean atStart = report.boats().size() <= NAMED_AT_START;
-        Point2D sign = atStart ? at(result.track().get(0)) : ends.get(boat);
+        Point2D sign = atStart ? at(result.track().get(0)) : Objects.requireNonNull(ends.get(boat), "end");
         Rectangle2D box = labels.place(sign, width, metrics.getHeight());
         Color color = MapColors.color(result.mark()).darker();
         if (!atStart) {

@@ -71,7 +71,7 @@ final class LabelSpace {
 
     /** Where a label next to a point goes; the place is taken from then on. */
     Rectangle2D place(Point2D beside, double width, double height) {
-        Rectangle2D best = null;
+        Rectangle2D best = new Rectangle2D.Double();
         double least = Double.MAX_VALUE;
         for (double[] side : SIDES) {
             Rectangle2D box = new Rectangle2D.Double(

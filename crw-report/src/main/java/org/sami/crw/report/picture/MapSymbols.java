@@ -10,6 +10,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import org.jspecify.annotations.Nullable;
 import org.sami.palette.Contrast;
 
 /** The signs of the map; the legend shows the same. */
@@ -19,7 +20,7 @@ final class MapSymbols {
     private MapSymbols() {}
 
     /** A numbered location: filled with the visitor's colour, or empty with a dashed rim. */
-    static void location(Graphics2D g, Point2D at, String number, Color visitor, double radius) {
+    static void location(Graphics2D g, Point2D at, String number, @Nullable Color visitor, double radius) {
         Shape disc = circle(at, radius);
         g.setColor(visitor == null ? MapColors.PAPER : visitor);
         g.fill(disc);

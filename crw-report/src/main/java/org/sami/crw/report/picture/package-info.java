@@ -3,4 +3,7 @@
  *
  * <p>Drawn is what a report's records hold ({@code crw.report}). Which files a report consists of belongs to {@code crw.report.file}.
  */
+@NullMarked
 package org.sami.crw.report.picture;
+
+import org.jspecify.annotations.NullMarked;

@@ -8,8 +8,10 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.message.OperatorMessage;
+import org.sami.crw.message.OperatorMessage.Source;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -99,11 +101,11 @@ final class TelemetryForms {
             String kind,
             long mission,
             String text,
-            OperatorMessage.Source source,
-            Priority priority,
-            String keyword,
-            List<String> boats,
-            Boolean pictures) {
+            @Nullable Source source,
+            @Nullable Priority priority,
+            @Nullable String keyword,
+            @Nullable List<String> boats,
+            @Nullable Boolean pictures) {
         Message {
             kind = Objects.requireNonNullElse(kind, "");
             text = Objects.requireNonNullElse(text, "");
@@ -139,7 +141,7 @@ final class TelemetryForms {
             return new OperatorMessage(
                     note.atMillis(),
                     mission,
-                    source == null ? OperatorMessage.Source.valueOf(note.source()) : source,
+                    source == null ? Source.valueOf(note.source()) : source,
                     Objects.requireNonNullElse(priority, Priority.MEDIUM),
                     text,
                     Objects.requireNonNullElse(boats, List.of()),

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.sami.spn.finding.Finding;
@@ -98,8 +99,12 @@ public final class Parameters {
                 .toList();
     }
 
+    private Parameter known(String name) {
+        return Objects.requireNonNull(byName.get(name), name);
+    }
+
     private Description describe(String name) {
-        Parameter parameter = byName.get(name);
+        Parameter parameter = known(name);
         Optional<JsonNode> preset = Optional.ofNullable(presets.get(name))
                 .map(value -> ValueJson.write(value, parameter.type(), vocabulary.types()));
         return new Description(name, TypeNames.of(parameter.type()), preset, parameter.editable());
@@ -112,8 +117,7 @@ public final class Parameters {
 
     /** A value as a file has it, which {@link #read} reads again. */
     public String text(String name, Value value) {
-        return ValueJson.write(value, byName.get(name).type(), vocabulary.types())
-                .toString();
+        return ValueJson.write(value, known(name).type(), vocabulary.types()).toString();
     }
 
     /**

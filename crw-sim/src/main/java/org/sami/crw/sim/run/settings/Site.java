@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.spn.value.GeoPoint;
 
@@ -86,7 +87,7 @@ public record Site(Optional<GeoPoint> centre, Optional<GeoPoint> quay) {
         return new Site(point(map.get(CENTRE)), point(map.get(QUAY)));
     }
 
-    private static Optional<GeoPoint> point(String text) {
+    private static Optional<GeoPoint> point(@Nullable String text) {
         if (text == null) {
             return Optional.empty();
         }

@@ -123,7 +123,7 @@ public final class ValueText {
         Matcher span = SPAN.matcher(text);
         if (span.matches()) {
             String unit = span.group(2) == null ? "s" : span.group(2);
-            return Math.round(Double.parseDouble(span.group(1)) * MILLIS.get(unit));
+            return Math.round(Double.parseDouble(span.group(1)) * MILLIS.getOrDefault(unit, 0));
         }
         return Duration.parse(text).toMillis();
     }

@@ -4,4 +4,7 @@
  *
  * <p>Does not belong here: the options of the command line that ask for them ({@code org.sami.crw.cli}).
  */
+@NullMarked
 package org.sami.crw.sim.run.settings;
+
+import org.jspecify.annotations.NullMarked;
