@@ -178,6 +178,28 @@ class RequestTest {
         assertThat(Allocation.of(option).paths().get("east").points()).containsExactly(at(50, 50));
     }
 
+    /** It says so itself: no plan has to say it. */
+    @Test
+    void taskThatNeedsACameraGoesToTheBoatThatHasOne() {
+        world.addBoat("seeing", 100, 60, TestHull::photographs);
+        world.run(1);
+        Value camera = new ListValue(List.of(new TextValue("camera")));
+        engine.tasks.put(new TaskId(1, "picture"), Map.of("location", at(-100, 0), "needs", camera));
+
+        world.happens(
+                engine,
+                new TestActivations("AllocationRequest")
+                        .task("picture", "", "location", at(-100, 0))
+                        .of("west", "seeing")
+                        .effect());
+
+        Value option = ((ListValue) only("AllocationResponse").values().get("allocations"))
+                .items()
+                .get(0);
+        assertThat(Allocation.of(option).paths().get("seeing").points()).containsExactly(at(-100, 0));
+        assertThat(Allocation.of(option).paths().get("west").points()).isEmpty();
+    }
+
     @Test
     void aBoatThatWasNeverHeardOfGetsNothingAndTheOperatorIsTold() {
         world.happens(

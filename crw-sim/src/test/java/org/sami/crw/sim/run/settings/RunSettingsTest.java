@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
@@ -82,6 +83,22 @@ class RunSettingsTest {
         assertThat(SettingsMap.write(FULL)).doesNotContainKey("battery");
         assertThatThrownBy(() -> low.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
                 .hasMessageContaining("their own batteries");
+    }
+
+    @Test
+    void comesBackWithTheRangeOfItsBoats() {
+        RunSettings near = RunSettings.of("visit", "visit", FULL.fleet().withRangeM(1500))
+                .answerAfterMillis(0)
+                .build();
+
+        assertThat(SettingsMap.read(SettingsMap.write(near))).isEqualTo(near);
+        assertThat(SettingsMap.write(FULL)).doesNotContainKey("rangeM");
+        assertThatThrownBy(() -> near.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
+                .hasMessageContaining("say their range themselves");
+        assertThatThrownBy(() -> FULL.fleet().withRangeM(99)).hasMessageContaining("100 to 1000000 m, not 99.0");
+        assertThatThrownBy(() -> FULL.fleet().withRangeM(Double.NaN)).hasMessageContaining("not NaN");
+        assertThatThrownBy(() -> FULL.fleet().of(RobotKind.COPTER).withRangeM(1500))
+                .hasMessageContaining("copters fly for a time");
     }
 
     @ParameterizedTest
