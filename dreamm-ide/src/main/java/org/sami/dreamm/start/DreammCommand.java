@@ -46,7 +46,9 @@ public final class DreammCommand implements Callable<Integer> {
     @Option(
             names = "--domain",
             paramLabel = "FOLDER",
-            description = "The words that plans are made of: a folder with a domain.json; else those of the boats.")
+            description =
+                    "The words that plans are made of: a folder with a domain.json, or uav, which ships; else those of"
+                            + " the boats.")
     private @Nullable Path domain;
 
     @Option(
@@ -67,8 +69,8 @@ public final class DreammCommand implements Callable<Integer> {
     @Option(
             names = "--data",
             paramLabel = "DIR",
-            description =
-                    "Where settings, the arrangement of panels and unsaved work are kept; else the user's data directory.")
+            description = "Where settings, the arrangement of panels and unsaved work are kept; else the user's data"
+                    + " directory.")
     private @Nullable Path data;
 
     @Mixin

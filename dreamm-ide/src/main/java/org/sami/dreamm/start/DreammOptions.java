@@ -10,7 +10,7 @@ import org.sami.palette.Theme;
  * How a window is to be opened.
  *
  * @param open a plan's id, or the file or folder of a project; empty = the library of the domain
- * @param domain folder of a domain; empty = the boats' domain, which ships
+ * @param domain folder of a domain, or name of one that ships; empty = the boats' domain, which ships
  * @param theme from now on; empty = as it was
  * @param scale in percent, from now on; empty = as it was
  * @param learn whether the course is opened

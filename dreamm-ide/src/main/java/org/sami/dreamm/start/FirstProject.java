@@ -34,7 +34,7 @@ public record FirstProject(DomainSource source, DomainLibrary domain, ProjectDoc
      * @throws IOException if it cannot be opened, saying why in one sentence
      */
     public static FirstProject open(DreammOptions options) throws IOException {
-        DomainSource source = new DomainSource(options.domain());
+        DomainSource source = DomainSource.of(options.domain());
         DomainLibrary domain = orThrow(source.library(), source.title());
         Optional<String> named = options.open();
         Optional<Path> path = named.map(Path::of).filter(Files::exists);
