@@ -75,8 +75,11 @@ final class ColourDeclarations {
 
     private ColourSort enumeration(XmlTerm term) {
         List<String> names = new ArrayList<>();
+        List<String> ids = term.parts().stream().map(XmlTerm::id).toList();
         term.parts().forEach(constant -> names.add(constant.value().isEmpty() ? constant.id() : constant.value()));
-        ColourSort sort = ColourSort.basic(names);
+        boolean isNamed =
+                Set.copyOf(names).size() == names.size(); // some tools give all constants the name of their sort
+        ColourSort sort = ColourSort.basic(isNamed ? names : ids);
         for (int colour = 0; colour < names.size(); colour++) {
             constants.put(term.parts().get(colour).id(), ColourBag.of(sort, colour));
         }

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import javax.xml.stream.XMLStreamException;
 import org.sami.petri.pnml.PnmlParts.ArcKind;
 
@@ -21,8 +22,9 @@ final class PnmlParser {
     /** The labels of symmetric nets. */
     private static final Set<String> TERMS = Set.of("type", "hlinitialMarking", "hlinscription", "condition");
 
-    private static final String PT_NET_OF_EARLIER_TOOLS = "P/T net";
-    private static final String CORE_MODEL = "http://www.pnml.org/version-2009/grammar/pnmlcoremodel";
+    /** Types of place/transition nets: of the standard, of its extensions, and of earlier tools. */
+    private static final Pattern PT_NETS = Pattern.compile("P/T net|https?://www\\.pnml\\.org/version-2009/"
+            + "(grammar/(ptnet|pnmlcoremodel)|extensions/(inhibitor|reset|resetinhibitor)ptnet)");
 
     private final XmlInput xml;
     private final PnmlLimits limits;
@@ -79,10 +81,7 @@ final class PnmlParser {
         String type = xml.attribute("type");
         String element = "net " + xml.attribute("id");
         parts.isColoured = type.equals(SYMMETRIC_NET);
-        if (!parts.isColoured
-                && !type.equals(PT_NET)
-                && !type.equals(CORE_MODEL)
-                && !type.equals(PT_NET_OF_EARLIER_TOOLS)) {
+        if (!parts.isColoured && !PT_NETS.matcher(type).matches()) {
             findings.error(
                     "E-TYPE",
                     xml.line(),

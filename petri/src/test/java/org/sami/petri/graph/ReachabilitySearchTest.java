@@ -86,6 +86,20 @@ class ReachabilitySearchTest {
         assertThat(without).isGreaterThan(100);
     }
 
+    @Test
+    void reducedSearchesTryBothOrdersOfProducingAndResetting() {
+        PetriNetBuilder builder = new PetriNetBuilder("orders");
+        List.of("a", "b").forEach(place -> builder.place(place, 1));
+        int full = builder.place("full", 0);
+        builder.move("produce", List.of("a"), List.of("full"));
+        int empty = builder.move("empty", List.of("b"), List.of());
+        builder.reset(empty, full);
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(builder.build(), WHOLE.withReduction());
+
+        assertThat(graph.deadlocks()).hasSize(2);
+    }
+
     @ParameterizedTest
     @CsvSource({
         "kanban-1, 160, 616",

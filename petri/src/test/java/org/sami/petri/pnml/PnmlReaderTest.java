@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.petri.net.PetriNet;
 
 class PnmlReaderTest {
@@ -135,6 +136,21 @@ class PnmlReaderTest {
         assertThat(reading.net()).isEmpty();
         assertThat(reading.findings().get(0).code()).isEqualTo("E-TYPE");
         assertThat(reading.findings().get(0).message()).contains("grammar/highlevelnet");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "http://www.pnml.org/version-2009/grammar/ptnet",
+                "https://www.pnml.org/version-2009/grammar/pnmlcoremodel",
+                "http://www.pnml.org/version-2009/extensions/inhibitorptnet",
+                "http://www.pnml.org/version-2009/extensions/resetinhibitorptnet",
+                "P/T net"
+            })
+    void typesOfPlaceTransitionNetsAreRead(String type) {
+        assertThat(read(HEAD.replace("http://www.pnml.org/version-2009/grammar/ptnet", type) + "<place id='p'/>" + TAIL)
+                        .net())
+                .isPresent();
     }
 
     @Test

@@ -196,6 +196,16 @@ class SymmetricNetTest {
     }
 
     @Test
+    void constantsThatAllHaveTheNameOfTheirSortAreToldApartByTheirIds() {
+        String text = HEAD + place("p", "P", ALL) + DECLARATIONS.replaceAll("name=\"[0-4]\"", "name=\"Processor\"");
+
+        PnmlReading reading =
+                PnmlReader.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), PnmlLimits.STANDARD);
+
+        assertThat(net(reading).place("p(p3)")).isPresent();
+    }
+
+    @Test
     void whatIsWrongOrNotKnownIsNamedWithItsLine() {
         assertError(place("p", "Q", ""), "E-TERM", "there is no sort 'Q'");
         assertError(place("p", "P", DOT), "E-TERM", "the initial marking is not of the sort of the place");
