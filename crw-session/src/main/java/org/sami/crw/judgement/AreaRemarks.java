@@ -38,7 +38,7 @@ final class AreaRemarks {
         try {
             drawn = Areas.polygon(area, plane, "The area");
         } catch (IllegalArgumentException crossed) {
-            remarks.add(Remark.refusal(crossed.getMessage()));
+            remarks.add(Remark.refusal(String.valueOf(crossed.getMessage())));
             return;
         }
         if (question.isLimit(item)) {

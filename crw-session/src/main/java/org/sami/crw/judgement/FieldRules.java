@@ -64,7 +64,7 @@ final class FieldRules {
             BoatAddress.parse(text.value());
             return Optional.empty();
         } catch (IllegalArgumentException unfit) {
-            return Optional.of(unfit.getMessage());
+            return Optional.of(String.valueOf(unfit.getMessage()));
         }
     }
 

@@ -5,7 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.event.Numbers;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.judgement.Judgement.Remark;
@@ -100,7 +102,7 @@ final class WorkRemarks {
         try {
             return explore(services.coverage().cover(problem(area, spacingM, values)), spacingM);
         } catch (IllegalArgumentException impossible) {
-            return List.of(Remark.refusal(impossible.getMessage()));
+            return List.of(Remark.refusal(String.valueOf(impossible.getMessage())));
         }
     }
 
@@ -138,7 +140,7 @@ final class WorkRemarks {
                 String.format(Locale.ROOT, "%,.0f m² in lanes %s apart", coverage.areaM2(), Amounts.length(spacingM))));
         Map<String, JudgedBoat> named = WorkCost.byName(boats);
         coverage.shares().forEach((name, share) -> {
-            JudgedBoat boat = named.get(name);
+            JudgedBoat boat = Objects.requireNonNull(named.get(name), name);
             List<GeoPoint> way = share.path().points();
             if (boat.from().isPresent() && !way.isEmpty()) {
                 cost.add(boat, share.approachM() + share.trackM(), way.get(way.size() - 1), water(boat, way));
@@ -187,7 +189,7 @@ final class WorkRemarks {
         return drive(ways);
     }
 
-    private List<Remark> go(Value place) {
+    private List<Remark> go(@Nullable Value place) {
         if (!(place instanceof GeoPoint point)) {
             return List.of();
         }
@@ -222,7 +224,7 @@ final class WorkRemarks {
         List<Remark> remarks = new ArrayList<>();
         Map<String, JudgedBoat> named = WorkCost.byName(boats);
         ways.forEach((name, points) -> {
-            JudgedBoat boat = named.get(name);
+            JudgedBoat boat = Objects.requireNonNull(named.get(name), name);
             if (boat != null && !points.isEmpty()) {
                 cost.add(boat, points, water(boat, points));
                 far(boat, points).ifPresent(remarks::add);
@@ -250,7 +252,7 @@ final class WorkRemarks {
                 .map(doubt -> Remark.doubt(doubt.words()));
     }
 
-    static List<GeoPoint> places(Value value) {
+    static List<GeoPoint> places(@Nullable Value value) {
         if (value instanceof GeoPoint point) {
             return List.of(point);
         } else if (value instanceof GeoPath path) {

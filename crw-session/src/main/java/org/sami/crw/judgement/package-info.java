@@ -6,4 +6,7 @@
  * them. Not here: the form of an answer ({@code org.sami.spn.engine.DecisionCheck}), and questions to the operator before boats go ({@code
  * org.sami.crw.handler.motion}).
  */
+@NullMarked
 package org.sami.crw.judgement;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.swing.JCheckBox;
@@ -30,6 +31,7 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.TokenNeed;
 import org.sami.ui.value.ChoiceRow;
+import org.sami.ui.value.Entry;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.NamedThings;
 import org.sami.ui.value.OfferedRow;
@@ -225,10 +227,12 @@ final class PossibleStepEditor {
             return tryOut.take(new TestStep.Press(press.button().name(), checked()))
                     .refusal();
         } else if (what instanceof PossibleStep.What.Wait) {
-            return values.get("wait").entry().value().isEmpty()
-                    ? values.get("wait").entry().reason()
-                    : tryOut.take(new TestStep.Advance(((DurationValue) given().get("wait")).millis()))
-                            .refusal();
+            Entry wait = Objects.requireNonNull(values.get("wait"), "wait").entry();
+            return wait.value()
+                    .map(DurationValue.class::cast)
+                    .map(given ->
+                            tryOut.take(new TestStep.Advance(given.millis())).refusal())
+                    .orElseGet(wait::reason);
         }
         PossibleStep.What.Robot robot = (PossibleStep.What.Robot) what;
         return tryOut.take(robot.joins() ? new TestStep.Join(robot.name()) : new TestStep.Drop(robot.name()))

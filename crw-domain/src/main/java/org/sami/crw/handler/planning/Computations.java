@@ -15,6 +15,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.message.MessageSink;
 import org.sami.spn.engine.EngineView;
@@ -64,8 +65,8 @@ public final class Computations implements HostListener {
         private final HandlerContext context;
         private final Task<?> task;
         private final long startNanos = System.nanoTime();
-        private volatile Future<?> work;
-        private volatile Future<?> watch;
+        private volatile @Nullable Future<?> work;
+        private volatile @Nullable Future<?> watch;
 
         Running(Activation activation, HandlerContext context, Task<?> task) {
             this.activation = activation;

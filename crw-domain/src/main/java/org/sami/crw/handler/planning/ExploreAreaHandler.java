@@ -115,7 +115,7 @@ public final class ExploreAreaHandler implements ActivationHandler {
         try {
             explore(one, shares);
         } catch (Exception fault) {
-            one.context.post(new Input.HandlerFailed(one.activation.id(), fault.getMessage()));
+            one.context.post(new Input.HandlerFailed(one.activation.id(), String.valueOf(fault.getMessage())));
         }
     }
 

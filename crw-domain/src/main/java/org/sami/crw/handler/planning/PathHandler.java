@@ -1,7 +1,6 @@
 package org.sami.crw.handler.planning;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -72,14 +71,16 @@ public final class PathHandler implements ActivationHandler {
         if (addressees.isEmpty()) {
             throw new IllegalArgumentException("No boat entered " + activation.place() + ": nobody to find a way for");
         }
-        Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
-        Map<String, Water> water = new HashMap<>();
+        Map<Addressee, Optional<Start>> starts = new LinkedHashMap<>();
         for (Addressee one : addressees) {
-            from.put(one.boat(), positions.positionOf(one.boat()));
-            from.get(one.boat())
-                    .ifPresent(at -> water.put(
-                            one.boat(),
-                            context.query(view -> PlanAreas.water(activation, view, at, errors.of(one.boat())))));
+            starts.put(
+                    one,
+                    positions
+                            .positionOf(one.boat())
+                            .map(at -> new Start(
+                                    at,
+                                    context.query(
+                                            view -> PlanAreas.water(activation, view, at, errors.of(one.boat()))))));
         }
         computations.compute(activation, context, new Computations.Task<Map<String, Found>>() {
             @Override
@@ -90,8 +91,7 @@ public final class PathHandler implements ActivationHandler {
             @Override
             public Map<String, Found> compute() {
                 Map<String, Found> options = new LinkedHashMap<>();
-                addressees.forEach(one ->
-                        options.put(one.boat(), find(one, from.get(one.boat()), water.get(one.boat()), activation)));
+                starts.forEach((one, start) -> options.put(one.boat(), find(one, start, activation)));
                 return options;
             }
 
@@ -180,7 +180,10 @@ public final class PathHandler implements ActivationHandler {
         return new PathOption(paths, totalM, longestM, String.join(", ", methods), words);
     }
 
-    private Found find(Addressee addressee, Optional<GeoPoint> from, Water water, Activation activation) {
+    /** Where a boat's way begins, and where the boat may go. */
+    private record Start(GeoPoint at, Water water) {}
+
+    private Found find(Addressee addressee, Optional<Start> from, Activation activation) {
         Optional<GeoPoint> to = addressee.values(activation, POINTS).stream()
                 .map(byBoat -> ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
                 .filter(point -> point != null)
@@ -193,13 +196,15 @@ public final class PathHandler implements ActivationHandler {
         }
         double detour =
                 activation.value(DETOUR).isPresent() ? ActivationFields.number(activation, DETOUR) : PathProblem.DETOUR;
+        GeoPoint at = from.get().at();
+        Water water = from.get().water();
         PathProblem problem =
-                new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE), detour);
+                new PathProblem(at, to.get(), water, ActivationFields.metres(activation, CLEARANCE), detour);
         PathService.Options options =
                 service.find(problem, Markups.criterion(activation), Markups.requestedOptions(activation));
         return new Found(
                 options.ways().stream()
-                        .map(way -> new KeptWay(way, way.words(from.get(), water)))
+                        .map(way -> new KeptWay(way, way.words(at, water)))
                         .toList(),
                 options.reason());
     }

@@ -5,4 +5,7 @@
  * <p>{@link org.sami.crw.handler.planning.Computations} computes off the fleet's thread where there are threads for it. Does not
  * belong here: the algorithms ({@code org.sami.crw.service}).
  */
+@NullMarked
 package org.sami.crw.handler.planning;
+
+import org.jspecify.annotations.NullMarked;
