@@ -185,7 +185,7 @@ public final class PlansPanel extends JPanel {
 
     /** Says which boats are not ready; to be called a few times a second. */
     void refresh() {
-        ready.refresh(chosen());
+        ready.refresh(chosen(), project);
     }
 
     /** Shows the plans of the newest project, as one was loaded or the session began. */

@@ -11,6 +11,7 @@ import org.sami.crw.operator.alarm.PlanCheck;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
@@ -54,12 +55,14 @@ final class ReadyNote extends JLabel {
      * Says how boats are now; to be called a few times a second.
      *
      * @param plan that is selected
+     * @param project with the plans of its sub-missions
      */
-    void refresh(Optional<Plan> plan) {
+    void refresh(Optional<Plan> plan, Optional<Project> project) {
         List<BoatSnapshot> boats = List.copyOf(context.models().fleet().snapshot());
         FleetCheck check = FleetCheck.of(boats, context.models().alarms().snapshot(), context.nowMillis());
-        List<String> missing =
-                plan.map(chosen -> PlanCheck.of(chosen, boats).missing()).orElse(List.of());
+        List<String> missing = plan.flatMap(chosen -> project.map(
+                        loaded -> PlanCheck.of(chosen, loaded, boats).missing()))
+                .orElse(List.of());
         String words = check.words();
         List<String> told = new ArrayList<>();
         if (!missing.isEmpty()) {

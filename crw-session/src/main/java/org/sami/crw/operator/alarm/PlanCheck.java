@@ -1,6 +1,9 @@
 package org.sami.crw.operator.alarm;
 
+import java.util.ArrayDeque;
 import java.util.Collection;
+import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -13,10 +16,11 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.value.Value;
 
 /**
- * Which boats of a fleet cannot do what a plan asks of boats. Values that are known only during the mission are left out.
+ * Which boats of a fleet cannot do what a plan and its sub-missions ask of boats. Values that are known only during the mission are left out.
  *
  * @param missing a sentence without its full stop for each boat and each thing that it cannot do
  */
@@ -25,15 +29,34 @@ public record PlanCheck(List<String> missing) {
         missing = List.copyOf(missing);
     }
 
-    /** Goes through all output events of a plan for all boats. */
-    public static PlanCheck of(Plan plan, Collection<BoatSnapshot> boats) {
+    /**
+     * Goes through all output events for all boats.
+     *
+     * @param project with the plans of its sub-missions
+     */
+    public static PlanCheck of(Plan plan, Project project, Collection<BoatSnapshot> boats) {
         Set<String> missing = new LinkedHashSet<>();
-        plan.places().stream()
+        withSubMissions(plan, project).stream()
+                .flatMap(one -> one.places().stream())
                 .flatMap(place -> place.outputs().stream())
                 .forEach(event -> boats.forEach(
                         boat -> BoatDemands.missing(boat.boat(), capabilities(boat), event.type(), fixed(event))
                                 .ifPresent(missing::add)));
         return new PlanCheck(List.copyOf(missing));
+    }
+
+    private static Collection<Plan> withSubMissions(Plan plan, Project project) {
+        Map<String, Plan> found = new LinkedHashMap<>();
+        Deque<Plan> open = new ArrayDeque<>(List.of(plan));
+        while (!open.isEmpty()) {
+            Plan next = open.remove();
+            if (found.putIfAbsent(next.id(), next) == null) {
+                next.places().stream()
+                        .flatMap(place -> place.subMissions().stream())
+                        .forEach(sub -> project.plan(sub.plan()).ifPresent(open::add));
+            }
+        }
+        return found.values();
     }
 
     private static BoatCapabilities capabilities(BoatSnapshot boat) {

@@ -28,6 +28,7 @@ import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 
 class LaunchCheckTest {
@@ -138,18 +139,35 @@ class LaunchCheckTest {
         DomainLibrary library =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
 
-        assertThat(PlanCheck.of(plan(library, "look-around"), boats).missing())
+        assertThat(missing(library, "look-around", boats))
                 .containsExactly("anna cannot take pictures all round: there is no camera on board");
-        assertThat(PlanCheck.of(plan(library, "clv"), boats).missing()).isEmpty();
-        assertThat(PlanCheck.of(
-                                plan(library, "look-around"),
-                                List.of(boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD)))
-                        .missing())
+        assertThat(missing(library, "clv", boats)).isEmpty();
+        assertThat(missing(library, "look-around", List.of(boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD))))
                 .isEmpty();
     }
 
-    private static Plan plan(DomainLibrary library, String id) {
-        return library.projectOf(id).orElseThrow().plan(id).orElseThrow();
+    @Test
+    void whatSubMissionsAskIsLookedAtToo() {
+        Optional<BoatTuning> blind = Optional.of(
+                new BoatTuning(GAINS, GAINS, 1, LostLinkAction.HOLD, Optional.empty(), BLIND, BoatPerformance.UNKNOWN));
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        Project around = library.projectOf("look-around").orElseThrow();
+        Project team = library.projectOf("explore-team").orElseThrow();
+        Plan parent = team.plan("explore-team").orElseThrow();
+        Plan child = around.plan("look-around").orElseThrow().withId("avoid-boat");
+
+        assertThat(PlanCheck.of(
+                                parent,
+                                team.withPlans(List.of(parent, child)),
+                                List.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind)))
+                        .missing())
+                .containsExactly("anna cannot take pictures all round: there is no camera on board");
+    }
+
+    private static List<String> missing(DomainLibrary library, String id, List<BoatSnapshot> boats) {
+        Project project = library.projectOf(id).orElseThrow();
+        return PlanCheck.of(project.plan(id).orElseThrow(), project, boats).missing();
     }
 
     @Test
