@@ -19,15 +19,24 @@ class DomainOptionTest {
         Path svg = folder.resolve("search.svg");
 
         assertThat(CommandResult.crw("check", "--domain", "uav").out()).isEqualTo("uav: 0 errors, 0 warnings\n");
-        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 5 passed, 0 failed");
+        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 6 passed, 0 failed");
         assertThat(CommandResult.crw("phases", "--domain", "uav", "search", "--choose", "Nothing seen")
                         .out())
-                .contains("Search: Target seen | Nothing seen (shown) | It is lost")
+                .contains("Search: Target seen | Nothing seen (shown) | It cannot | It is lost")
                 .doesNotContain("[Confirm target]");
         assertThat(CommandResult.crw("draw", "--domain", "uav", "search", "--svg", svg.toString())
                         .exitCode())
                 .isZero();
         assertThat(Files.readString(svg)).contains("Operator chooses");
+    }
+
+    @Test
+    void runOfCoptersSpeaksOfNoBoat() {
+        CommandResult ran =
+                CommandResult.crw("run", "--domain", "uav", "first-flight", "--boats", "2", "--speed", "max");
+
+        assertThat(ran.err()).contains("running first-flight: copters 2,").doesNotContain("boat", "quay");
+        assertThat(ran.out()).contains("copter2").doesNotContain("boat", "quay");
     }
 
     @Test

@@ -27,7 +27,7 @@ final class CopterWords {
         put("Before launch", "Before take-off");
         put("may be launched", "may take off");
         put("where boats lay", "where copters stood");
-        put("quay", "place of the take-off");
+        put("quay", "take-off place");
         put("rudder", "yaw");
         put("drive", "fly");
         put("drives", "flies");

@@ -74,7 +74,9 @@ public final class ReportText {
                 report.decisions().size());
         result.resumedFrom().ifPresent(from -> line(text, "  %-20sjournal entry %d", "resumed from", from));
         line(text, "  %-20s%s", "centre", ReportWords.degrees(header.place().centre()));
-        header.place().quay().ifPresent(quay -> line(text, "  %-20s%s", "quay", ReportWords.degrees(quay)));
+        header.place()
+                .quay()
+                .ifPresent(quay -> line(text, "  %-20s%s", header.robots().say("quay"), ReportWords.degrees(quay)));
         report.origin().ifPresent(from -> line(text, "  %-20scrw %s", "program", from.version()));
         line(text, "  %-20s%s", "plan hash", header.planHash());
         line(text, "  %-20s%s", "run hash", result.runHash());

@@ -384,18 +384,20 @@ final class Execution {
         RunSettings.Fleet fleet = settings.fleet();
         err.printf(
                 Locale.ROOT,
-                "running %s: boats %d, locations %d, area %.0f m, seed %d, speed %s%n",
+                "running %s: %ss %d, locations %d, area %.0f m, seed %d, speed %s%n",
                 settings.plan(),
+                fleet.robots().word(),
                 fleet.boats(),
                 fleet.locations(),
                 fleet.areaM(),
                 fleet.seed(),
                 settings.speed());
         if (settings.isConnected()) {
-            err.println("boats at "
+            err.println(fleet.robots().say("boats at ")
                     + settings.connect().stream().map(BoatAddress::toString).collect(Collectors.joining(", ")));
         } else {
-            err.println("centre " + Site.words(fleet.site().centreInProcess()) + ", quay "
+            err.println("centre " + Site.words(fleet.site().centreInProcess())
+                    + fleet.robots().say(", quay ")
                     + Site.words(fleet.site().quayInProcess(fleet.areaM())));
         }
         err.flush();

@@ -51,7 +51,10 @@ final class GeoJsonFile {
         report.map().paths().forEach(this::path);
         report.locations().forEach(this::location);
         MapNames.areas(report).forEach(this::area);
-        report.header().place().quay().ifPresent(quay -> point("quay", "quay", quay));
+        report.header()
+                .place()
+                .quay()
+                .ifPresent(quay -> point("quay", report.header().robots().say("quay"), quay));
         point("centre", "centre", report.header().place().centre());
         report.map().spots().forEach(spot -> point(spot.kind().words(), MapNames.of(spot), spot.at()));
         ObjectNode collection = NODES.objectNode().put("type", "FeatureCollection");
