@@ -81,18 +81,6 @@ public final class CoverabilitySet {
         return most == Omega.OMEGA ? OptionalInt.empty() : OptionalInt.of(most);
     }
 
-    /** Whether a marking with at least these tokens can be reached. False is a proof only where the set is complete. */
-    public boolean covers(int[] tokens) {
-        return markings.stream().anyMatch(marking -> {
-            for (int place = 0; place < tokens.length; place++) {
-                if (marking[place] < tokens[place]) {
-                    return false;
-                }
-            }
-            return true;
-        });
-    }
-
     /** Whether a transition can fire at some time. False is a proof only where the set is complete. */
     public boolean canFire(int transition) {
         return markings.stream().anyMatch(marking -> Omega.isEnabled(net, transition, marking));

@@ -53,11 +53,6 @@ public sealed interface LinearCondition {
         return new AtLeast(IntegerVector.unit(place, -1), -tokens);
     }
 
-    /** Both of two places are marked. */
-    static LinearCondition together(int first, int second) {
-        return new AllOf(List.of(atLeast(first, 1), atLeast(second, 1)));
-    }
-
     /** A transition is enabled. */
     static LinearCondition enabled(PetriNet net, int transition) {
         List<LinearCondition> parts = new ArrayList<>();

@@ -23,7 +23,7 @@ public final class Refutation {
     }
 
     /** The weighted sums of tokens that prove it, where no case is distinguished by numbers of firings. */
-    public List<MarkingBound> bounds() {
+    List<MarkingBound> bounds() {
         return cases.stream()
                 .filter(one -> !one.usesLimits(net))
                 .map(one -> MarkingBound.of(net, incidence, one.weights(net)))

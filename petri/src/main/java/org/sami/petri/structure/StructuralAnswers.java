@@ -12,13 +12,14 @@ import org.sami.petri.structure.StructuralProof.Method;
 
 /**
  * Answers about all reachable markings of one net without a search through them: tried before a search, as many cost microseconds. An empty answer means that structure
- * does not prove it; it may hold all the same. Each proof holds with inhibitor and reset arcs too, or is not given. Invariants are computed once. For one thread.
+ * does not prove it; it may hold all the same. Each proof holds with inhibitor and reset arcs too, or is not given. Invariants and siphons are computed once. For one thread.
  */
 public final class StructuralAnswers {
     private final PetriNet net;
     private final StructureLimits limits;
     private final PlaceBounds bounds;
     private @Nullable InvariantSet invariants;
+    private SiphonTrapCheck.@Nullable Result siphons;
 
     /** Answers for a net. */
     public StructuralAnswers(PetriNet net, StructureLimits limits) {
@@ -37,10 +38,22 @@ public final class StructuralAnswers {
         return known;
     }
 
+    /** Whether each siphon contains a marked trap. */
+    public SiphonTrapCheck.Result siphons() {
+        SiphonTrapCheck.Result known = siphons;
+        if (known == null) {
+            known = SiphonTrapCheck.check(net, limits);
+            siphons = known;
+        }
+        return known;
+    }
+
     /** The weights that bound a place lowest: a P-invariant where one gives a bound, else what the state equation gives. */
     public Optional<MarkingBound> bound(int place) {
         Optional<MarkingBound> byInvariant = bounds.byInvariants(invariants(), place);
-        return byInvariant.isPresent() ? byInvariant : bounds.byStateEquation(place);
+        return byInvariant.isPresent() || limits.cancelled().getAsBoolean()
+                ? byInvariant
+                : bounds.byStateEquation(place);
     }
 
     /** The most tokens that a place can have; empty where structure gives no bound. */
@@ -56,16 +69,6 @@ public final class StructuralAnswers {
                         refutation.byInvariants() ? Method.INVARIANT : Method.STATE_EQUATION, refutation.words()));
     }
 
-    /** That two places are never marked at the same time. */
-    public Optional<StructuralProof> mutuallyExclusive(int first, int second) {
-        return never(LinearCondition.together(first, second));
-    }
-
-    /** That a transition never fires. */
-    public Optional<StructuralProof> neverFires(int transition) {
-        return never(LinearCondition.enabled(net, transition));
-    }
-
     /** That in every reachable marking a transition is enabled. */
     public Optional<StructuralProof> neverStops() {
         Optional<StructuralProof> bySiphons = neverStopsBySiphons();
@@ -74,9 +77,9 @@ public final class StructuralAnswers {
 
     /** The same, by siphons and traps alone. */
     Optional<StructuralProof> neverStopsBySiphons() {
-        SiphonTrapCheck.Result check = SiphonTrapCheck.check(net, limits);
-        return check.holds()
-                ? Optional.of(new StructuralProof(Method.SIPHON_TRAP, words(check.pairs())))
+        return siphons().holds()
+                ? Optional.of(
+                        new StructuralProof(Method.SIPHON_TRAP, words(siphons().pairs())))
                 : Optional.empty();
     }
 

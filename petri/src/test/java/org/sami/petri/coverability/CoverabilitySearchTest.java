@@ -34,8 +34,8 @@ final class CoverabilitySearchTest {
         assertThat(set.isUnbounded(2)).isTrue();
         assertThat(set.mostTokens(0)).hasValue(1);
         assertThat(set.mostTokens(2)).isEmpty();
-        assertThat(set.covers(new int[] {1, 0, 1_000_000, 0, 1})).isTrue();
-        assertThat(set.covers(new int[] {1, 1, 0, 0, 0})).isFalse();
+        assertThat(covers(set, new int[] {1, 0, 1_000_000, 0, 1})).isTrue();
+        assertThat(covers(set, new int[] {1, 1, 0, 0, 0})).isFalse();
         CoverabilityGraph graph = set.graph();
         assertThat(graph.nodes()).isEqualTo(4);
         assertThat(graph.edges())
@@ -109,7 +109,8 @@ final class CoverabilitySearchTest {
                 open += set.isUnbounded(0) || set.isUnbounded(1) ? 1 : 0;
                 assertThat(markings.found())
                         .as("seed %d", seed)
-                        .allMatch(marking -> set.covers(
+                        .allMatch(marking -> covers(
+                                set,
                                 marking.stream().mapToInt(Integer::intValue).toArray()));
             }
             if (markings.isComplete()) {
@@ -221,6 +222,20 @@ final class CoverabilitySearchTest {
         builder.consume(move, 0, 1).produce(move, 1, 5);
 
         assertThat(search(builder.build()).end()).isEqualTo(SearchEnd.TOKENS);
+    }
+
+    private static boolean covers(CoverabilitySet set, int[] tokens) {
+        for (int number = 0; number < set.size(); number++) {
+            int[] marking = set.marking(number);
+            boolean covers = true;
+            for (int place = 0; place < tokens.length; place++) {
+                covers &= marking[place] >= tokens[place];
+            }
+            if (covers) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static CoverabilitySet search(PetriNet net) {

@@ -29,9 +29,6 @@ import org.sami.petri.query.QueryFaultException;
 import org.sami.petri.query.QueryMeans;
 import org.sami.petri.query.QueryParser;
 import org.sami.petri.query.QueryRunner;
-import org.sami.petri.structure.StructuralAnswers;
-import org.sami.petri.structure.StructuralQueries;
-import org.sami.petri.structure.StructureLimits;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -182,15 +179,12 @@ public final class AnalyseCommand implements Callable<Integer> {
                         net, means.symmetry().map(whole::withSymmetry).orElse(whole), watch, System::nanoTime)));
             }
             QueryRunner runner = new QueryRunner(net, budget, means, watch, System::nanoTime);
-            StructuralQueries structure =
-                    new StructuralQueries(net, new StructuralAnswers(net, StructureLimits.USUAL.withCancel(stop)));
+            ProofsBeforeSearch proofs = new ProofsBeforeSearch(net, budget, watch, stop);
             for (int i = 0; i < asked.size(); i++) {
                 NetQuery query = asked.get(i);
                 String text = queries.get(i);
-                Optional<StructuralQueries.Answer> proved =
-                        options.asksStructure() ? structure.answer(query) : Optional.empty();
-                analyses.add(proved.map(answer -> NetAnalysis.of(net, text, query, answer))
-                        .orElseGet(() -> NetAnalysis.of(text, query, runner.answer(query))));
+                Optional<NetAnalysis> proved = options.asksStructure() ? proofs.answer(text, query) : Optional.empty();
+                analyses.add(proved.orElseGet(() -> NetAnalysis.of(text, query, runner.answer(query))));
             }
             progress.end();
         }

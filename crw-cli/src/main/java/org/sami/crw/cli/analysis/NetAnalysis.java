@@ -3,6 +3,7 @@ package org.sami.crw.cli.analysis;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.sami.petri.coverability.CoverabilityQueries;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.net.PetriNet;
@@ -58,13 +59,22 @@ record NetAnalysis(PetriNet net, Optional<ReachabilityGraph> graph, Optional<Ans
                         text, query, answer.verdict(), words, Optional.empty(), Optional.of(answer.proof()))));
     }
 
+    /** An answer from the coverability set of a net. */
+    static NetAnalysis of(PetriNet net, String text, NetQuery query, CoverabilityQueries.Answer answer) {
+        return new NetAnalysis(
+                net,
+                Optional.empty(),
+                Optional.of(new Answered(
+                        text, query, answer.verdict(), answer.words(), Optional.empty(), Optional.empty())));
+    }
+
     /** Whether the budget ended the search before all was known. */
     boolean isOpen() {
         return answer.map(a -> a.verdict() == NetVerdict.UNKNOWN)
                 .orElseGet(() -> graph.filter(g -> g.end().isBounded()).isPresent());
     }
 
-    /** Whether something was found that a query asked about as a fault: a broken invariant, a deadlock, a run that cannot come home. */
+    /** Whether something was found that a query asked about as a fault: a broken invariant, a deadlock, a run that cannot come home, an unbounded place. */
     boolean hasFound() {
         return answer.filter(a -> a.query() instanceof NetQuery.Deadlock
                         ? a.verdict() == NetVerdict.YES

@@ -6,14 +6,17 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import org.sami.petri.coverability.CoverabilityAnswers;
 import org.sami.petri.coverability.CoverabilitySet;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.net.PetriNet;
+import org.sami.petri.structure.IntegerVector;
 import org.sami.petri.structure.InvariantSet;
 import org.sami.petri.structure.Invariants;
 import org.sami.petri.structure.MarkingBound;
+import org.sami.petri.structure.SiphonTrapCheck;
 import org.sami.petri.structure.StructuralAnswers;
 import org.sami.petri.structure.StructuralProof;
 import org.sami.petri.structure.StructureLimits;
@@ -22,6 +25,8 @@ import org.sami.petri.structure.StructureLimits;
  * What {@code crw analyse --structure} says of a net.
  *
  * @param bounds by place; empty where structure gives none
+ * @param basis of all P-invariants, those with negative weights too; empty where it was not computed
+ * @param siphons whether each siphon contains a marked trap
  * @param neverStops why some transition is always enabled; empty where that is not proved
  * @param isLive why each transition can always fire again; empty where that is not proved
  * @param coverability only where structure does not bound all places
@@ -29,8 +34,10 @@ import org.sami.petri.structure.StructureLimits;
 record StructureFacts(
         PetriNet net,
         InvariantSet placeInvariants,
+        Optional<List<IntegerVector>> basis,
         InvariantSet transitionInvariants,
         List<Optional<MarkingBound>> bounds,
+        SiphonTrapCheck.Result siphons,
         Optional<StructuralProof> neverStops,
         Optional<StructuralProof> isLive,
         Optional<CoverabilityAnswers> coverability) {
@@ -47,8 +54,10 @@ record StructureFacts(
         return new StructureFacts(
                 net,
                 answers.invariants(),
+                Invariants.basisOfPlaces(net, limits),
                 Invariants.ofTransitions(net, limits),
                 bounds,
+                answers.siphons(),
                 answers.neverStops(),
                 answers.isLive(),
                 bounds.stream().allMatch(Optional::isPresent)
@@ -66,6 +75,15 @@ record StructureFacts(
         }
         Optional<MarkingBound> bound = bounds.get(place);
         return bound.isPresent() ? OptionalLong.of(bound.get().mostTokens(place)) : OptionalLong.empty();
+    }
+
+    /** Transitions that never fire, as a complete coverability set shows; none where there is no such set. */
+    List<Integer> neverFiring() {
+        return coverability.map(CoverabilityAnswers::set).filter(CoverabilitySet::isComplete).stream()
+                .flatMap(set -> IntStream.range(0, net.transitionCount())
+                        .filter(transition -> !set.canFire(transition))
+                        .boxed())
+                .toList();
     }
 
     /** Whether it is open which places are unbounded. */

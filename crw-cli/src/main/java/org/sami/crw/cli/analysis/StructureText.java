@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.sami.petri.coverability.CoverabilityAnswers;
 import org.sami.petri.coverability.CoverabilitySet;
 import org.sami.petri.net.PetriNet;
@@ -35,6 +36,10 @@ final class StructureText {
             sums.add(invariant.words(net::placeName) + " is always " + invariant.times(net.initialMarking()));
         }
         printList("P-invariants", facts.placeInvariants(), sums);
+        facts.basis()
+                .filter(basis ->
+                        basis.size() != facts.placeInvariants().invariants().size())
+                .ifPresent(basis -> out.println("    with negative weights too, all are sums of " + basis.size()));
         List<String> rounds = new ArrayList<>();
         for (IntegerVector invariant : facts.transitionInvariants().invariants()) {
             rounds.add(invariant.words(net::transitionName));
@@ -45,6 +50,10 @@ final class StructureText {
             out.println("each transition can always fire again, as the net is free-choice");
         }
         facts.coverability().ifPresent(this::printCoverability);
+        if (!facts.neverFiring().isEmpty()) {
+            out.println("never fires: "
+                    + listed(facts.neverFiring().stream().map(net::transitionId).toList(), ", "));
+        }
         printBounds();
     }
 
@@ -66,11 +75,19 @@ final class StructureText {
             printLines(neverStops.get().words());
         } else {
             out.println("structure does not prove that there is no deadlock");
+            facts.siphons()
+                    .unmarked()
+                    .ifPresent(siphon -> out.println("    siphon "
+                            + siphon.stream().mapToObj(net::placeName).collect(Collectors.joining(", ", "{", "}"))
+                            + " contains no marked trap: it may become empty, and stays so"));
         }
     }
 
     private void printCoverability(CoverabilityAnswers answers) {
-        out.println(answers.words(net));
+        out.println(answers.words(net)
+                + (facts.isOpen()
+                        ? ""
+                        : ", its graph has " + answers.set().graph().edges().size() + " edges"));
         for (int place : answers.unbounded(net)) {
             out.println("    " + net.placeName(place) + " is unbounded (ω)"
                     + answers.set().pump(place).map(this::words).orElse(""));

@@ -101,7 +101,7 @@ class AnalyseCommandTest {
     void searchBeyondItsBudgetSaysSoAndHasACodeOfItsOwn() throws Exception {
         CommandResult ran = CommandResult.crw("analyse", "producer-consumer-0", "--budget", "1000");
         CommandResult json = CommandResult.crw(
-                "analyse", "producer-consumer-0", "--budget", "1000", "--json", "--query", "bound buffer");
+                "analyse", "producer-consumer-0", "--budget", "1000", "--search", "--json", "--query", "bound buffer");
 
         assertThat(ran.exitCode()).isEqualTo(5);
         assertThat(ran.out()).contains("bounded search only: the budget of states was used up");

@@ -27,7 +27,7 @@ class AnalyseStructureTest {
                         "no deadlock, proved by siphons and traps",
                         "    {ready, made} is a siphon and a trap, marked at first",
                         "each transition can always fire again, as the net is free-choice",
-                        "minimal coverability set of 4 markings",
+                        "minimal coverability set of 4 markings, its graph has 8 edges",
                         "    buffer is unbounded (ω): it grows with each round of make put",
                         "at most 1 tokens: ready, made, waits, taken");
     }
@@ -44,6 +44,15 @@ class AnalyseStructureTest {
     }
 
     @Test
+    void aSiphonThatMayBecomeEmptyIsNamed() {
+        CommandResult ran = CommandResult.crw("analyse", "philosophers-3", "--structure");
+
+        assertThat(ran.out())
+                .contains("structure does not prove that there is no deadlock")
+                .containsPattern("siphon \\{.*\\} contains no marked trap: it may become empty, and stays so");
+    }
+
+    @Test
     void programsReadAllOfIt() throws Exception {
         CommandResult ran = CommandResult.crw("analyse", "producer-consumer-0", "--structure", "--json");
 
@@ -55,6 +64,11 @@ class AnalyseStructureTest {
         assertThat(object.at("/neverStops/method").asText()).isEqualTo("siphons and traps");
         assertThat(object.at("/coverability/markings").asInt()).isEqualTo(4);
         assertThat(object.at("/coverability/unbounded/0").asText()).isEqualTo("buffer");
+        assertThat(object.at("/coverability/set"))
+                .hasSize(4)
+                .anyMatch(marking -> marking.at("/buffer").asText().equals("ω"));
+        assertThat(object.at("/coverability/edges")).hasSize(8);
+        assertThat(object.at("/placeInvariantBasis")).hasSize(2);
         assertThat(object.at("/mostTokens/made").asInt()).isEqualTo(1);
         assertThat(object.at("/mostTokens").has("buffer")).isFalse();
     }
@@ -71,6 +85,28 @@ class AnalyseStructureTest {
                 .contains("undecidable here, as inhibitor or reset arcs go to places without a proved bound (counted):"
                         + " searched to 41 markings (the budget of states was used up)")
                 .contains("no bound is known: counted, zero");
+    }
+
+    @Test
+    void queriesAboutANetWithoutEndAreAnswered() {
+        CommandResult bounds = CommandResult.crw(
+                "analyse", "producer-consumer-0", "--query", "bound buffer", "--query", "bound waits");
+        CommandResult never = CommandResult.crw(
+                "analyse",
+                "producer-consumer-0",
+                "--query",
+                "reachable m(buffer) >= 5 and m(made) >= 2",
+                "--query",
+                "reachable m(buffer) >= 3 and m(taken) >= 1");
+
+        assertThat(bounds.exitCode()).as(bounds.err()).isEqualTo(1);
+        assertThat(bounds.out())
+                .contains("bound buffer: no, place buffer is unbounded: it grows with each round of make put")
+                .contains("bound waits: yes, place waits has at most 1 tokens");
+        assertThat(never.exitCode()).as(never.err()).isZero();
+        assertThat(never.out())
+                .contains("reachable m(buffer) >= 5 and m(made) >= 2: no, proved by P-invariants")
+                .contains("reachable m(buffer) >= 3 and m(taken) >= 1: yes, such a marking is reached by 9 firings");
     }
 
     @Test

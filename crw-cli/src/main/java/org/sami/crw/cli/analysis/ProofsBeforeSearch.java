@@ -1,0 +1,74 @@
+package org.sami.crw.cli.analysis;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
+import org.sami.petri.coverability.CoverabilityQueries;
+import org.sami.petri.coverability.CoverabilitySearch;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.net.PetriNet;
+import org.sami.petri.query.NetQuery;
+import org.sami.petri.structure.StructuralAnswers;
+import org.sami.petri.structure.StructuralQueries;
+import org.sami.petri.structure.StructureLimits;
+
+/**
+ * Answers queries before states are searched: by the structure of the net, and, where that does not bound all places, by its coverability set, as a search through states
+ * might never end. The set is computed once, for the first query that it can answer.
+ */
+final class ProofsBeforeSearch {
+    /** More markings than that take longer than they are worth here. */
+    private static final int MOST_MARKINGS = 200_000;
+
+    private final PetriNet net;
+    private final SearchBudget budget;
+    private final GraphWatch watch;
+    private final BooleanSupplier stop;
+    private final StructuralAnswers structure;
+    private boolean asked;
+    private @Nullable CoverabilityQueries coverability;
+
+    ProofsBeforeSearch(PetriNet net, SearchBudget budget, GraphWatch watch, BooleanSupplier stop) {
+        this.net = net;
+        this.budget = budget;
+        this.watch = watch;
+        this.stop = stop;
+        this.structure = new StructuralAnswers(net, StructureLimits.USUAL.withCancel(stop));
+    }
+
+    /** The answer; empty where states have to be searched. */
+    Optional<NetAnalysis> answer(String text, NetQuery query) {
+        Optional<NetAnalysis> byStructure = new StructuralQueries(net, structure)
+                .answer(query)
+                .map(answer -> NetAnalysis.of(net, text, query, answer));
+        if (byStructure.isPresent() || !CoverabilityQueries.mayAnswer(query)) {
+            return byStructure;
+        }
+        return coverability()
+                .flatMap(queries -> queries.answer(query))
+                .map(answer -> NetAnalysis.of(net, text, query, answer));
+    }
+
+    private Optional<CoverabilityQueries> coverability() {
+        if (!asked) {
+            asked = true;
+            coverability = isBounded() ? null : searched();
+        }
+        return Optional.ofNullable(coverability);
+    }
+
+    private boolean isBounded() {
+        for (int place = 0; place < net.placeCount(); place++) {
+            if (stop.getAsBoolean() || structure.mostTokens(place).isEmpty()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private CoverabilityQueries searched() {
+        SearchBudget some = new SearchBudget(Math.min(MOST_MARKINGS, budget.states()), budget.bytes(), budget.time());
+        return new CoverabilityQueries(net, CoverabilitySearch.search(net, some, watch, System::nanoTime));
+    }
+}
