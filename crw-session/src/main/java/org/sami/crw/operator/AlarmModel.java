@@ -255,15 +255,15 @@ public final class AlarmModel extends Model<List<Alarm>> {
     private void set(Key key, Optional<String> text, long atMillis) {
         Alarm before = alarms.get(key);
         if (text.isPresent()) {
-            boolean goesOn = before != null && before.active();
-            long number = goesOn ? before.number() : ++raised;
+            Optional<Alarm> goesOn = Optional.ofNullable(before).filter(Alarm::active);
+            long number = goesOn.isPresent() ? goesOn.get().number() : ++raised;
             put(
                     number,
                     key,
                     text.get(),
-                    goesOn ? before.sinceMillis() : atMillis,
+                    goesOn.map(Alarm::sinceMillis).orElse(atMillis),
                     true,
-                    goesOn && before.acknowledged());
+                    goesOn.filter(Alarm::acknowledged).isPresent());
         } else if (before != null && before.acknowledged()) {
             alarms.remove(key);
         } else if (before != null && before.active()) {

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -99,7 +100,11 @@ final class EngineFeed {
         for (Effect effect : step.effects()) {
             models.missions().apply(effect, step.plans(), step.atMillis());
             if (effect instanceof Effect.DecisionOpened opened) {
-                open(step.presentations().get(opened.decision().id()), step.atMillis());
+                long decision = opened.decision().id();
+                open(
+                        Objects.requireNonNull(
+                                step.presentations().get(decision), () -> "decision " + decision + " is not presented"),
+                        step.atMillis());
             } else if (effect instanceof Effect.DecisionClosed closed) {
                 models.decisions().close(closed.decision(), closed.answer(), closed.by());
             } else if (effect instanceof Effect.DecisionHeld held) {

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.mission.BlockedPlaces;
 import org.sami.crw.operator.mission.InterruptChoice;
@@ -209,7 +210,7 @@ record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons)
                 && text.value().equals(name);
     }
 
-    private static Optional<String> name(FieldSource source) {
+    private static Optional<String> name(@Nullable FieldSource source) {
         Value value = source instanceof FieldSource.Fixed fixed ? fixed.value() : null;
         return value instanceof TextValue text ? Optional.of(text.value()) : Optional.empty();
     }

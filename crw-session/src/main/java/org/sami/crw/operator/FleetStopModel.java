@@ -3,6 +3,7 @@ package org.sami.crw.operator;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -83,7 +84,8 @@ public final class FleetStopModel extends Model<FleetStopState> {
         List<String> here = of(StopLatch.Where.HERE);
         List<String> elsewhere = of(StopLatch.Where.ELSEWHERE);
         Map<String, String> by = new TreeMap<>(NaturalOrder.INSTANCE);
-        elsewhere.forEach(boat -> by.put(boat, boats.get(boat).by()));
+        elsewhere.forEach(boat ->
+                by.put(boat, Objects.requireNonNull(boats.get(boat), boat).by()));
         by.values().removeIf(String::isEmpty);
         boolean latched = everyBoat || !here.isEmpty() || !elsewhere.isEmpty();
         if (!latched) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.markup.MarkedEvent;
 import org.sami.spn.engine.EngineView;
@@ -76,7 +77,8 @@ final class RunningPlans {
         return new MarkedEvent(
                 Ids.NONE,
                 mission,
-                plans.get(mission).id() + "/" + input.id(),
+                Objects.requireNonNull(plans.get(mission), () -> "mission " + mission + " has no plan")
+                                .id() + "/" + input.id(),
                 input.type(),
                 input.markups(),
                 used.stream().flatMap(one -> one.proxies().stream()).distinct().toList());

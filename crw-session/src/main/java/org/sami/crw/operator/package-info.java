@@ -10,4 +10,7 @@
  *
  * <p>Snapshots may be read from any thread; no public method of a model waits for another thread (docs/threads.md).
  */
+@NullMarked
 package org.sami.crw.operator;
+
+import org.jspecify.annotations.NullMarked;

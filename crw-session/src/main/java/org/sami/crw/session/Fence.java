@@ -27,7 +27,7 @@ public final class Fence {
         try {
             Water.of(area.outline().get(0), List.of(), Optional.of(area));
         } catch (IllegalArgumentException crossed) {
-            return CompletableFuture.failedFuture(new RefusedException(crossed.getMessage()));
+            return CompletableFuture.failedFuture(new RefusedException(String.valueOf(crossed.getMessage())));
         }
         return post(
                 OperatingArea.remember(area), "set the fence: " + area.outline().size() + " corners");

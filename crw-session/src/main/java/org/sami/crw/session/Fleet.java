@@ -96,7 +96,7 @@ public final class Fleet {
             try {
                 connector.connect(new BoatConnector.Request("", "", address.toString()), reply::complete);
             } catch (RuntimeException cannot) {
-                reply.fail(new RefusedException(cannot.getMessage()));
+                reply.fail(new RefusedException(String.valueOf(cannot.getMessage())));
             }
         });
         return reply.stage();
@@ -139,7 +139,7 @@ public final class Fleet {
                 log.add(Kind.BOAT, "added simulated boats: " + String.join(", ", made));
                 return made;
             } catch (IllegalStateException | IllegalArgumentException cannot) {
-                throw new RefusedException(cannot.getMessage());
+                throw new RefusedException(String.valueOf(cannot.getMessage()));
             }
         });
     }
@@ -346,7 +346,7 @@ public final class Fleet {
                 log.add(Kind.BOAT, done, boat);
                 return id;
             } catch (IllegalArgumentException unfit) {
-                throw new RefusedException(unfit.getMessage());
+                throw new RefusedException(String.valueOf(unfit.getMessage()));
             }
         });
     }

@@ -15,7 +15,7 @@ public final class RefusedException extends RuntimeException {
     public static String reason(Throwable fault) {
         Throwable cause = fault instanceof CompletionException && fault.getCause() != null ? fault.getCause() : fault;
         return cause instanceof RefusedException || cause instanceof IllegalArgumentException
-                ? cause.getMessage()
+                ? String.valueOf(cause.getMessage())
                 : cause.toString();
     }
 }

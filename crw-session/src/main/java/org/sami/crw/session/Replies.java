@@ -9,6 +9,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Results that callers of a session wait for. They arrive on the front's executor, never on the engine's or the fleet's thread, so
@@ -34,7 +35,7 @@ final class Replies {
             return future;
         }
 
-        void complete(T value) {
+        void complete(@Nullable T value) {
             arrive(() -> future.complete(value));
         }
 

@@ -7,10 +7,12 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.SteadyClock;
 import org.sami.crw.area.OperatingArea;
@@ -35,7 +37,7 @@ final class TcpFleet implements FleetConnector {
     private final Optional<SimulatedBoats> simulated;
     private final Map<InetSocketAddress, String> boatAt = new HashMap<>(); // this and the next: for the fleet's thread
     private final Map<InetSocketAddress, List<Consumer<String>>> awaited = new HashMap<>();
-    private volatile TcpBase base;
+    private volatile @Nullable TcpBase base; // null until it is open
 
     TcpFleet(TcpBaseConfig config, SteadyClock clock, Optional<SimulatedBoats> simulated) {
         this.config = config;
@@ -48,14 +50,18 @@ final class TcpFleet implements FleetConnector {
         base = new TcpBase(config, clock, new Relay(listener));
     }
 
+    private TcpBase base() {
+        return Objects.requireNonNull(base, "the fleet is not open");
+    }
+
     @Override
     public Executor executor() {
-        return base.executor();
+        return base().executor();
     }
 
     @Override
     public ProxyRegistry boats() {
-        return base.boats();
+        return base().boats();
     }
 
     @Override
@@ -66,7 +72,7 @@ final class TcpFleet implements FleetConnector {
             found.accept(known);
         } else {
             awaited.computeIfAbsent(address, unknown -> new ArrayList<>()).add(found);
-            base.connect(address);
+            base().connect(address);
         }
     }
 
@@ -87,8 +93,8 @@ final class TcpFleet implements FleetConnector {
                 () -> new IllegalStateException("this session has nobody who makes simulated boats"));
         try {
             InetSocketAddress address = launcher.launch(boat, at).toSocketAddress();
-            base.expect(boat); // its name is taken from now on
-            base.connect(address);
+            base().expect(boat); // its name is taken from now on
+            base().connect(address);
         } catch (IOException noPort) {
             throw new IllegalStateException(boat + " cannot be launched: " + noPort.getMessage(), noPort);
         }
@@ -105,33 +111,33 @@ final class TcpFleet implements FleetConnector {
 
     @Override
     public void expect(String boat) {
-        base.expect(boat);
+        base().expect(boat);
     }
 
     @Override
     public CompletionStage<Boolean> disconnect(String boat) {
-        return base.remove(boat);
+        return base().remove(boat);
     }
 
     @Override
     public CompletionStage<Boolean> disconnect(BoatAddress address) {
         awaited.remove(address.toSocketAddress());
-        return base.disconnect(address.toSocketAddress());
+        return base().disconnect(address.toSocketAddress());
     }
 
     @Override
     public CompletionStage<List<LinkReport>> links() {
-        return base.links();
+        return base().links();
     }
 
     @Override
     public List<LinkReport> linkReports() {
-        return base.linkReports();
+        return base().linkReports();
     }
 
     @Override
     public void keepTo(OperatingArea area) {
-        base.keepTo(area.fence(), area.noGo());
+        base().keepTo(area.fence(), area.noGo());
     }
 
     @Override
@@ -157,7 +163,7 @@ final class TcpFleet implements FleetConnector {
 
     @Override
     public void close() {
-        base.close();
+        base().close();
         simulated.ifPresent(SimulatedBoats::close);
     }
 
