@@ -146,12 +146,17 @@ final class MissionWindow {
         return of(all, item).to > to ? Optional.of(longer()) : Optional.empty();
     }
 
+    /** How many items the mission of the vehicle has, home included. */
+    int size() {
+        return isWhole() ? all.size() : SLOTS + 2;
+    }
+
     /** The mission that the vehicle is to hold, home first. */
     List<MissionItem> items() {
         if (isWhole()) {
             return all;
         }
-        List<MissionItem> slots = new ArrayList<>(Collections.nCopies(SLOTS + 2, all.get(0)));
+        List<MissionItem> slots = new ArrayList<>(Collections.nCopies(size(), all.get(0)));
         IntStream.range(from(), from() + SLOTS).forEach(item -> slots.set(slot(item), content(item)));
         slots.set(SLOTS + 1, MissionItem.command(SLOTS + 1, JUMP, 1, FOREVER, 0));
         return Collections.unmodifiableList(slots);

@@ -14,7 +14,7 @@ final class OtherHands {
     /** The autopilot said something. */
     void said(StatusText text, long atMs) {
         String lower = text.text().toLowerCase(Locale.ROOT);
-        if (lower.contains("failsafe") || lower.contains("breach") || lower.contains("ekf")) {
+        if (lower.contains("failsafe") || lower.contains("breach") || lower.contains("ekf variance")) {
             words = text.text();
             saidMs = atMs;
         }

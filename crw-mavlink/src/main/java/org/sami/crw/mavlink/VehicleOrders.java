@@ -89,6 +89,10 @@ final class VehicleOrders {
     /** The vehicle reports itself. Whether somebody has taken it from the base just now. */
     boolean reported(VehicleSnapshot vehicle, long atMs) {
         boolean other = motion.reported(vehicle, atMs);
+        if (!other && paths.isReplaced(vehicle)) {
+            motion.release();
+            other = true;
+        }
         if (!other) {
             paths.seen(vehicle);
         }

@@ -33,6 +33,7 @@ final class VehiclePaths {
     private final MavlinkBase base;
     private final VehicleMotion motion;
     private final MissionStore store;
+    private final MissionWatch watch = new MissionWatch();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
@@ -125,6 +126,20 @@ final class VehiclePaths {
                 broadcast.accept(progress());
             }
         }
+    }
+
+    /** Whether somebody else has just replaced the mission along which it drives. */
+    boolean isReplaced(VehicleSnapshot vehicle) {
+        if (!store.holds(list)) {
+            watch.forget();
+            return false;
+        }
+        boolean isReplaced =
+                watch.isReplaced(list.orElseThrow().window().size(), vehicle) && isInAuto() && motion.isOrdered();
+        if (isReplaced) {
+            store.forget();
+        }
+        return isReplaced;
     }
 
     void tick(long atMs) {
@@ -232,9 +247,9 @@ final class VehiclePaths {
         motion.guide(place, multiplier * place.speedMps(), () -> started(to, index), ended);
     }
 
-    /** A part that the vehicle does not hold is sent while it keeps its place. */
+    /** What the vehicle does not hold is sent while it keeps its place. */
     private void follow(DrivenList along, int index, Consumer<Optional<String>> ended) {
-        if (!along.has(index) && isInAuto()) {
+        if (isInAuto() && !(along.has(index) && store.holds(list))) {
             motion.hold(why -> why.ifPresentOrElse(words -> ended.accept(why), () -> drive(along, index, ended)));
         } else {
             drive(along, index, ended);

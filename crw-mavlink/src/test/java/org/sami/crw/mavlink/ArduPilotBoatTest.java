@@ -27,6 +27,8 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.ArduPilotBoats;
 import org.sami.mavlink.testing.SimulatorTruth;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -42,6 +44,7 @@ class ArduPilotBoatTest {
     private static final double BOOT_S = 300;
     private static final double MISSION_S = 500;
     private static final double RADIUS_M = 3;
+    private static final VehicleId ID = new VehicleId(NUMBER + 1, 1);
     private static final String BOAT = "mav" + (NUMBER + 1);
 
     @TempDir
@@ -112,6 +115,38 @@ class ArduPilotBoatTest {
     }
 
     @Test
+    void whoReplacesTheMissionUnderWayIsNoticed() throws Exception {
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
+            connect(world);
+            GeoPoint start = start(world);
+            List<GeoPoint> path = List.of(off(start, 15, 0), off(start, 500, 0), off(start, 500, 500));
+            submit(world, FollowPath.of("path", 1, 1, path, Priority.MEDIUM));
+            Await.until(
+                    "it is under way",
+                    MISSION_S,
+                    () -> world.has(FleetEvent.Progressed.class, news -> news.visited() == 1));
+            try (MavlinkBase other = otherStation()) {
+                MissionItem home = MissionItem.waypoint(0, start.latDeg(), start.lonDeg(), 0, 0);
+                MissionItem there = MissionItem.waypoint(1, start.latDeg(), start.lonDeg() + 0.001, 0, 0);
+                other.replace(ID, HeldKind.MISSION, List.of(home, there)).join();
+
+                Await.until("it is taken", MISSION_S, () -> world.is(BOAT, boat -> !boat.isCommanding()));
+                assertThat(world.alarms)
+                        .anyMatch(alarm -> alarm.startsWith(BOAT + " is taken by a pilot or another ground station"));
+                world.tell(BOAT, boat -> boat.handOver().takeCommand());
+                Await.until(
+                        "it has its own path again",
+                        MISSION_S,
+                        () -> other.vehicles().join().stream()
+                                .anyMatch(boat -> boat.itemsHeld().orElse(0) > 2));
+            }
+            assertThat(world.faults).isEmpty();
+        }
+    }
+
+    @Test
     void stopsByItselfAtANoGoAreaOfTheSession() throws Exception {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
         try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
@@ -139,17 +174,21 @@ class ArduPilotBoatTest {
         }
     }
 
-    /** Asks over its second link, as another ground station would. */
     private static void untilParameter(String name, double value) {
-        VehicleId id = new VehicleId(NUMBER + 1, 1);
-        MavlinkAddress address = AddressText.parse("mavlink:tcp:127.0.0.1:" + (ArduPilotBoats.secondPort(NUMBER) + 1));
-        try (MavlinkBase other = new MavlinkBase(List.of(address), ProcessClock::ms)) {
+        try (MavlinkBase other = otherStation()) {
             Await.until(
                     name + " is " + value,
                     MISSION_S,
-                    () -> !other.vehicles().join().isEmpty()
-                            && other.parameter(id, name).join() == value);
+                    () -> other.parameter(ID, name).join() == value);
         }
+    }
+
+    /** Another ground station on its third link, which hears it. */
+    private static MavlinkBase otherStation() {
+        MavlinkAddress address = AddressText.parse("mavlink:tcp:127.0.0.1:" + (ArduPilotBoats.secondPort(NUMBER) + 1));
+        MavlinkBase other = new MavlinkBase(List.of(address), ProcessClock::ms);
+        Await.until("it is heard", () -> !other.vehicles().join().isEmpty());
+        return other;
     }
 
     private static boolean isStill(BoatProxy boat) {

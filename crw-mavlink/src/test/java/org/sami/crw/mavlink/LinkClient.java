@@ -81,6 +81,11 @@ final class LinkClient implements AutoCloseable {
         return said.stream().filter(kind::isInstance).map(kind::cast).reduce((before, later) -> later);
     }
 
+    /** How many messages of a kind the vehicle has said over this connection. */
+    long count(Class<? extends LinkMessage> kind) {
+        return said.stream().filter(kind::isInstance).count();
+    }
+
     /** The area in which the vehicle may go. */
     void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
         gateway.keepTo(within, avoid);

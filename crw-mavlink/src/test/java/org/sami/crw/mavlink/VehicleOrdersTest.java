@@ -19,6 +19,8 @@ import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.TakeCommand;
+import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
@@ -121,6 +123,19 @@ class VehicleOrdersTest {
         assertThat(client.reconnect()).isEqualTo(Role.OBSERVER);
 
         assertThat(boat.mode()).isEqualTo(MANUAL);
+    }
+
+    @Test
+    void whoReplacesTheMissionUnderWayHasTakenIt() {
+        drive();
+        long before = client.count(Telemetry.class);
+        Await.until("what it holds has been seen", () -> client.count(Telemetry.class) > before + 2);
+
+        boat.loseMission();
+
+        Await.until("it is noticed that it is taken", client::isObserver);
+        client.untilAlarm("mav5 is taken by a pilot or another ground station (AUTO)");
+        assertThat(client.ask(new TakeCommand("take", "client.0", 2))).isInstanceOf(Ack.class);
     }
 
     @Test

@@ -426,7 +426,10 @@ public final class SmallBoat implements AutoCloseable {
         send(SysStatus.builder().voltageBattery(12_600).batteryRemaining(charge).build());
         send(EkfStatusReport.builder().flags(EnumValue.create(filter)).build());
         send(FenceStatus.builder().breachStatus(outside ? 1 : 0).build());
-        send(MissionCurrent.builder().seq(mission.current()).build());
+        send(MissionCurrent.builder()
+                .seq(mission.current())
+                .total(mission.total())
+                .build());
     }
 
     private void beat() {

@@ -21,6 +21,7 @@ final class SmallBoatMission {
     private static final int JUMP = 177;
     private static final int CHANGE_SPEED = 178;
     private static final int MOST_ITEMS = 650;
+    private static final int NO_ITEMS = 65_535;
 
     private List<MissionItemInt> items = new ArrayList<>();
     private List<MissionItemInt> coming = new ArrayList<>();
@@ -44,6 +45,11 @@ final class SmallBoatMission {
 
     void lose() {
         items = new ArrayList<>();
+    }
+
+    /** How many items it has, as ArduPilot says it: without home. */
+    int total() {
+        return items.isEmpty() ? NO_ITEMS : items.size() - 1;
     }
 
     int current() {
