@@ -29,14 +29,17 @@ final class TransitionRelations {
         lowering = new int[net.placeCount()][];
     }
 
-    /** The transitions that may leave more tokens in a place than there were. */
+    /**
+     * The transitions that may leave more tokens in a place than there were. One that resets the place and does not produce more than it consumes leaves no more
+     * than it found.
+     */
     int[] raising(int place) {
         int[] known = raising[place];
         if (known == null) {
             BitSet set = new BitSet();
             for (int arc = producers.from(place); arc < producers.to(place); arc++) {
                 int t = producers.node(arc);
-                if (producers.weight(arc) > consumers.weight(place, t) || resetters.weight(place, t) > 0) {
+                if (producers.weight(arc) > consumers.weight(place, t)) {
                     set.set(t);
                 }
             }
@@ -82,7 +85,7 @@ final class TransitionRelations {
                 }
             }
             for (int place : places(net.resets(), transition)) {
-                List.of(consumers, producers, inhibited, resetters).forEach(arcs -> addAll(arcs, place, set));
+                List.of(consumers, producers, resetters).forEach(arcs -> addAll(arcs, place, set));
             }
             set.clear(transition);
             known = set.stream().toArray();

@@ -26,6 +26,7 @@ public final class NetSymmetry implements MarkingSymmetry {
     /** By generator: those that move a place that it moves. */
     private final int[][] overlapping;
 
+    private final boolean[] isListed;
     private final int[] open;
     private final boolean[] isOpen;
 
@@ -36,6 +37,7 @@ public final class NetSymmetry implements MarkingSymmetry {
         this.generators = List.copyOf(generators);
         room = new int[net.placeCount()];
         transitions = net.transitionCount();
+        isListed = new boolean[transitions];
         open = new int[generators.size()];
         isOpen = new boolean[generators.size()];
         all = IntStream.range(0, generators.size()).toArray();
@@ -150,19 +152,30 @@ public final class NetSymmetry implements MarkingSymmetry {
                 fixing.add(generator);
             }
         }
-        int kept = 0;
+        if (fixing.isEmpty()) {
+            return count;
+        }
         for (int i = 0; i < count; i++) {
-            if (!hasEarlierOneLikeIt(enabled[i])) {
-                enabled[kept++] = enabled[i];
+            isListed[enabled[i]] = true;
+        }
+        int[] listed = Arrays.copyOf(enabled, count);
+        int kept = 0;
+        for (int transition : listed) {
+            if (!hasEarlierOneLikeIt(transition)) {
+                enabled[kept++] = transition;
             }
+        }
+        for (int transition : listed) {
+            isListed[transition] = false;
         }
         return kept;
     }
 
-    /** Whether a permutation that changes nothing in the marking takes the transition to one of a lower number, which is enabled too. */
+    /** Whether a permutation that changes nothing in the marking takes the transition to one of a lower number, which is in the list too. */
     private boolean hasEarlierOneLikeIt(int transition) {
         for (NetPermutation generator : fixing) {
-            if (generator.transition(transition) < transition) {
+            int other = generator.transition(transition);
+            if (other < transition && isListed[other]) {
                 return true;
             }
         }

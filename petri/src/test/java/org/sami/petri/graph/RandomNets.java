@@ -33,4 +33,29 @@ final class RandomNets {
         }
         return net.build();
     }
+
+    /** Nets in which tokens only move or go, with many inhibitor and reset arcs: their transitions seldom compete, so that reductions leave much out. */
+    static PetriNet loose(long seed) {
+        Random random = new Random(seed);
+        PetriNetBuilder net = new PetriNetBuilder("loose-" + seed);
+        int places = 3 + random.nextInt(5);
+        int transitions = 3 + random.nextInt(4);
+        for (int p = 0; p < places; p++) {
+            net.place("p" + p, random.nextInt(3));
+        }
+        for (int t = 0; t < transitions; t++) {
+            net.transition("t" + t);
+            net.consume(t, random.nextInt(places), 1);
+            if (random.nextInt(4) > 0) {
+                net.produce(t, random.nextInt(places), 1);
+            }
+            if (random.nextInt(3) == 0) {
+                net.inhibit(t, random.nextInt(places), 1 + random.nextInt(2));
+            }
+            if (random.nextInt(3) == 0) {
+                net.reset(t, random.nextInt(places));
+            }
+        }
+        return net.build();
+    }
 }
