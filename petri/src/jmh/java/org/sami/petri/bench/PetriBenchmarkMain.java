@@ -5,16 +5,24 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
+import org.sami.petri.coverability.CoverabilitySearch;
+import org.sami.petri.coverability.CoverabilitySet;
+import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchSettings;
 import org.sami.petri.model.ExampleNets;
 import org.sami.petri.net.PetriNet;
+import org.sami.petri.structure.LinearCondition;
+import org.sami.petri.structure.StructuralAnswers;
+import org.sami.petri.structure.StructuralProof;
+import org.sami.petri.structure.StructureLimits;
 import org.sami.petri.symmetry.NetSymmetry;
 
 /**
@@ -39,6 +47,8 @@ public final class PetriBenchmarkMain {
         measure("philosophers", ExampleNets::philosophers, quick ? 11 : 13);
         bySymmetry(12);
         bySymmetry(20);
+        coverability(2);
+        exclusion(20);
         FigureFile.print(figures);
         FigureFile.replace(FigureFile.ofThisBuild(), PREFIX, figures);
         System.out.println("Written to " + FigureFile.ofThisBuild());
@@ -86,6 +96,43 @@ public final class PetriBenchmarkMain {
             }
         }
         figures.add(new Figure(PREFIX + "symmetry", Map.of("agents", agents), median(seconds), "s", 0));
+    }
+
+    private void coverability(int cards) {
+        PetriNet net = ExampleNets.openKanban(cards);
+        SearchBudget budget = SearchBudget.ofStates(SearchBudget.MOST_STATES);
+        List<Double> seconds = new ArrayList<>();
+        for (int round = 0; round <= (quick ? 2 : 5); round++) {
+            Timed<CoverabilitySet> ours =
+                    timed(() -> CoverabilitySearch.search(net, budget, GraphWatch.NONE, System::nanoTime));
+            if (!ours.result().isComplete()) {
+                throw new IllegalStateException("the coverability set of " + net + " is not complete");
+            }
+            if (round > 0) {
+                seconds.add(ours.seconds());
+            }
+        }
+        figures.add(new Figure(PREFIX + "coverability", Map.of("kanban", cards), median(seconds), "s", 0));
+    }
+
+    /** Two agents are never in the gate together, proved by an invariant; the invariants are computed each time. */
+    private void exclusion(int agents) {
+        PetriNet net = ExampleNets.agents(agents);
+        LinearCondition both = new LinearCondition.AllOf(List.of(
+                LinearCondition.atLeast(net.place("step0.4").orElseThrow(), 1),
+                LinearCondition.atLeast(net.place("step1.5").orElseThrow(), 1)));
+        List<Double> millis = new ArrayList<>();
+        for (int round = 0; round <= (quick ? 2 : 5); round++) {
+            Timed<Optional<StructuralProof>> ours =
+                    timed(() -> new StructuralAnswers(net, StructureLimits.USUAL).never(both));
+            if (ours.result().isEmpty()) {
+                throw new IllegalStateException("two agents of " + net + " in the gate are not excluded");
+            }
+            if (round > 0) {
+                millis.add(ours.seconds() * 1e3);
+            }
+        }
+        figures.add(new Figure(PREFIX + "exclusion", Map.of("agents", agents), median(millis), "ms", 0));
     }
 
     private static HashSetExplorer explored(PetriNet net) {

@@ -13,6 +13,7 @@ public final class ExampleNetNames {
 
     private static final List<Family> FAMILIES = List.of(
             new Family("kanban", 1, 1000, ExampleNets::kanban),
+            new Family("open-kanban", 1, 1000, ExampleNets::openKanban),
             new Family("philosophers", 2, 1000, ExampleNets::philosophers),
             new Family("token-ring", 2, 1000, ExampleNets::tokenRing),
             new Family("agents", 1, 1000, ExampleNets::agents),

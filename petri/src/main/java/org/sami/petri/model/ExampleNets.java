@@ -22,6 +22,19 @@ public final class ExampleNets {
      */
     public static PetriNet kanban(int cards) {
         PetriNetBuilder net = new PetriNetBuilder("kanban-" + cards);
+        addKanban(net, cards);
+        return net.build();
+    }
+
+    /** The same line with a place without bound that counts what has left it: a coverability set of as many markings as the line has states. */
+    public static PetriNet openKanban(int cards) {
+        PetriNetBuilder net = new PetriNetBuilder("open-kanban-" + cards);
+        addKanban(net, cards);
+        net.produce(net.transitionNumber("leave"), net.place("finished", 0), 1);
+        return net.build();
+    }
+
+    private static void addKanban(PetriNetBuilder net, int cards) {
         for (int cell = 1; cell <= 4; cell++) {
             net.place("kanban" + cell, cards);
             net.place("machine" + cell, 0);
@@ -35,7 +48,6 @@ public final class ExampleNets {
         net.move("split", List.of("out1", "kanban2", "kanban3"), List.of("kanban1", "machine2", "machine3"));
         net.move("join", List.of("out2", "out3", "kanban4"), List.of("kanban2", "kanban3", "machine4"));
         net.move("leave", List.of("out4"), List.of("kanban4"));
-        return net.build();
     }
 
     /** Dining philosophers who take either fork first and lay both down together: {@code 3^n} states, two of them deadlocks. */

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchEnd;
+import org.sami.petri.model.ExampleNets;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.net.PetriNetBuilder;
 import org.sami.petri.structure.NaiveMarkings;
@@ -45,6 +46,7 @@ final class CoverabilitySearchTest {
     @Test
     void anOpenKanbanHasAsManyMarkingsAsTheClosedOneHasStates() {
         assertThat(search(OpenNets.kanban(1)).size()).isEqualTo(160);
+        assertThat(search(ExampleNets.openKanban(1)).size()).isEqualTo(160);
         CoverabilitySet set = search(OpenNets.kanban(2));
 
         assertThat(set.isComplete()).isTrue();
