@@ -15,6 +15,7 @@ final class CopterWords {
     private static final Map<Pattern, String> WORDS = new LinkedHashMap<>(); // longer ones first
 
     static {
+        put(", or start the plan that connects boats", ""); // their library has none
         put("through water in which boats may not go", "through an area in which copters may not fly");
         put("water in which boats may not go", "an area in which copters may not fly");
         put("outside of the water in which boats may go", "outside of the area in which copters may fly");

@@ -21,6 +21,8 @@ class RobotKindTest {
                 "Select a boat: it is driven by hand: drive on | Select a copter: it is flown by hand: fly on",
                 "a is outside of the water in which boats may go | a is outside of the area in which copters may fly",
                 "Close; boats stop their motors and drift | Close; copters stop and hover",
+                "Connect one (Ctrl+B), or start the plan that connects boats; each appears | Connect one (Ctrl+B);"
+                        + " each appears",
                 "a lifeboat | a lifeboat",
                 "a boathouse | a boathouse"
             })
