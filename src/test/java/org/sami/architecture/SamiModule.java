@@ -66,7 +66,7 @@ enum SamiModule {
                     "org.sami.spn.wizard.."),
             List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Place/transition nets and their analysis: no plan and no boat. */
-    PETRI("petri", 6, List.of("org.sami.petri.."), List.of()),
+    PETRI("petri", 120, List.of("org.sami.petri.."), List.of()),
     BOAT_LINK("boat-link", 90, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 95, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     /** Control board, position and motors of a real hull, on streams. */

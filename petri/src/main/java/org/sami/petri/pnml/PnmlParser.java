@@ -1,8 +1,6 @@
 package org.sami.petri.pnml;
 
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -30,9 +28,9 @@ final class PnmlParser {
     private final PnmlLimits limits;
     private final FindingList findings;
     private final PnmlParts parts = new PnmlParts();
+    private final TermParser terms;
     private final Map<String, Integer> tools = new TreeMap<>();
     private int graphics;
-    private int termCount;
 
     /** What stands in a node or an arc. */
     private static final class Content {
@@ -47,6 +45,7 @@ final class PnmlParser {
         this.xml = xml;
         this.limits = limits;
         this.findings = findings;
+        terms = new TermParser(xml, limits);
     }
 
     PnmlParts parse() throws XMLStreamException, RefusedPnmlException {
@@ -137,7 +136,7 @@ final class PnmlParser {
     private void declarations() throws XMLStreamException, RefusedPnmlException {
         while (xml.nextElement()) {
             if (xml.name().equals("structure")) {
-                for (XmlTerm list : term().parts()) {
+                for (XmlTerm list : terms.read().parts()) {
                     parts.declarations.addAll(list.parts());
                 }
             } else {
@@ -151,31 +150,11 @@ final class PnmlParser {
             throws XMLStreamException, RefusedPnmlException {
         while (xml.nextElement()) {
             switch (xml.name()) {
-                case "structure" -> content.terms.put(label, term().only());
+                case "structure" -> content.terms.put(label, terms.read().only());
                 case "text" -> xml.skip();
                 default -> other(element);
             }
         }
-    }
-
-    /** The current element with all that stands in it. */
-    private XmlTerm term() throws XMLStreamException, RefusedPnmlException {
-        if (++termCount > limits.nodes()) {
-            throw new RefusedPnmlException("E-SIZE", xml.line(), "the net has more than " + limits.nodes() + " terms");
-        }
-        String name = xml.name();
-        String reference = xml.attribute("declaration") + xml.attribute("refvariable");
-        String value = name.equals("finiteintrange")
-                ? xml.attribute("start") + ".." + xml.attribute("end")
-                : xml.attribute(name.equals("feconstant") ? "name" : "value");
-        String id = xml.attribute("id");
-        int line = xml.line();
-        List<XmlTerm> inner = new ArrayList<>();
-        while (xml.nextElement()) {
-            inner.add(term());
-        }
-        boolean isNumber = name.equals("numberconstant"); // its parts are the sort that it is a number of
-        return new XmlTerm(name, id, reference, value, isNumber ? List.of() : inner, line);
     }
 
     private void node(String kind) throws XMLStreamException, RefusedPnmlException {
