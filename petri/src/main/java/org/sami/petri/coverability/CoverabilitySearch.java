@@ -18,7 +18,7 @@ import org.sami.petri.net.PetriNet;
  * Builds the minimal coverability set of a net depth first. A marking that is covered by one that was found is dropped; one that is found removes those that it covers,
  * and nothing more is fired from them. Before a marking is kept it is compared with markings on the run to it, removed ones included: where it covers one and has more
  * tokens in a place, that place becomes unbounded, as the run from the one to the other can be repeated. On long runs it is compared with the last ones and with one of
- * each {@link #MILESTONE} before: on a run without end infinitely many of these would meet, so the search ends all the same, and a set that is closed under firings is
+ * each {@link MarkingOrigin#MILESTONE} before: on a run without end infinitely many of these would meet, so the search ends all the same, and a set that is closed under firings is
  * exact however it was found.
  *
  * <p>Why nothing is lost: each marking that was found stays covered by one that is kept, as a marking is removed only by one that covers it, and from each that is kept
@@ -35,7 +35,6 @@ import org.sami.petri.net.PetriNet;
 public final class CoverabilitySearch {
     private static final int CHECK_EVERY = 256;
     private static final int BYTES_A_NODE = 130;
-    private static final int MILESTONE = 128;
 
     private final PetriNet net;
     private final SearchBudget budget;
@@ -43,23 +42,12 @@ public final class CoverabilitySearch {
     private final LongSupplier nanos;
     private final MarkingOrder order;
     private final List<int[]> markings = new ArrayList<>();
-    private final List<Origin> origins = new ArrayList<>();
+    private final List<MarkingOrigin> origins = new ArrayList<>();
     private final Set<SeenMarking> seen = new HashSet<>();
     private final BitSet kept = new BitSet();
     private final MaximalMarkings maximal;
     private final Deque<Integer> open = new ArrayDeque<>();
     private long looked;
-
-    /**
-     * How a marking was found.
-     *
-     * @param parent the marking from which; -1 of the initial one
-     * @param transition what fired
-     * @param repeatedFrom the first marking on the run that it covered, from which the run can be repeated; -1 where none
-     * @param depth how many firings lead to it
-     * @param milestone the nearest marking before it on the run whose depth is a multiple of {@link #MILESTONE}; -1 where none
-     */
-    record Origin(int parent, int transition, int repeatedFrom, int depth, int milestone) {}
 
     /** A marking as a key. */
     private static final class SeenMarking {
@@ -102,7 +90,7 @@ public final class CoverabilitySearch {
         long deadline = nanos.getAsLong() + budget.time().toNanos();
         SearchEnd end = SearchEnd.COMPLETE;
         try {
-            keep(net.initialMarking(), new Origin(-1, -1, -1, 0, -1));
+            keep(net.initialMarking(), MarkingOrigin.FIRST);
             while (end == SearchEnd.COMPLETE && !open.isEmpty()) {
                 int node = open.pop();
                 if (kept.get(node)) {
@@ -143,22 +131,16 @@ public final class CoverabilitySearch {
                 int[] next = Omega.fire(net, transition, marking);
                 if (!seen.contains(new SeenMarking(next)) && maximal.covering(next) < 0) {
                     int from = accelerate(next, node);
-                    keep(next, origin(node, transition, from));
+                    keep(next, origins.get(node).next(node, transition, from));
                 }
             }
         }
     }
 
-    private Origin origin(int parent, int transition, int repeatedFrom) {
-        Origin before = origins.get(parent);
-        int milestone = before.depth() % MILESTONE == 0 ? parent : before.milestone();
-        return new Origin(parent, transition, repeatedFrom, before.depth() + 1, milestone);
-    }
-
     /** The marking on the run to one with which to compare next: its parent, or, once a milestone is reached, the milestone before. */
     private int earlier(int node) {
-        Origin origin = origins.get(node);
-        return origin.depth() % MILESTONE == 0 ? origin.milestone() : origin.parent();
+        MarkingOrigin origin = origins.get(node);
+        return origin.isMilestone() ? origin.milestone() : origin.parent();
     }
 
     /** Makes places of a marking unbounded that grow on the run to it; returns the marking from which the run was first seen to repeat, -1 where none was. */
@@ -189,7 +171,7 @@ public final class CoverabilitySearch {
         return grown;
     }
 
-    private void keep(int[] marking, Origin origin) {
+    private void keep(int[] marking, MarkingOrigin origin) {
         int number = markings.size();
         markings.add(marking);
         origins.add(origin);

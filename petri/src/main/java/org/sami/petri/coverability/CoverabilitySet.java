@@ -7,7 +7,6 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.sami.petri.coverability.CoverabilitySearch.Origin;
 import org.sami.petri.graph.SearchEnd;
 import org.sami.petri.net.FiringRule;
 import org.sami.petri.net.PetriNet;
@@ -22,13 +21,18 @@ public final class CoverabilitySet {
     private final PetriNet net;
     private final MarkingOrder order;
     private final List<int[]> found;
-    private final List<Origin> origins;
+    private final List<MarkingOrigin> origins;
     private final int[] numbers;
     private final List<int[]> markings = new ArrayList<>();
     private final SearchEnd end;
 
     CoverabilitySet(
-            PetriNet net, MarkingOrder order, List<int[]> found, List<Origin> origins, BitSet kept, SearchEnd end) {
+            PetriNet net,
+            MarkingOrder order,
+            List<int[]> found,
+            List<MarkingOrigin> origins,
+            BitSet kept,
+            SearchEnd end) {
         this.net = net;
         this.order = order;
         this.found = found;
