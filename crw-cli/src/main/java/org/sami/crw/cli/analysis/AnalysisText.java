@@ -51,7 +51,7 @@ final class AnalysisText {
         out.println(
                 graph.deadlocks().isEmpty()
                         ? "no deadlock" + among
-                        : graph.deadlocks().size() + " deadlocks" + among + ", the nearest after "
+                        : counted(graph.deadlocks().size(), "deadlock") + among + ", the nearest after "
                                 + analysis.witness()
                                         .map(run -> run.transitions().size())
                                         .orElse(0) + " firings");
@@ -62,7 +62,7 @@ final class AnalysisText {
                 .map(graph::mostTokens)
                 .max()
                 .orElse(0);
-        out.println("at most " + most + " tokens in a place" + among);
+        out.println("at most " + counted(most, "token") + " in a place" + among);
     }
 
     private void printWitness() {
@@ -73,6 +73,10 @@ final class AnalysisText {
                             : String.join(" ", run.ids(analysis.net()))));
             out.println("marking: " + String.join(" ", analysis.marked(run.replay(analysis.net()))));
         });
+    }
+
+    private static String counted(int count, String noun) {
+        return count + " " + noun + (count == 1 ? "" : "s");
     }
 
     private static String listed(List<String> names) {

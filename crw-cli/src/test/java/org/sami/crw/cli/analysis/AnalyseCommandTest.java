@@ -33,7 +33,7 @@ class AnalyseCommandTest {
                         "2 deadlocks, the nearest after 5 firings",
                         "run: takeLeft0 takeLeft1 takeLeft2 takeLeft3 takeLeft4",
                         "each transition fires somewhere",
-                        "at most 1 tokens in a place")
+                        "at most 1 token in a place")
                 .anyMatch(line -> line.matches(
                         "243 states, 945 edges in \\d+\\.\\d\\d s: \\d+ states a second, \\d+\\.\\d bytes a state"));
     }
