@@ -173,7 +173,7 @@ enum SamiModule {
             370,
             List.of("org.sami.dreamm.."),
             List.of(UI_KIT, LESSONS, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
-    /** The operator's window; it knows the simulator for its built-in fleet, boat-mavlink to show it to ground stations, the command for where there is no display, and the link for words of snapshots such as modes. */
+    /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display and for what it shows to ground stations, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
             172,
@@ -186,9 +186,6 @@ enum SamiModule {
                     CRW_SESSION,
                     CRW_DOMAIN,
                     CRW_SERVICES,
-                    BOAT_MAVLINK,
-                    MAVLINK,
-                    BOAT_SERVER,
                     BOAT_LINK,
                     SPN_AUTHORING,
                     SPN_CORE,

@@ -47,6 +47,7 @@ class ReachWindowTest {
     private static final List<String> SHEETS = List.of(
             "boat-connect",
             "boat-pair",
+            "boats-ground-station",
             "project-open",
             "map-base",
             "replay-open",

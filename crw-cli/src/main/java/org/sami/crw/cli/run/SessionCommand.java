@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.sami.boat.mavlink.StationAddress;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.LinkOptions;
@@ -23,10 +24,12 @@ import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.Terminal;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.cli.station.StationLinks;
 import org.sami.crw.console.Console;
 import org.sami.crw.console.LineSource;
 import org.sami.crw.console.PlainLines;
 import org.sami.crw.console.TerminalLines;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
@@ -54,7 +57,8 @@ import picocli.CommandLine.Spec;
         name = "session",
         mixinStandardHelpOptions = true,
         description = {
-            "Opens a session and reads commands from standard input: any number of missions of the project's plans, on one fleet.",
+            "Opens a session and reads commands from standard input: any number of missions of the project's plans, on"
+                    + " one fleet.",
             "Boats can be connected, added and dropped meanwhile. At a terminal lines are edited and completed (Tab); "
                     + "'help' lists the commands.",
             "Ends with 'quit' or the end of the input; the boats of all missions are stopped then."
@@ -64,7 +68,8 @@ import picocli.CommandLine.Spec;
             "0:it was ended, and every command was carried out",
             "1:the project has errors",
             "2:wrong usage, or there is no such file",
-            "4:an internal fault: the engine stopped, its journal could not be written, memory ran out; boats were stopped then",
+            "4:an internal fault: the engine stopped, its journal could not be written, memory ran out; boats were"
+                    + " stopped then",
             "6:it was ended, but commands were not carried out"
         },
         footerHeading = "%nExamples:%n",
@@ -89,8 +94,8 @@ public final class SessionCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "FILE|PLAN",
             arity = "0..1",
-            description =
-                    "A project's file or folder, or a plan of the library, whose project is taken; else the whole library.")
+            description = "A project's file or folder, or a plan of the library, whose project is taken; else the whole"
+                    + " library.")
     private String name;
 
     @Option(
@@ -120,10 +125,18 @@ public final class SessionCommand implements Callable<Integer> {
             paramLabel = "NAME",
             converter = ConditionsConverter.class,
             description =
-                    "The water of simulated boats, and the errors of boats that do not report theirs: calm, field "
-                            + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, else "
-                            + "field; of a session that is resumed, its own).")
+                    "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
+                        + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                        + " field; of a session that is resumed, its own).")
     private NamedConditions conditions;
+
+    @Option(
+            names = "--mavlink",
+            paramLabel = "ADDRESS",
+            description =
+                    "Show the simulated boats that are added to a ground station of another maker, each as a vehicle"
+                            + " of its own: " + StationAddress.FORMS + ".")
+    private String mavlink;
 
     @Option(
             names = "--script",
@@ -135,8 +148,8 @@ public final class SessionCommand implements Callable<Integer> {
             names = "--on-fault",
             paramLabel = "ACTION",
             description =
-                    "What boats of missions do while the engine or its journal does not work, such as on a full disk: hold their "
-                            + "places, or stop as by the fleet stop (hold or stop; default: hold).")
+                    "What boats of missions do while the engine or its journal does not work, such as on a full disk:"
+                            + " hold their places, or stop as by the fleet stop (hold or stop; default: hold).")
     private BoatsAtFault onFault = BoatsAtFault.HOLD;
 
     @Override
@@ -160,6 +173,10 @@ public final class SessionCommand implements Callable<Integer> {
                     addresses.add(found);
                 }
             }
+        }
+        Optional<String> unfit = Optional.ofNullable(mavlink).flatMap(StationLinks::whyNot);
+        if (unfit.isPresent()) {
+            throw new UsageFault("--mavlink: " + unfit.get());
         }
         boolean goesOn = journal != null && Files.exists(journal);
         if (goesOn && name != null) {
@@ -227,11 +244,15 @@ public final class SessionCommand implements Callable<Integer> {
             boolean goesOn)
             throws IOException {
         Conditions ofSimulated = water.map(NamedConditions::conditions).orElse(Conditions.CALM);
-        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
-                .withSimulatedBoats(new SimulatedBoatsOnTcp(
-                        1,
-                        ofSimulated,
-                        HandlerModules.robotsOf(setup.vocabulary().domain())));
+        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
+                1, ofSimulated, HandlerModules.robotsOf(setup.vocabulary().domain()));
+        StationLinks stations = new StationLinks(simulated);
+        if (mavlink != null && simulated.robots() != RobotKind.BOAT) {
+            throw new UsageFault("--mavlink shows boats, and this session has none");
+        } else if (mavlink != null) {
+            stations.start(mavlink);
+        }
+        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(simulated);
         boolean attended = script == null && Terminal.onStandardInputAndOutput();
         FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
         try (Session session =
@@ -260,6 +281,7 @@ public final class SessionCommand implements Callable<Integer> {
             }
             return faults == 0 ? ExitCode.OK : WITH_FAULTS;
         } finally {
+            stations.stop();
             Thread.setDefaultUncaughtExceptionHandler(null);
         }
     }

@@ -9,6 +9,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.cli.station.StationLinks;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
@@ -19,7 +20,7 @@ public final class StationForm extends JPanel {
     private static final int POLL_MS = 500; // whether a station answers changes by itself
 
     private final OperatorContext context;
-    private final StationShow show;
+    private final StationLinks show;
     private final JTextField address = new JTextField(28);
     private final JButton start = new JButton("Show");
     private final JButton stop = new JButton("Show no longer");
@@ -27,7 +28,7 @@ public final class StationForm extends JPanel {
     private Optional<String> wrong = Optional.empty();
 
     /** A form over what is shown now. */
-    public StationForm(OperatorContext context, StationShow show) {
+    public StationForm(OperatorContext context, StationLinks show) {
         super(new MigLayout("novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2", "[grow,fill][]"));
         this.context = context;
         this.show = show;
@@ -35,7 +36,7 @@ public final class StationForm extends JPanel {
         JLabel label = new JLabel("Address of the ground station (QGroundControl, Mission Planner, MAVProxy)");
         label.setLabelFor(address);
         address.setName("ground-station-address");
-        address.setText(show.where().orElse(StationShow.USUAL));
+        address.setText(show.where().orElse(StationLinks.USUAL));
         start.setName("ground-station-do");
         start.addActionListener(e -> start());
         stop.setName("ground-station-stop");
@@ -68,8 +69,8 @@ public final class StationForm extends JPanel {
     private void start() {
         String text = address.getText().strip();
         wrong = text.isEmpty()
-                ? Optional.of("Type the address, such as " + StationShow.USUAL)
-                : StationShow.whyNot(text);
+                ? Optional.of("Type the address, such as " + StationLinks.USUAL)
+                : StationLinks.whyNot(text);
         if (wrong.isEmpty()) {
             show.start(text);
             context.notices().show("simulated boats are shown at " + text);

@@ -1,112 +1,47 @@
 package org.sami.crw.gui.station;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.awt.Component;
 import java.util.Optional;
-import java.util.OptionalLong;
-import org.sami.boat.link.SteadyClock;
-import org.sami.boat.mavlink.GroundStationLink;
-import org.sami.boat.mavlink.StationAddress;
-import org.sami.boat.server.tcp.BoatCompanion;
+import org.sami.crw.cli.station.StationLinks;
+import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
-import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.ui.sheet.Sheet;
+import org.sami.ui.sheet.WindowSheet;
 
-/** Shows simulated boats to the ground station at an address, each as a vehicle of its own, from the first system id on. Safe for use by several threads. */
+/** The sheet with which the session's simulated boats are shown to a ground station. On the event thread. */
 public final class StationShow {
-    /** Where a ground station on this machine listens. */
-    public static final String USUAL = "udp:127.0.0.1:14550";
+    private final OperatorContext context;
+    private final Component inside;
+    private Optional<StationLinks> links = Optional.empty();
 
-    private static final long HEARD_MS = 5_000;
-    private static final long SECOND_MS = 1_000;
-
-    private final SimulatedBoatsOnTcp boats;
-    private final List<GroundStationLink> links = new ArrayList<>();
-    private Optional<String> where = Optional.empty();
-
-    /** Shows nothing yet. */
-    public StationShow(SimulatedBoatsOnTcp boats) {
-        this.boats = boats;
+    /** A sheet of the window in which a component lies. */
+    public StationShow(OperatorContext context, Component inside) {
+        this.context = context;
+        this.inside = inside;
     }
 
-    /** Why nothing can be shown at an address; empty where it can. */
-    public static Optional<String> whyNot(String address) {
-        try {
-            return StationAddress.parse(address) instanceof MavlinkAddress.Serial
-                    ? Optional.of("a serial port is for one boat: crw boat --mavlink")
-                    : Optional.empty();
-        } catch (IllegalArgumentException wrong) {
-            return Optional.of(String.valueOf(wrong.getMessage()));
-        }
+    /** Says which simulated robots there are; only boats can be shown. */
+    public void of(SimulatedBoatsOnTcp boats) {
+        links = boats.robots() == RobotKind.BOAT ? Optional.of(new StationLinks(boats)) : Optional.empty();
     }
 
-    /** Shows all boats at an address, in place of the one before; also those that are added later. */
-    public void start(String address) {
-        stop();
-        MavlinkAddress to = StationAddress.parse(address);
-        synchronized (this) {
-            where = Optional.of(address);
-        }
-        boats.accompany((boat, number, clock) -> made(boat, number, to, clock));
+    /** Why nothing can be shown; empty where something can. */
+    public Optional<String> whyNot() {
+        return links.isPresent() ? Optional.empty() : Optional.of("this window has no simulated boats");
     }
 
-    private synchronized BoatCompanion made(String boat, int number, MavlinkAddress to, SteadyClock clock) {
-        GroundStationLink link = new GroundStationLink(boat, number, to, clock);
-        links.add(link);
-        return link;
+    /** Opens the sheet. */
+    public void open() {
+        links.ifPresent(shown -> WindowSheet.in(inside)
+                .open(new Sheet(
+                        "boats-ground-station-sheet",
+                        "Show simulated boats to a ground station",
+                        new StationForm(context, shown))));
     }
 
-    /** Shows nothing any longer. Returns at once; the links close on a thread of their own. */
-    public void stop() {
-        boats.leaveAlone();
-        List<GroundStationLink> ended;
-        synchronized (this) {
-            where = Optional.empty();
-            ended = List.copyOf(links);
-            links.clear();
-        }
-        if (!ended.isEmpty()) {
-            Thread closing = new Thread(() -> ended.forEach(GroundStationLink::close), "ground station links close");
-            closing.setDaemon(true);
-            closing.start();
-        }
-    }
-
-    /** Where boats are shown; empty for nowhere. */
-    public synchronized Optional<String> where() {
-        return where;
-    }
-
-    /** What is shown where and whether somebody looks, in words; empty where nothing is shown. */
-    public synchronized Optional<String> words() {
-        return where.map(address -> shown() + " shown at " + address + ". " + station());
-    }
-
-    private String shown() {
-        int count = links.size();
-        return switch (count) {
-            case 0 -> "No boat is";
-            case 1 -> links.get(0).boat() + ", as vehicle 1, is";
-            default ->
-                count + " boats, " + links.get(0).boat() + " to "
-                        + links.get(count - 1).boat() + " as vehicles 1 to " + count + ", are";
-        };
-    }
-
-    private String station() {
-        OptionalLong ago = links.stream()
-                .map(GroundStationLink::heardAgoMs)
-                .flatMapToLong(OptionalLong::stream)
-                .min();
-        if (ago.isPresent() && ago.getAsLong() < HEARD_MS) {
-            return "A ground station answers.";
-        }
-        Optional<String> fault = links.stream()
-                .flatMap(link -> link.report().stream())
-                .flatMap(report -> report.fault().stream())
-                .findFirst();
-        return fault.map(why -> "The link is broken: " + why + ".")
-                .orElseGet(() -> ago.isPresent()
-                        ? "The ground station has been silent for " + ago.getAsLong() / SECOND_MS + " s."
-                        : "No ground station has answered yet.");
+    /** Ends what is shown; with the window. */
+    public void close() {
+        links.ifPresent(StationLinks::stop);
     }
 }

@@ -1,7 +1,7 @@
 /**
- * The session's simulated boats in ground stations of other makers: where they are shown, and whether a station listens.
+ * The sheet in which the operator says where simulated boats are shown to ground stations of other makers.
  *
- * <p>Not here: what boats say there, which is in {@code boat.mavlink}.
+ * <p>Not here: what is shown where, which is in {@code crw.cli.station}.
  */
 @NullMarked
 package org.sami.crw.gui.station;

@@ -4,11 +4,9 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
-import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.boat.ConnectForm;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.file.LogsSheet;
@@ -16,7 +14,6 @@ import org.sami.crw.gui.key.KeysForm;
 import org.sami.crw.gui.key.PairSheet;
 import org.sami.crw.gui.near.NearSheet;
 import org.sami.crw.gui.start.ReplayProcess;
-import org.sami.crw.gui.station.StationForm;
 import org.sami.crw.gui.station.StationShow;
 import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
@@ -36,7 +33,7 @@ final class WindowCommands {
     private final ViewCommands view;
     private final Consumer<Path> projectLoaded;
     private final NearSheet near;
-    private Optional<StationShow> stations = Optional.empty();
+    private final StationShow stations;
     private Supplier<BoatFinder> finder = BoatFinder::everywhere;
 
     WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings, Consumer<Path> projectLoaded) {
@@ -67,10 +64,11 @@ final class WindowCommands {
                 logs.end();
             }
         });
-        add(new Command("boats-ground-station", "Show simulated boats to a ground station…", this::showStations)
+        stations = new StationShow(context, frame.getRootPane());
+        add(new Command("boats-ground-station", "Show simulated boats to a ground station…", stations::open)
                 .withKey("alt shift G")
                 .withIcon("link")
-                .unless(this::whyNoStations));
+                .unless(stations::whyNot));
         add(new Command("project-open", "Load a project…", this::load)
                 .withKey("ctrl O")
                 .withIcon("folder"));
@@ -124,25 +122,13 @@ final class WindowCommands {
 
     /** Says which simulated boats can be shown to ground stations. */
     void showToGroundStations(SimulatedBoatsOnTcp boats) {
-        stations = boats.robots() == RobotKind.BOAT ? Optional.of(new StationShow(boats)) : Optional.empty();
-    }
-
-    private Optional<String> whyNoStations() {
-        return stations.isPresent() ? Optional.empty() : Optional.of("this window has no simulated boats");
-    }
-
-    private void showStations() {
-        stations.ifPresent(show -> WindowSheet.in(frame.getRootPane())
-                .open(new Sheet(
-                        "boats-ground-station-sheet",
-                        "Show simulated boats to a ground station",
-                        new StationForm(context, show))));
+        stations.of(boats);
     }
 
     /** Ends what goes on beside the panels. */
     void close() {
         near.close();
-        stations.ifPresent(StationShow::stop);
+        stations.close();
     }
 
     private void connect() {

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.cli.station.StationLinks;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.mavlink.address.AddressText;
@@ -41,9 +42,9 @@ class StationFormTest {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"));
                 SimulatedBoatsOnTcp boats = new SimulatedBoatsOnTcp(1)) {
             boats.launch("anna", SessionWorld.PIER);
-            StationShow show = new StationShow(boats);
+            StationLinks show = new StationLinks(boats);
             StationForm form = SessionWorld.laidOut(() -> new StationForm(world.context, show));
-            assertThat(SessionWorld.text(form, "ground-station-address")).isEqualTo(StationShow.USUAL);
+            assertThat(SessionWorld.text(form, "ground-station-address")).isEqualTo(StationLinks.USUAL);
 
             SessionWorld.type(form, "ground-station-address", "udp:127.0.0.1:" + port);
             SessionWorld.press(form, "ground-station-do");
@@ -67,7 +68,7 @@ class StationFormTest {
     void anAddressThatCannotBeIsSaidWithWhatToDo() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"));
                 SimulatedBoatsOnTcp boats = new SimulatedBoatsOnTcp(1)) {
-            StationShow show = new StationShow(boats);
+            StationLinks show = new StationLinks(boats);
             StationForm form = SessionWorld.laidOut(() -> new StationForm(world.context, show));
 
             SessionWorld.type(form, "ground-station-address", "udp:127.0.0.1:0");
