@@ -92,8 +92,8 @@ public final class CoverabilityQueries {
         if (condition instanceof MarkingCondition.Any any) {
             return any.parts().stream().allMatch(part -> growsTrue(part, opposite));
         }
-        if (condition instanceof MarkingCondition.Enabled enabled) {
-            return !opposite && enabled.net().inhibitors().isEmpty(enabled.transition());
+        if (condition instanceof MarkingCondition.Enabled) {
+            return !opposite; // places with inhibitor arcs are exact in the set
         }
         return condition instanceof LinearComparison comparison
                 && comparison.terms().stream().allMatch(term -> term.factor() >= 0)

@@ -15,8 +15,6 @@ import org.sami.petri.structure.LinearProgram.Outcome;
  * <p>Source: Murata 1989, section IV.B; Schrijver, "Theory of Linear and Integer Programming", 1986, corollary 7.1d.
  */
 final class FarkasSystem {
-    private static final int MOST_ROWS_AND_COLUMNS = 20_000;
-
     private final PetriNet net;
     private final Incidence incidence;
     private final List<AtLeast> conditions;
@@ -64,7 +62,7 @@ final class FarkasSystem {
 
     /** Whether a solver would take too long to be worth a try. */
     boolean isTooLarge() {
-        return rows.size() + incidence.columns().size() > MOST_ROWS_AND_COLUMNS;
+        return LinearProgram.isTooLarge(rows.size(), incidence.columns().size());
     }
 
     /** Counts that solve the system, few in sum, as a solver computes them. */

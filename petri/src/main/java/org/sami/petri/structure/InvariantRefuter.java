@@ -11,13 +11,29 @@ final class InvariantRefuter {
 
     static Optional<RefutedCase> refute(
             PetriNet net, Incidence incidence, InvariantSet invariants, FarkasSystem system, List<AtLeast> conditions) {
+        int[] initial = net.initialMarking();
         for (IntegerVector invariant : invariants.invariants()) {
-            RefutedCase refuted = system.refuted(factors(net, invariant, conditions));
-            if (refuted.needed() > invariant.times(net.initialMarking()) && refuted.isProof(net, incidence)) {
-                return Optional.of(refuted);
+            if (needed(invariant, conditions) > invariant.times(initial)) {
+                RefutedCase refuted = system.refuted(factors(net, invariant, conditions));
+                if (refuted.isProof(net, incidence)) {
+                    return Optional.of(refuted);
+                }
             }
         }
         return Optional.empty();
+    }
+
+    /** How large the sum of an invariant is at least where the conditions hold. */
+    private static long needed(IntegerVector invariant, List<AtLeast> conditions) {
+        long needed = 0;
+        for (int i = 0; i < invariant.size(); i++) {
+            int strongest = strongest(conditions, invariant.indexAt(i));
+            if (strongest >= 0) {
+                long least = conditions.get(strongest).least();
+                needed = Math.addExact(needed, Math.multiplyExact(invariant.valueAt(i), least));
+            }
+        }
+        return needed;
     }
 
     /** The factors by which the conditions make up the invariant: for each of its places the strongest condition, or the place itself. */

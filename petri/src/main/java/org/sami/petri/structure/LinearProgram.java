@@ -12,6 +12,7 @@ import org.ojalgo.optimisation.Variable;
  * what it says checks it in whole numbers ({@link WholeMultiple}). For one thread.
  */
 final class LinearProgram {
+    private static final int MOST_ROWS_AND_COLUMNS = 20_000;
     private static final long MOST_MILLIS = 10_000;
 
     private final ExpressionsBasedModel model = new ExpressionsBasedModel();
@@ -45,6 +46,11 @@ final class LinearProgram {
         }
         model.options.time_abort = MOST_MILLIS;
         model.options.time_suffice = MOST_MILLIS;
+    }
+
+    /** Whether a program would take too long to be worth a try. */
+    static boolean isTooLarge(int rows, int columns) {
+        return rows + columns > MOST_ROWS_AND_COLUMNS;
     }
 
     void cost(int variable, long cost) {

@@ -53,7 +53,7 @@ public final class MinimalClosedSets {
             }
             solve(open.pop());
         }
-        return new Result(found, true);
+        return new Result(found, !limits.cancelled().getAsBoolean());
     }
 
     private void solve(Problem problem) {
@@ -62,6 +62,9 @@ public final class MinimalClosedSets {
             return;
         }
         BitSet set = reduced(greatest, problem.required());
+        if (limits.cancelled().getAsBoolean()) {
+            return; // the set may not be reduced
+        }
         if (isMinimal(set)) {
             found.add(set);
         }
@@ -80,7 +83,7 @@ public final class MinimalClosedSets {
     private BitSet reduced(BitSet start, BitSet required) {
         BitSet set = start;
         for (int place = start.nextSetBit(0); place >= 0; place = start.nextSetBit(place + 1)) {
-            if (set.get(place) && !required.get(place)) {
+            if (set.get(place) && !required.get(place) && !limits.cancelled().getAsBoolean()) {
                 BitSet smaller = without(set, place);
                 if (!smaller.isEmpty() && contains(smaller, required)) {
                     set = smaller;
@@ -91,7 +94,9 @@ public final class MinimalClosedSets {
     }
 
     private boolean isMinimal(BitSet set) {
-        return set.stream().allMatch(place -> without(set, place).isEmpty());
+        return set.stream()
+                .allMatch(place -> !limits.cancelled().getAsBoolean()
+                        && without(set, place).isEmpty());
     }
 
     private BitSet without(BitSet set, int place) {

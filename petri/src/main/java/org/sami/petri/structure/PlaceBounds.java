@@ -37,8 +37,11 @@ public final class PlaceBounds {
         return Optional.ofNullable(best);
     }
 
-    /** The lowest bound that the state equation gives; one linear program. */
+    /** The lowest bound that the state equation gives; one linear program. None for nets with more than some 20,000 places and transitions. */
     public Optional<MarkingBound> byStateEquation(int place) {
+        if (LinearProgram.isTooLarge(incidence.columns().size(), net.placeCount())) {
+            return Optional.empty();
+        }
         LinearProgram program = new LinearProgram(net.placeCount());
         for (int other = 0; other < net.placeCount(); other++) {
             program.cost(other, net.initial(other));

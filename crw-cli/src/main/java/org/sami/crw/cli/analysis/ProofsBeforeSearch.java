@@ -1,5 +1,6 @@
 package org.sami.crw.cli.analysis;
 
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
@@ -21,6 +22,9 @@ final class ProofsBeforeSearch {
     /** More markings than that take longer than they are worth here. */
     private static final int MOST_MARKINGS = 200_000;
 
+    /** So long structure is tried, for all queries together, before states are searched. */
+    private static final Duration MOST_TIME = Duration.ofSeconds(10);
+
     private final PetriNet net;
     private final SearchBudget budget;
     private final GraphWatch watch;
@@ -34,7 +38,9 @@ final class ProofsBeforeSearch {
         this.budget = budget;
         this.watch = watch;
         this.stop = stop;
-        this.structure = new StructuralAnswers(net, StructureLimits.USUAL.withCancel(stop));
+        long deadline = System.nanoTime() + Math.min(budget.time().toNanos(), MOST_TIME.toNanos());
+        this.structure = new StructuralAnswers(
+                net, StructureLimits.USUAL.withCancel(() -> stop.getAsBoolean() || System.nanoTime() - deadline >= 0));
     }
 
     /** The answer; empty where states have to be searched. */
