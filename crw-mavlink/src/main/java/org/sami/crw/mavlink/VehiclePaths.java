@@ -34,6 +34,7 @@ final class VehiclePaths {
     private final VehicleMotion motion;
     private final MissionStore store;
     private final MissionWatch watch = new MissionWatch();
+    private final GateWatch gate = new GateWatch();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
@@ -144,15 +145,17 @@ final class VehiclePaths {
 
     void tick(long atMs) {
         store.tick(atMs);
+        gate.stays(motion.vehicle(), atMs)
+                .filter(number -> isInAuto() && motion.isOrdered())
+                .ifPresent(number -> {
+                    var unused = base.command(motion.vehicle().id(), VehicleCommand.setCurrentItem(number));
+                });
     }
 
-    /** A further part of a list is held: a vehicle that has stopped where the part before ended goes on. */
-    private void further(DrivenList along, int gate) {
+    /** A further part of a list is held. */
+    private void further(DrivenList along, int item) {
         changed.run();
-        int number = along.window().slot(gate);
-        if (isInAuto() && motion.isOrdered() && motion.vehicle().currentItem().equals(Optional.of(number))) {
-            var unused = base.command(motion.vehicle().id(), VehicleCommand.setCurrentItem(number));
-        }
+        gate.opened(along.window().slot(item));
     }
 
     /** Its autopilot has started again. Its list is kept. */

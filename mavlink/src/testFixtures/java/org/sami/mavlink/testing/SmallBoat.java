@@ -133,7 +133,7 @@ public final class SmallBoat implements AutoCloseable {
         Thread thread = new Thread(this::serve, "small boat " + system);
         thread.setDaemon(true);
         thread.start();
-        var unused = steps.scheduleAtFixedRate(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
+        var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Its address for a base. */
