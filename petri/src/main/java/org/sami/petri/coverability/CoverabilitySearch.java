@@ -47,7 +47,9 @@ public final class CoverabilitySearch {
     private final BitSet kept = new BitSet();
     private final MaximalMarkings maximal;
     private final Deque<Integer> open = new ArrayDeque<>();
-    private long looked;
+    private SearchEnd end = SearchEnd.COMPLETE;
+    private int looked;
+    private long fired;
 
     /** A marking as a key. */
     private static final class SeenMarking {
@@ -88,23 +90,23 @@ public final class CoverabilitySearch {
 
     private CoverabilitySet run() {
         long deadline = nanos.getAsLong() + budget.time().toNanos();
-        SearchEnd end = SearchEnd.COMPLETE;
         try {
             keep(net.initialMarking(), MarkingOrigin.FIRST);
             while (end == SearchEnd.COMPLETE && !open.isEmpty()) {
                 int node = open.pop();
                 if (kept.get(node)) {
-                    fireAll(node);
+                    fireAll(node, deadline);
                 }
-                end = checked(deadline);
+                looked++;
             }
         } catch (ArithmeticException e) {
             end = SearchEnd.TOKENS;
         }
-        watch.looked((int) looked, open.size());
+        watch.looked(looked, open.size());
         return new CoverabilitySet(net, order, markings, origins, kept, end);
     }
 
+    /** Whether the search has to end; asked at each firing. */
     private SearchEnd checked(long deadline) {
         if (markings.size() > budget.states()) {
             return SearchEnd.STATES;
@@ -112,8 +114,8 @@ public final class CoverabilitySearch {
         if ((long) markings.size() * (BYTES_A_NODE + 4L * net.placeCount()) > budget.bytes()) {
             return SearchEnd.MEMORY;
         }
-        if (++looked % CHECK_EVERY == 0) {
-            watch.looked((int) looked, open.size());
+        if (++fired % CHECK_EVERY == 0) {
+            watch.looked(looked, open.size());
             if (watch.isCancelled()) {
                 return SearchEnd.CANCELLED;
             }
@@ -124,7 +126,7 @@ public final class CoverabilitySearch {
         return SearchEnd.COMPLETE;
     }
 
-    private void fireAll(int node) {
+    private void fireAll(int node, long deadline) {
         int[] marking = markings.get(node);
         for (int transition = 0; transition < net.transitionCount() && kept.get(node); transition++) {
             if (Omega.isEnabled(net, transition, marking)) {
@@ -132,6 +134,10 @@ public final class CoverabilitySearch {
                 if (!seen.contains(new SeenMarking(next)) && maximal.covering(next) < 0) {
                     int from = accelerate(next, node);
                     keep(next, origins.get(node).next(node, transition, from));
+                }
+                end = checked(deadline);
+                if (end != SearchEnd.COMPLETE) {
+                    return;
                 }
             }
         }

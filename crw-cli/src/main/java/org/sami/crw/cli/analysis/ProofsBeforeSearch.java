@@ -28,7 +28,7 @@ final class ProofsBeforeSearch {
     private final PetriNet net;
     private final SearchBudget budget;
     private final GraphWatch watch;
-    private final BooleanSupplier stop;
+    private final BooleanSupplier cut;
     private final StructuralAnswers structure;
     private boolean asked;
     private @Nullable CoverabilityQueries coverability;
@@ -37,10 +37,9 @@ final class ProofsBeforeSearch {
         this.net = net;
         this.budget = budget;
         this.watch = watch;
-        this.stop = stop;
         long deadline = System.nanoTime() + Math.min(budget.time().toNanos(), MOST_TIME.toNanos());
-        this.structure = new StructuralAnswers(
-                net, StructureLimits.USUAL.withCancel(() -> stop.getAsBoolean() || System.nanoTime() - deadline >= 0));
+        this.cut = () -> stop.getAsBoolean() || System.nanoTime() - deadline >= 0;
+        this.structure = new StructuralAnswers(net, StructureLimits.USUAL.withCancel(cut));
     }
 
     /** The answer; empty where states have to be searched. */
@@ -59,18 +58,19 @@ final class ProofsBeforeSearch {
     private Optional<CoverabilityQueries> coverability() {
         if (!asked) {
             asked = true;
-            coverability = isBounded() ? null : searched();
+            coverability = mayBeUnbounded() ? searched() : null;
         }
         return Optional.ofNullable(coverability);
     }
 
-    private boolean isBounded() {
-        for (int place = 0; place < net.placeCount(); place++) {
-            if (stop.getAsBoolean() || structure.mostTokens(place).isEmpty()) {
-                return false;
+    /** Whether structure was tried to the end, and does not bound all places. */
+    private boolean mayBeUnbounded() {
+        for (int place = 0; place < net.placeCount() && !cut.getAsBoolean(); place++) {
+            if (structure.mostTokens(place).isEmpty()) {
+                return !cut.getAsBoolean();
             }
         }
-        return true;
+        return false;
     }
 
     private CoverabilityQueries searched() {
