@@ -46,6 +46,7 @@ public final class StationForm extends JPanel {
         WrappedText rule = new WrappedText("Each boat is a vehicle of its own there. This session keeps the command: a"
                 + " station that orders something is refused, and you are asked whether to hand over. A stop is always"
                 + " obeyed.");
+        rule.setName("ground-station-rule");
         rule.setColor(SemanticColor.MUTED);
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "show");
         getActionMap().put("show", new Command("ground-station-enter", "Show", this::start));
