@@ -121,7 +121,7 @@ final class ConsoleContext implements AutoCloseable {
         try {
             return stage.toCompletableFuture().get((long) (seconds * 1000), TimeUnit.MILLISECONDS);
         } catch (ExecutionException refused) {
-            throw new ConsoleFault(RefusedException.reason(refused.getCause()));
+            throw new ConsoleFault(RefusedException.reason(Objects.requireNonNullElse(refused.getCause(), refused)));
         } catch (TimeoutException late) {
             throw new ConsoleFault("no answer within " + Numbers.short1(seconds) + " s; it goes on being tried");
         } catch (InterruptedException e) {
