@@ -140,13 +140,13 @@ enum SamiModule {
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
-            26,
+            35,
             List.of("org.sami.crw.mavlink.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */
     CRW_CLI(
             "crw-cli",
-            150,
+            190,
             List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
             List.of(
                     CRW_SIM,
@@ -176,7 +176,7 @@ enum SamiModule {
     /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display and for what it shows to ground stations, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
-            172,
+            215,
             List.of("org.sami.crw.gui.."),
             List.of(
                     UI_KIT,

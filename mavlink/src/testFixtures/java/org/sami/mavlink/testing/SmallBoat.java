@@ -47,6 +47,8 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.onboard.ListKeeper;
+import org.sami.mavlink.onboard.OnboardLists;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**

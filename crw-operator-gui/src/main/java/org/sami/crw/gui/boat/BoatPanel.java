@@ -20,6 +20,7 @@ import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.MarkIcon;
+import org.sami.ui.look.PlainText;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.look.WidthTrackingPanel;
 
@@ -67,7 +68,7 @@ public final class BoatPanel extends FoldingPanel {
         JTabbedPane tabs = new JTabbedPane();
         tabs.setName("boat-tabs");
         tabs.addTab("Commands", WidthTrackingPanel.fromLeastHeight(commands));
-        tabs.addTab(context.say("Before launch"), WidthTrackingPanel.fromLeastHeight(launch));
+        tabs.addTab(PlainText.of(context.say("Before launch")), WidthTrackingPanel.fromLeastHeight(launch));
         tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
         tabs.addTab("Settings", scrolled(settings));
         CommandRow buttons = new CommandRow();

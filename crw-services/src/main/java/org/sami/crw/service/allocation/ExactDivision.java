@@ -74,14 +74,15 @@ final class ExactDivision {
     /** What the shortest path through each set costs. */
     private double[] lengths(int boat, double[] shortestTo) {
         double[] lengths = new double[sets];
-        lengths[0] = legs.cost(objective, boat, legs.begun(boat));
+        lengths[0] = legs.cost(objective.isByTime(), boat, legs.begun(boat));
         for (int set = 1; set < sets; set++) {
             lengths[set] = Double.POSITIVE_INFINITY;
             for (int last = 0; last < works; last++) {
                 lengths[set] = Math.min(lengths[set], shortestTo[set * works + last]);
             }
-            lengths[set] =
-                    lengths[set] < Double.POSITIVE_INFINITY ? legs.cost(objective, boat, lengths[set]) : lengths[set];
+            lengths[set] = lengths[set] < Double.POSITIVE_INFINITY
+                    ? legs.cost(objective.isByTime(), boat, lengths[set])
+                    : lengths[set];
         }
         return lengths;
     }

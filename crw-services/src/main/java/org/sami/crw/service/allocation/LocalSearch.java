@@ -201,7 +201,7 @@ final class LocalSearch {
         }
 
         double cost(double lengthM) {
-            return legs.cost(objective, boat, lengthM);
+            return legs.cost(objective.isByTime(), boat, lengthM);
         }
 
         /** Length of the first stops, what was begun included. */

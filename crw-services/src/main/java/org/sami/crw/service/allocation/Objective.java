@@ -63,6 +63,11 @@ enum Objective {
     /** Less is no gain: rounding must not make a search go round in circles. */
     private static final double LEAST_GAIN_M = 1e-6;
 
+    /** Whether paths count by the time that their boats take for them: where the longest path counts. */
+    boolean isByTime() {
+        return this == LONGEST;
+    }
+
     /** Whether two paths are better at their new lengths than at their old ones, all others being as they are. */
     abstract boolean better(double oldA, double oldB, double newA, double newB);
 

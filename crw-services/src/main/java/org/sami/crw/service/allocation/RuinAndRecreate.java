@@ -57,7 +57,7 @@ final class RuinAndRecreate {
     RuinAndRecreate(AllocationProblem problem, TravelCosts legs, Objective objective, List<List<Integer>> shares) {
         this.legs = legs;
         this.objective = objective;
-        paths = new SearchedPaths(problem, legs, objective, shares);
+        paths = new SearchedPaths(problem, legs, objective.isByTime(), shares);
         removed = new int[paths.workCount()];
         neighbours = new int[paths.workCount()][];
         nearestBoatM = new double[paths.workCount()];

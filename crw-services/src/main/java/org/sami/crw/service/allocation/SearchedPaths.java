@@ -12,7 +12,7 @@ final class SearchedPaths {
     private static final int NOBODY = -1;
 
     private final TravelCosts legs;
-    private final Objective objective;
+    private final boolean byTime;
     /** From work, and from where the boats are free (their index after the last work's), to work. */
     private final double[][] legM;
 
@@ -31,9 +31,9 @@ final class SearchedPaths {
     private final int[] keptSize;
     private final boolean[] changed;
 
-    SearchedPaths(AllocationProblem problem, TravelCosts legs, Objective objective, List<List<Integer>> shares) {
+    SearchedPaths(AllocationProblem problem, TravelCosts legs, boolean byTime, List<List<Integer>> shares) {
         this.legs = legs;
-        this.objective = objective;
+        this.byTime = byTime;
         legM = legs.matrix();
         workCount = problem.work().size();
         int boats = shares.size();
@@ -69,7 +69,7 @@ final class SearchedPaths {
     }
 
     private double weightOf(int boat, double length) {
-        double power = legs.cost(objective, boat, length) / unitM;
+        double power = legs.cost(byTime, boat, length) / unitM;
         for (int i = 0; i < doublings; i++) {
             power *= power;
         }
@@ -89,7 +89,7 @@ final class SearchedPaths {
     double greatestCostM() {
         double longest = 0;
         for (int boat = 0; boat < lengthM.length; boat++) {
-            longest = Math.max(longest, legs.cost(objective, boat, lengthM[boat]));
+            longest = Math.max(longest, legs.cost(byTime, boat, lengthM[boat]));
         }
         return longest;
     }
@@ -98,7 +98,7 @@ final class SearchedPaths {
     double totalCostM() {
         double total = 0;
         for (int boat = 0; boat < lengthM.length; boat++) {
-            total += legs.cost(objective, boat, lengthM[boat]);
+            total += legs.cost(byTime, boat, lengthM[boat]);
         }
         return total;
     }

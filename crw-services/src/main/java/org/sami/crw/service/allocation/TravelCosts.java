@@ -85,10 +85,10 @@ final class TravelCosts {
         return begunM[boat];
     }
 
-    /** What a path of a length costs its boat: what is longer than its charge lasts for counts tenfold. Where the longest path counts, it counts by time. */
-    double cost(Objective objective, int boat, double lengthM) {
+    /** What a path of a length costs its boat: what is longer than its charge lasts for counts tenfold. By time, its time as metres of the fastest boat. */
+    double cost(boolean byTime, int boat, double lengthM) {
         double metres = lengthM <= rangeM[boat] ? lengthM : lengthM + BEYOND_RANGE * (lengthM - rangeM[boat]);
-        return objective == Objective.LONGEST ? timeM(boat, metres) : metres;
+        return byTime ? timeM(boat, metres) : metres;
     }
 
     /** The time that a boat takes for a path of a length, as metres of the fastest boat. */
