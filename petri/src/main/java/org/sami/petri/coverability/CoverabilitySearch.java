@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.LongSupplier;
+import java.util.stream.IntStream;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchEnd;
@@ -90,8 +91,12 @@ public final class CoverabilitySearch {
 
     private CoverabilitySet run() {
         long deadline = nanos.getAsLong() + budget.time().toNanos();
+        int[] initial = net.initialMarking();
         try {
-            keep(net.initialMarking(), MarkingOrigin.FIRST);
+            if (IntStream.of(initial).anyMatch(tokens -> tokens == Omega.OMEGA)) {
+                throw new ArithmeticException("more than " + (Omega.OMEGA - 1) + " tokens");
+            }
+            keep(initial, MarkingOrigin.FIRST);
             while (end == SearchEnd.COMPLETE && !open.isEmpty()) {
                 int node = open.pop();
                 if (kept.get(node)) {

@@ -147,7 +147,11 @@ public final class CoverabilitySet {
                 if (!FiringRule.isEnabled(net, transition, marking)) {
                     return Optional.empty();
                 }
-                marking = FiringRule.fire(net, transition, marking);
+                try {
+                    marking = FiringRule.fire(net, transition, marking);
+                } catch (ArithmeticException tooManyTokens) {
+                    return Optional.empty();
+                }
             }
             return Optional.of(marking);
         }

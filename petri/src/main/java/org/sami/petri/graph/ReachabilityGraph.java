@@ -209,9 +209,10 @@ public final class ReachabilityGraph {
     private Step step(int from, int target) {
         int[] marking = marking(from);
         for (int transition = 0; transition < net.transitionCount(); transition++) {
-            if (FiringRule.isEnabled(net, transition, marking)) {
+            Optional<int[]> next = fire(transition, marking);
+            if (next.isPresent()) {
                 int fired = transition;
-                int[] after = FiringRule.fire(net, transition, marking);
+                int[] after = next.get();
                 List<Integer> before = settings.symmetry()
                         .map(like -> IntStream.of(like.normalizeAfterAndTrace(fired, after))
                                 .boxed()
@@ -223,5 +224,16 @@ public final class ReachabilityGraph {
             }
         }
         throw new IllegalStateException("no transition leads from state " + from + " to state " + target);
+    }
+
+    /** The marking after a firing; empty where it is not enabled, or would lead to more tokens than can be counted. */
+    private Optional<int[]> fire(int transition, int[] marking) {
+        try {
+            return FiringRule.isEnabled(net, transition, marking)
+                    ? Optional.of(FiringRule.fire(net, transition, marking))
+                    : Optional.empty();
+        } catch (ArithmeticException tooManyTokens) {
+            return Optional.empty();
+        }
     }
 }

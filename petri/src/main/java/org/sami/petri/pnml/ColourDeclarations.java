@@ -9,6 +9,9 @@ import java.util.Set;
 
 /** The sorts, constants and variables that a symmetric net declares. */
 final class ColourDeclarations {
+    private static final int MOST_PARTS = 64;
+    private static final int MOST_LEVELS = 512;
+
     private final int mostColours;
     private final Map<String, XmlTerm> named = new HashMap<>();
     private final Map<String, XmlTerm> variables = new HashMap<>();
@@ -45,6 +48,12 @@ final class ColourDeclarations {
                     "E-TERM",
                     line,
                     declaration == null ? "there is no sort '" + id + "'" : "sort " + id + " contains itself");
+        }
+        if (open.size() > MOST_LEVELS) {
+            throw new RefusedPnmlException(
+                    "E-DEPTH",
+                    declaration.line(),
+                    "sorts refer to each other over more than " + MOST_LEVELS + " levels");
         }
         ColourSort sort = sort(declaration.only());
         open.remove(id);
@@ -114,6 +123,10 @@ final class ColourDeclarations {
         List<List<String>> parts = new ArrayList<>();
         for (XmlTerm part : term.parts()) {
             parts.addAll(sort(part).parts());
+            if (parts.size() > MOST_PARTS) {
+                throw new RefusedPnmlException(
+                        "E-SIZE", term.line(), "a product of more than " + MOST_PARTS + " sorts is not read");
+            }
         }
         return new ColourSort(parts);
     }

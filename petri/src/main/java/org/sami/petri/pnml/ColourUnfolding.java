@@ -76,14 +76,16 @@ final class ColourUnfolding {
         return plain;
     }
 
-    /** The node that an id means, over references. */
+    /** The node that an id means, over references; of those that were passed it is known afterwards. */
     private String end(String id) {
         Set<String> passed = new HashSet<>();
         String at = id;
         while (references.containsKey(at) && passed.add(at)) {
             at = references.getOrDefault(at, at);
         }
-        return at;
+        String end = at;
+        passed.forEach(reference -> references.put(reference, end));
+        return end;
     }
 
     private void place(Node place) throws RefusedPnmlException {

@@ -71,18 +71,21 @@ final class PnmlAssembly {
                         "there is a " + kind + " or reference with this id already");
             }
         }
+        Map<String, String> lost = new HashMap<>(); // of each reference that leads to no node: why
         for (Reference reference : byId.values()) {
             Set<String> passed = new HashSet<>();
-            Reference at = reference;
-            while (!nodes.containsKey(at.target()) && byId.containsKey(at.target()) && passed.add(at.id())) {
-                at = byId.get(at.target());
+            String at = reference.id();
+            while (!nodes.containsKey(at) && !lost.containsKey(at) && byId.containsKey(at) && passed.add(at)) {
+                at = byId.get(at).target();
             }
-            Integer node = nodes.get(at.target());
+            Integer node = nodes.get(at);
             if (node == null) {
-                String why = byId.containsKey(at.target()) ? "leads back to itself" : "leads to no " + kind;
+                String why =
+                        lost.getOrDefault(at, byId.containsKey(at) ? "leads back to itself" : "leads to no " + kind);
+                passed.forEach(id -> lost.put(id, why));
                 findings.error("E-REFERENCE", reference.line(), "reference " + reference.id(), "it " + why);
             } else {
-                nodes.put(reference.id(), node);
+                passed.forEach(id -> nodes.put(id, node));
             }
         }
     }

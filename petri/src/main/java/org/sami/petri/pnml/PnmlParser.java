@@ -17,8 +17,10 @@ final class PnmlParser {
     private static final String PT_NET = "http://www.pnml.org/version-2009/grammar/ptnet";
     private static final String SYMMETRIC_NET = "http://www.pnml.org/version-2009/grammar/symmetricnet";
 
-    /** The labels of symmetric nets. */
+    /** The labels of symmetric nets; the type of an arc is no term, but its kind. */
     private static final Set<String> TERMS = Set.of("type", "hlinitialMarking", "hlinscription", "condition");
+
+    private static final String WEIGHT = "inscription";
 
     /** Types of place/transition nets: of the standard, of its extensions, and of earlier tools. */
     private static final Pattern PT_NETS = Pattern.compile("P/T net|https?://www\\.pnml\\.org/version-2009/"
@@ -145,15 +147,20 @@ final class PnmlParser {
         }
     }
 
-    /** The structure of a label, which is a term; its text says the same for people. */
+    /** The structure of a label, which is a term; its text says the same for people. A text alone is not read. */
     private void structure(String label, Content content, String element)
             throws XMLStreamException, RefusedPnmlException {
+        int line = xml.line();
+        String text = "";
         while (xml.nextElement()) {
             switch (xml.name()) {
                 case "structure" -> content.terms.put(label, terms.read().only());
-                case "text" -> xml.skip();
+                case "text" -> text = xml.text();
                 default -> other(element);
             }
+        }
+        if (!content.terms.containsKey(label) && !text.isBlank()) {
+            findings.error("E-TERM", line, element, label + " '" + text + "' has no structure: texts are not read");
         }
     }
 
@@ -178,7 +185,7 @@ final class PnmlParser {
         String id = xml.attribute("id");
         String source = xml.attribute("source");
         String target = xml.attribute("target");
-        Content content = content("arc " + id, "inscription", 1);
+        Content content = content("arc " + id, WEIGHT, 1);
         parts.arcs.add(
                 new PnmlParts.Arc(id, source, target, content.number, content.kind, line, Map.copyOf(content.terms)));
     }
@@ -205,6 +212,7 @@ final class PnmlParser {
                 content.number = number(label(element), number, line, element);
             } else if (parts.isColoured
                     && TERMS.contains(name)
+                    && !(name.equals("type") && numberLabel.equals(WEIGHT))
                     && xml.attribute("value").isEmpty()) {
                 structure(name, content, element);
             } else if (name.equals("type") || name.equals("arctype")) {

@@ -328,4 +328,35 @@ final class CoverabilitySearchTest {
         }
         return true;
     }
+
+    @Test
+    void theMostTokensThatANetCanHaveAreNotTakenForAnyNumber() {
+        PetriNetBuilder builder = new PetriNetBuilder("full");
+        builder.place("p", Integer.MAX_VALUE);
+        builder.place("q", 0);
+        builder.move("t", List.of("p"), List.of("q"));
+
+        CoverabilitySet set = search(builder.build());
+
+        assertThat(set.end()).isEqualTo(SearchEnd.TOKENS);
+        assertThat(set.isUnbounded(0)).isFalse();
+        assertThat(set.isUnbounded(1)).isFalse();
+    }
+
+    @Test
+    void aRunWithMoreTokensThanCanBeCountedIsNotShown() {
+        PetriNetBuilder builder = new PetriNetBuilder("heavy");
+        int q = builder.place("q", 0);
+        int r = builder.place("r", 0);
+        builder.produce(builder.transition("a"), q, 1_000_000_000);
+        int b = builder.transition("b");
+        builder.consume(b, q, 1).produce(b, q, 2_000_000_000).produce(b, r, 1);
+
+        CoverabilitySet set = search(builder.build());
+
+        assertThat(set.isComplete()).isTrue();
+        assertThat(set.isUnbounded(r)).isTrue();
+        assertThat(set.pump(r)).isEmpty();
+        assertThat(set.pump(q)).isPresent();
+    }
 }

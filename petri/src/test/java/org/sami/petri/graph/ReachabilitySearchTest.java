@@ -267,4 +267,21 @@ class ReachabilitySearchTest {
             assertThat(last[place]).isEqualTo(1999 * (1 + place % 7));
         }
     }
+
+    @Test
+    void aRunIsGivenWhereAnotherFiringWouldLeadToMoreTokensThanCanBeCounted() {
+        PetriNetBuilder builder = new PetriNetBuilder("full");
+        int full = builder.place("full", Integer.MAX_VALUE);
+        int first = builder.place("first", 1);
+        int second = builder.place("second", 1);
+        int goal = builder.place("goal", 0);
+        int overflows = builder.transition("overflows");
+        builder.consume(overflows, second, 1).produce(overflows, full, 1);
+        builder.move("reaches", List.of("first"), List.of("goal"));
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(builder.build(), WHOLE.withGoal(m -> m[goal] == 1));
+
+        assertThat(first).isLessThan(second);
+        assertThat(graph.runTo(graph.found().orElseThrow()).transitions()).containsExactly(1);
+    }
 }

@@ -235,4 +235,31 @@ class PnmlReaderTest {
         assertThat(reading.net().orElseThrow().placeCount()).isEqualTo(1);
         assertThat(reading.findings().get(0).code()).isEqualTo("W-NETS");
     }
+
+    @Test
+    void longChainsOfReferencesLeadToTheirNode() {
+        StringBuilder text = new StringBuilder("<place id='p'/><transition id='t'/>");
+        for (int i = 0; i < 20_000; i++) {
+            text.append("<referencePlace id='r" + i + "' ref='" + (i == 19_999 ? "p" : "r" + (i + 1)) + "'/>");
+        }
+        PnmlReading reading = net(text + "<arc id='a' source='r0' target='t'/>");
+
+        assertThat(reading.findings()).isEmpty();
+        assertThat(reading.net().orElseThrow().consumed().weight(0, 0)).isEqualTo(1);
+    }
+
+    @Test
+    void allReferencesThatLeadIntoARingOrToNothingAreFindings() {
+        PnmlReading ring = net("<referencePlace id='a' ref='b'/><referencePlace id='b' ref='c'/>"
+                + "<referencePlace id='c' ref='b'/>");
+        PnmlReading nothing = net("<referencePlace id='a' ref='b'/><referencePlace id='b' ref='x'/>");
+
+        assertThat(ring.findings()).extracting(PnmlFinding::message).containsOnly("it leads back to itself");
+        assertThat(ring.findings())
+                .extracting(PnmlFinding::element)
+                .containsExactly("reference a", "reference b", "reference c");
+        assertThat(nothing.findings())
+                .extracting(PnmlFinding::message)
+                .containsExactly("it leads to no place", "it leads to no place");
+    }
 }

@@ -230,4 +230,91 @@ class SymmetricNetTest {
         assertThat(reading.findings().get(0).message()).isEqualTo(message);
         assertThat(reading.findings().get(0).line()).isGreaterThan(3);
     }
+
+    @Test
+    void labelsWithoutAStructureAreErrors() {
+        assertError(
+                place("p", "P", ALL) + "<transition id='t'><condition><text>x&lt;y</text></condition></transition>",
+                "E-TERM",
+                "condition 'x<y' has no structure: texts are not read");
+        assertError(
+                "<place id='p'><hlinitialMarking><text>1'p0</text></hlinitialMarking></place>",
+                "E-TERM",
+                "hlinitialMarking '1'p0' has no structure: texts are not read");
+        assertError(
+                "<place id='p'><type><text>P</text></type></place>",
+                "E-TERM",
+                "type 'P' has no structure: texts are not read");
+        assertError(
+                place("p", "dot", DOT) + transition("t", "")
+                        + "<arc id='a' source='p' target='t'><hlinscription><text>x</text></hlinscription></arc>",
+                "E-TERM",
+                "hlinscription 'x' has no structure: texts are not read");
+    }
+
+    @Test
+    void theTypeOfAnArcMayBeAText() {
+        PetriNet net = net(read(place("p", "dot", DOT) + transition("t", "")
+                + "<arc id='a' source='p' target='t'><type><text>inhibitor</text></type></arc>"));
+
+        assertThat(net.inhibitors().weight(0, 0)).isEqualTo(1);
+        assertThat(net.consumed().weight(0, 0)).isZero();
+    }
+
+    private static PnmlReading declared(String sorts) {
+        String text = HEAD + "</page><declaration><structure><declarations>" + sorts
+                + "</declarations></structure></declaration></net></pnml>";
+        return PnmlReader.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), PnmlLimits.STANDARD);
+    }
+
+    private static String sort(String id, String of) {
+        return "<namedsort id='" + id + "'>" + of + "</namedsort>\n";
+    }
+
+    private static String use(String sort) {
+        return "<usersort declaration='" + sort + "'/>";
+    }
+
+    @Test
+    void productsThatGrowByThemselvesAreRefused() {
+        StringBuilder sorts = new StringBuilder(sort("s0", "<dot/>"));
+        for (int i = 1; i <= 40; i++) {
+            sorts.append(sort("s" + i, "<productsort>" + use("s" + (i - 1)).repeat(2) + "</productsort>"));
+        }
+
+        PnmlReading reading = declared(sorts.toString());
+
+        assertThat(reading.net()).isEmpty();
+        assertThat(reading.findings().get(0).code()).isEqualTo("E-SIZE");
+        assertThat(reading.findings().get(0).message()).isEqualTo("a product of more than 64 sorts is not read");
+        assertThat(reading.findings().get(0).line()).isEqualTo(3 + 8);
+    }
+
+    @Test
+    void longChainsOfSortsAreRefused() {
+        StringBuilder sorts = new StringBuilder(sort("s0", "<dot/>"));
+        for (int i = 1; i <= 100_000; i++) {
+            sorts.append(sort("s" + i, use("s" + (i - 1))));
+        }
+
+        PnmlReading reading = declared(sorts.toString());
+
+        assertThat(reading.net()).isEmpty();
+        assertThat(reading.findings().get(0).code()).isEqualTo("E-DEPTH");
+        assertThat(reading.findings().get(0).line()).isGreaterThan(3);
+    }
+
+    @Test
+    void arcsFollowLongChainsOfReferences() {
+        StringBuilder text = new StringBuilder(place("p", "dot", DOT) + transition("t", ""));
+        for (int i = 0; i < 20_000; i++) {
+            String target = i == 0 ? "p" : "r" + (i - 1);
+            text.append("<referencePlace id='r" + i + "' ref='" + target + "'/>");
+            if (i % 10 == 9) {
+                text.append(arc("r" + i, "t", DOT));
+            }
+        }
+
+        assertThat(net(read(text.toString())).consumed().weight(0, 0)).isEqualTo(2000);
+    }
 }
