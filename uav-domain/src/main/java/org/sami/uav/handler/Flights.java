@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.Executor;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.sami.crw.event.Numbers;
@@ -17,17 +18,21 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
 /**
  * Flights along points, for the handlers that need one. Altitudes are metres above the place of the take-off. An aircraft on the ground climbs on the
- * spot before it goes anywhere. What depends on where an aircraft is waits until the aircraft has said it, as after a restart of the base. For the
- * fleet's thread.
+ * spot before it goes anywhere. What depends on where an aircraft is waits until the aircraft has said it, as after a restart of the base, or until it is
+ * withdrawn. For the fleet's thread; it passes the engine's steps on to it.
  */
-final class Flights implements Consumer<FleetEvent> {
+final class Flights implements Consumer<FleetEvent>, HostListener {
     /** The legal ceiling of small aircraft in Europe, in metres above ground. */
     static final double CEILING_M = 120;
 
@@ -43,18 +48,26 @@ final class Flights implements Consumer<FleetEvent> {
 
     private final ProxyRegistry robots;
     private final MotionCommands motion;
+    private final Executor fleet;
     private final List<Waiting> waiting = new ArrayList<>();
 
+    /** A flight that waits; of an end place, whose mission is over, where nothing stands any longer. */
     private record Waiting(
             Activation activation,
             HandlerContext context,
             Addressee aircraft,
             BiFunction<Addressee, GeoPoint, Flight> flight,
-            Reply reply) {}
+            Reply reply,
+            boolean ofEndPlace) {
+        boolean stands() {
+            return ofEndPlace || aircraft.stands(activation, context);
+        }
+    }
 
-    Flights(ProxyRegistry robots, MotionCommands motion) {
+    Flights(ProxyRegistry robots, MotionCommands motion, Executor fleet) {
         this.robots = robots;
         this.motion = motion;
+        this.fleet = fleet;
     }
 
     /** Where an aircraft said it was last. */
@@ -113,7 +126,7 @@ final class Flights implements Consumer<FleetEvent> {
     void send(Activation activation, HandlerContext context, List<Flight> flights, Reply reply) {
         List<Move> moves = new ArrayList<>();
         for (Flight flight : flights) {
-            forgetWaiting(activation.mission(), flight.aircraft());
+            replaceWaiting(activation, flight.aircraft());
             Optional<String> reason = refusal(flight);
             if (reason.isPresent()) {
                 motion.refuse(activation, context, flight.aircraft(), reply, reason.get());
@@ -131,12 +144,16 @@ final class Flights implements Consumer<FleetEvent> {
             List<Addressee> all,
             BiFunction<Addressee, GeoPoint, Flight> flight,
             Reply reply) {
+        boolean ofEndPlace =
+                !context.query(view -> view.mission(activation.mission()).isPresent());
         List<Flight> now = new ArrayList<>();
         for (Addressee aircraft : all) {
             Optional<GeoPoint> here = position(aircraft.boat());
             if (here.isEmpty() && robots.find(aircraft.boat()).isPresent()) {
-                forgetWaiting(activation.mission(), aircraft);
-                waiting.add(new Waiting(activation, context, aircraft, flight, reply));
+                if (!motion.isTakenBack(activation.id(), aircraft.boat())) {
+                    replaceWaiting(activation, aircraft);
+                    waiting.add(new Waiting(activation, context, aircraft, flight, reply, ofEndPlace));
+                }
             } else {
                 now.add(here.map(at -> flight.apply(aircraft, at))
                         .orElseGet(() -> new Flight(aircraft, List.of(), SPEED_MPS, false)));
@@ -146,9 +163,25 @@ final class Flights implements Consumer<FleetEvent> {
     }
 
     /** What a mission asks of an aircraft replaces what it asked before, as with commands. */
-    private void forgetWaiting(long mission, Addressee aircraft) {
-        waiting.removeIf(one ->
-                one.activation.mission() == mission && one.aircraft.boat().equals(aircraft.boat()));
+    private void replaceWaiting(Activation activation, Addressee aircraft) {
+        List<Waiting> older = waiting.stream()
+                .filter(one -> one.activation.mission() == activation.mission()
+                        && one.aircraft.boat().equals(aircraft.boat()))
+                .toList();
+        waiting.removeAll(older);
+        older.stream()
+                .filter(one -> one.activation.id() != activation.id())
+                .forEach(one -> motion.replace(one.activation, one.context, one.aircraft, one.reply));
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
+                fleet.execute(() -> waiting.removeIf(one -> one.activation.mission() == withdrawn.mission()
+                        && (withdrawn.proxies().isEmpty() || withdrawn.proxies().contains(one.aircraft.boat()))));
+            }
+        }
     }
 
     @Override
@@ -161,7 +194,7 @@ final class Flights implements Consumer<FleetEvent> {
                         .toList();
                 waiting.removeAll(due);
                 due.stream()
-                        .filter(one -> one.aircraft.stands(one.activation, one.context))
+                        .filter(Waiting::stands)
                         .forEach(one -> sendFromHere(
                                 one.activation, one.context, List.of(one.aircraft), one.flight, one.reply));
             }

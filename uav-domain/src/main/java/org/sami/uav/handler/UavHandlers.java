@@ -29,8 +29,9 @@ public final class UavHandlers implements HandlerModule {
 
     @Override
     public void addTo(HandlerParts parts) {
-        Flights flights = new Flights(parts.robots(), parts.motion());
+        Flights flights = new Flights(parts.robots(), parts.motion(), parts.fleet());
         parts.listen((Consumer<FleetEvent>) flights);
+        parts.listen((HostListener) flights);
         Sightings sightings = new Sightings();
         parts.listen((Consumer<FleetEvent>) sightings);
         addFlights(parts, flights);

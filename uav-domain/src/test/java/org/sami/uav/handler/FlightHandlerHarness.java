@@ -27,6 +27,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
@@ -35,7 +36,7 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
-/** Handlers on simulated copters without an engine: a test activates them, and sees what they answer. Every token stands where it was, and everything is awaited. */
+/** Handlers on simulated copters without an engine: a test activates them, and sees what they answer. Every token stands where it was, and every event is awaited. */
 final class FlightHandlerHarness implements HandlerContext {
     private static final String PLACE = "place";
 
@@ -48,7 +49,14 @@ final class FlightHandlerHarness implements HandlerContext {
     final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
     private final List<Consumer<FleetEvent>> listeners = new ArrayList<>();
     private final List<Token> standing = new ArrayList<>();
+    private final List<Activation> given = new ArrayList<>();
     private long activations;
+
+    /** Whether activations stay open. */
+    boolean areOpen;
+
+    /** Whether the mission ended with what it asked last. */
+    boolean isOver;
 
     /** Copters on the ground, whose links are not up before time passes. */
     FlightHandlerHarness(int copters) {
@@ -66,7 +74,7 @@ final class FlightHandlerHarness implements HandlerContext {
                 message -> messages.add(message.text()),
                 new WayQuestions(fleet.proxies(), message -> {}, Runnable::run, Set.of()),
                 new ClearWays(fleet.proxies(), message -> {}, errors, new FleetEvents()));
-        flights = new Flights(fleet.proxies(), motion);
+        flights = new Flights(fleet.proxies(), motion, Runnable::run);
         listen(motion);
         listen(flights);
         fleet.start();
@@ -113,11 +121,21 @@ final class FlightHandlerHarness implements HandlerContext {
                 Map.of(),
                 List.of(),
                 Priority.MEDIUM);
+        given.add(activation);
         try {
             handler.handle(activation, this);
         } catch (Exception e) {
             throw new AssertionError(e);
         }
+    }
+
+    /** The mission takes back what it asked of copters; of all, where none is named. */
+    void withdraw(String... copters) {
+        Effect effect = new Effect.CommandsWithdrawn(1, List.of(copters));
+        query(view -> {
+            flights.onStep(1, clock.nowMs(), new Input.TimeReached(), List.of(effect), view);
+            return true;
+        });
     }
 
     /** What was answered, in order. */
@@ -135,13 +153,14 @@ final class FlightHandlerHarness implements HandlerContext {
     @Override
     public <T> T query(Function<EngineView, T> question) {
         return question.apply((EngineView) Proxy.newProxyInstance(
-                getClass().getClassLoader(), new Class<?>[] {EngineView.class}, (view, method, given) -> {
+                getClass().getClassLoader(), new Class<?>[] {EngineView.class}, (view, method, arguments) -> {
                     return switch (method.getName()) {
-                        case "mission" -> Optional.of(mission()).filter(one -> given[0].equals(one.id()));
+                        case "mission" ->
+                            Optional.of(mission()).filter(one -> !isOver && arguments[0].equals(one.id()));
                         case "awaits" -> true;
                         case "proxies" -> fleet.proxies().boatIds();
-                        case "task" -> Optional.ofNullable(tasks.get(given[0]));
-                        case "openActivations" -> List.of();
+                        case "task" -> Optional.ofNullable(tasks.get(arguments[0]));
+                        case "openActivations" -> areOpen ? List.copyOf(given) : List.of();
                         default -> nothing(method.getReturnType());
                     };
                 }));

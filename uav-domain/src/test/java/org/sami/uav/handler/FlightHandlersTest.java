@@ -77,6 +77,63 @@ class FlightHandlersTest {
     }
 
     @Test
+    void replacedRequestThatWaitsIsAnsweredWhereItIsAwaited() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(1);
+        harness.areOpen = true;
+        takeOff(harness, "copter1");
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
+        assertThat(harness.answers.get(0).values())
+                .containsEntry("reason", new TextValue("a newer command of the same mission took its place"));
+        harness.pass(60);
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY, UavEvents.LANDED);
+    }
+
+    @Test
+    void withdrawnFlightsThatWaitAreNotFlown() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(3);
+        takeOff(harness, "copter1", "copter2", "copter3");
+        harness.withdraw("copter2");
+        harness.pass(60);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.AIRBORNE, UavEvents.AIRBORNE);
+        assertThat(harness.altM("copter2")).isZero();
+    }
+
+    @Test
+    void withdrawalWithoutNamesIsOfAllFlightsThatWait() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(2);
+        takeOff(harness, "copter1", "copter2");
+        harness.withdraw();
+        harness.pass(60);
+
+        assertThat(harness.answers).isEmpty();
+        assertThat(harness.altM("copter1")).isZero();
+    }
+
+    @Test
+    void whatAnEndPlaceAsksIsFlownWhenTheAircraftHasSaidWhereItIs() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(1);
+        harness.isOver = true;
+        takeOff(harness, "copter1");
+        harness.pass(60);
+
+        assertThat(harness.altM("copter1")).isGreaterThan(19);
+    }
+
+    @Test
+    void flightThatItsOwnStepTookBackDoesNotWait() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(1);
+        harness.isOver = true;
+        harness.motion.takeBack(1, List.of("copter1"));
+        takeOff(harness, "copter1");
+        harness.pass(60);
+
+        assertThat(harness.altM("copter1")).isZero();
+    }
+
+    @Test
     void unknownAircraftHasNotLanded() {
         FlightHandlerHarness harness = harness(1);
         harness.activate(VerticalHandler.landing(harness.flights), Map.of(), "copter9");

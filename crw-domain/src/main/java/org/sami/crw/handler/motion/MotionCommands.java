@@ -34,6 +34,8 @@ import org.sami.spn.value.TaskId;
 public final class MotionCommands implements Consumer<FleetEvent> {
     public static final String UNKNOWN_BOAT = "no boat of that name is known";
 
+    private static final String REPLACED = "a newer command of the same mission took its place";
+
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final WayQuestions questions;
@@ -136,6 +138,19 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         takenBack.computeIfAbsent(activation, id -> new HashSet<>()).addAll(named);
     }
 
+    /** Whether what an activation is about to ask of a boat has been taken back in advance. */
+    public boolean isTakenBack(long activation, String boat) {
+        return takenBack.getOrDefault(activation, Set.of()).contains(boat);
+    }
+
+    /** A newer command of the same mission takes the place of one that was not sent yet: whoever still waits for it is answered. */
+    public void replace(Activation activation, HandlerContext context, Addressee addressee, Reply reply) {
+        SentCommand one = new SentCommand(activation, context, addressee, reply);
+        if (one.isAwaited()) {
+            one.post(failed(one, REPLACED));
+        }
+    }
+
     /** An activation will ask nothing any more. */
     public void forget(long activation) {
         takenBack.remove(activation);
@@ -224,9 +239,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     /** A command that was displaced fails for whoever still waits for it. */
     private void onWithdrawn(BoatCommand command, Withdrawal why) {
         SentCommand one = sent.remove(command.commandId());
-        String reason = why == Withdrawal.PREEMPTED
-                ? "a command of higher priority took the boat"
-                : "a newer command of the same mission took its place";
+        String reason = why == Withdrawal.PREEMPTED ? "a command of higher priority took the boat" : REPLACED;
         if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaited())) {
             one.post(failed(one, reason));
         }
