@@ -16,7 +16,7 @@ import java.util.Set;
 
 /**
  * A UDP port as streams: datagrams are read one after the other, and each packet that is written is one datagram. A port that listens sends to all from whom it
- * has heard, as several vehicles may share it.
+ * has heard lately, as several vehicles may share it: to the last 64.
  */
 final class UdpStreams implements LinkStreams {
     private static final int MAX_DATAGRAM = 65_535;
@@ -24,7 +24,7 @@ final class UdpStreams implements LinkStreams {
 
     private final DatagramSocket socket;
     private final Optional<InetSocketAddress> other;
-    private final Set<SocketAddress> heard = new LinkedHashSet<>();
+    private final Set<SocketAddress> heard = new LinkedHashSet<>(); // the one that is silent for longest first
     private final InputStream in = new Datagrams();
     private final OutputStream out = new Packets();
 
@@ -65,8 +65,10 @@ final class UdpStreams implements LinkStreams {
     }
 
     private synchronized void hear(SocketAddress from) {
-        if (heard.size() < MAX_PEERS) {
-            heard.add(from);
+        heard.remove(from);
+        heard.add(from);
+        if (heard.size() > MAX_PEERS) {
+            heard.remove(heard.iterator().next());
         }
     }
 

@@ -20,7 +20,7 @@ public interface ListKeeper {
         DENIED
     }
 
-    /** Why a station may not change a list; empty where it may. Nothing is changed by it. */
+    /** Why a station may not change a list; empty where it may. Asked at a list's beginning and again at its end; nothing is changed by it. */
     default Optional<Refusal> whyNoList(VehicleId station, HeldKind kind) {
         return Optional.empty();
     }

@@ -137,6 +137,7 @@ public final class OnboardLists {
         } else if (part && (from < 0 || from >= to || to > held(kind.get()).size())) {
             acknowledge(station, type, MavMissionResult.MAV_MISSION_ERROR);
         } else if (to == 0) {
+            arriving = Optional.empty();
             change(kind.get(), List.of());
             acknowledge(station, type, MavMissionResult.MAV_MISSION_ACCEPTED);
         } else {
@@ -171,8 +172,14 @@ public final class OnboardLists {
         list.askMs = nowMs + paceMs;
         if (list.next == list.to) {
             arriving = Optional.empty();
-            change(list.kind, list.items);
-            acknowledge(station, message.missionType(), MavMissionResult.MAV_MISSION_ACCEPTED);
+            Optional<ListKeeper.Refusal> whyNot = keeper.whyNoList(station, list.kind); // it may be another's by now
+            if (whyNot.isEmpty()) {
+                change(list.kind, list.items);
+            }
+            acknowledge(
+                    station,
+                    message.missionType(),
+                    whyNot.map(OnboardLists::result).orElse(MavMissionResult.MAV_MISSION_ACCEPTED));
         }
     }
 

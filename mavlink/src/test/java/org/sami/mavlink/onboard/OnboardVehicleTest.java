@@ -42,6 +42,8 @@ class OnboardVehicleTest {
     private final List<StationOrder> orders = new ArrayList<>();
     private final OnboardVehicle vehicle = new OnboardVehicle("anna", BOAT, 5, new Scripted(), sent::add);
     private int heard;
+    private Optional<ListKeeper.Refusal> noList = Optional.empty();
+    private int changes;
 
     private final class Scripted implements OnboardHost {
         @Override
@@ -79,12 +81,19 @@ class OnboardVehicleTest {
         }
 
         @Override
+        public Optional<Refusal> whyNoList(VehicleId station, HeldKind kind) {
+            return noList;
+        }
+
+        @Override
         public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
             return item.command() == 16 ? Optional.empty() : Optional.of(Refusal.UNSUPPORTED);
         }
 
         @Override
-        public void changed(HeldKind kind, List<MissionItem> items) {}
+        public void changed(HeldKind kind, List<MissionItem> items) {
+            changes++;
+        }
     }
 
     private <T> List<T> answers(Class<T> kind, Object message) {
@@ -274,6 +283,26 @@ class OnboardVehicleTest {
         assertThat(result(item(0).command(MavCmd.MAV_CMD_NAV_LAND).build()))
                 .isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
         assertThat(result(item(0).build())).isEqualTo(MavMissionResult.MAV_MISSION_ERROR); // none is expected
+    }
+
+    @Test
+    void aMissionWhoseStationMayNotChangeItAtItsEndReplacesNothing() {
+        answers(Object.class, count(2));
+        answers(Object.class, item(0).build());
+        noList = Optional.of(ListKeeper.Refusal.DENIED); // another station commands now
+
+        assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_DENIED);
+        assertThat(changes).isZero();
+        assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_ERROR); // none is expected
+    }
+
+    @Test
+    void anEmptyMissionEndsTheOneThatArrives() {
+        answers(Object.class, count(2));
+
+        assertThat(result(count(0))).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
+        assertThat(result(item(0).build())).isEqualTo(MavMissionResult.MAV_MISSION_ERROR);
+        assertThat(changes).isOne();
     }
 
     @Test
