@@ -49,7 +49,8 @@ record MissionPath(List<Waypoint> waypoints, List<Integer> items, List<Double> w
     static Optional<String> whyNot(MissionItem item) {
         boolean places = item.command() == WAYPOINT || item.command() == KEEP_PLACE || item.command() == KEEP_FOR;
         if (places) {
-            if (item.number() > 0 && item.latDeg() == 0 && item.lonDeg() == 0) {
+            boolean maybeHome = item.number() == 0 && item.command() == WAYPOINT;
+            if (!maybeHome && item.latDeg() == 0 && item.lonDeg() == 0) {
                 return Optional.of("item " + item.number() + " is at 0, 0");
             }
             boolean waits = item.command() != KEEP_PLACE;
