@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.AskForCommand;
@@ -35,6 +36,7 @@ final class BoatClient implements FrameSink {
     static final String NAME = "ground station (MAVLink)";
 
     private static final double TELEMETRY_HZ = 10;
+    private static final long TELEMETRY_AGE_MS = 2_000; // older telemetry does not say where the boat is now
     private static final int MOST_KEPT = 1000; // of what is not taken yet
 
     private final BoatServer boat;
@@ -42,6 +44,7 @@ final class BoatClient implements FrameSink {
     private final String sessionId = "mavlink-" + UUID.randomUUID();
     private long sequence;
     private long commands;
+    private long lists;
     private String term = "";
     private Role role = Role.OBSERVER;
     private CommandEpoch newest = CommandEpoch.NONE;
@@ -97,9 +100,9 @@ final class BoatClient implements FrameSink {
         return commands();
     }
 
-    /** Asks the client that commands, so its operator, for the command. */
+    /** Asks the client that commands, so its operator, for the command. Its number 0 gives it nothing where the boat notices only now that the other is lost. */
     void wish(long nowMs) {
-        send(id -> new AskForCommand(id, sessionId, newest.number() + 1), nowMs);
+        send(id -> new AskForCommand(id, sessionId, 0), nowMs);
     }
 
     /** Shows the boat that its ground station is there. */
@@ -120,9 +123,34 @@ final class BoatClient implements FrameSink {
         return now instanceof Nack refused ? Optional.of(refused.detail()) : Optional.empty();
     }
 
-    /** What the boat reported last. */
-    Optional<Telemetry> telemetry() {
-        return telemetry;
+    /** Says by what the boat finds out that it is disarmed: it then stays at rest when the ground station is lost. */
+    void disarmsBy(BooleanSupplier isDisarmed) {
+        session.disarmsBy(isDisarmed);
+    }
+
+    /** Another client that has stopped a boat that is stopped already. */
+    Optional<String> alsoStoppedBy() {
+        return boat.alsoStoppedBy();
+    }
+
+    /** An id for a list, which no other client and no earlier start has used. */
+    String newListId() {
+        return sessionId + ".list" + ++lists;
+    }
+
+    /** Whether a list came from this client. */
+    boolean isOwnList(String id) {
+        return id.startsWith(sessionId + ".");
+    }
+
+    /** Where the boat is and how it moves; empty where it does not know, as without a position fix. */
+    Optional<Telemetry> telemetry(long nowMs) {
+        return telemetry.filter(last -> nowMs - last.boatTimeMs() <= TELEMETRY_AGE_MS);
+    }
+
+    /** The charge that the boat told last. */
+    Optional<Double> batteryPercent() {
+        return telemetry.map(Telemetry::batteryPercent);
     }
 
     Optional<BatteryReport> battery() {

@@ -9,6 +9,7 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.onboard.OnboardState.MissionProgress;
 
@@ -23,7 +24,6 @@ final class BoatMission {
     private List<MissionItem> items = List.of();
     private MissionPath path = MissionPath.none();
     private String listId = "";
-    private int lists;
     private int next; // waypoint
     private boolean isDone;
     private boolean isUnderWay;
@@ -63,6 +63,20 @@ final class BoatMission {
         return !listId.isEmpty() && listId.equals(id);
     }
 
+    /** Which place that is still ahead is too far away, in words; empty where none is. */
+    Optional<String> tooFar(LocalFrame here, double farthestM, Optional<Waypoint> home) {
+        MissionPath whole = MissionPath.of(items, 1, 1, home);
+        int size = whole.waypoints().size();
+        for (int i = isDone || next >= size ? 0 : next; i < size; i++) {
+            Waypoint at = whole.waypoints().get(i);
+            double metres = here.distanceM(at.latDeg(), at.lonDeg());
+            if (metres > farthestM) {
+                return Optional.of("item " + whole.itemOf(i) + " is " + Math.round(metres / 1000) + " km away");
+            }
+        }
+        return Optional.empty();
+    }
+
     /** Why it cannot be started; empty where it is under way. */
     Optional<String> start(double speedMps, double mostMps, Optional<Waypoint> home, long nowMs) {
         path = MissionPath.of(items, speedMps, mostMps, home);
@@ -75,7 +89,7 @@ final class BoatMission {
         isDone = false;
         isOfBase = false;
         waitsUntilMs = Long.MIN_VALUE;
-        String id = "mission-" + ++lists;
+        String id = boat.newListId();
         Optional<String> refused = boat.send(command -> new UploadWaypoints(command, id, path.waypoints()), nowMs);
         if (refused.isEmpty()) {
             listId = id;
@@ -95,13 +109,15 @@ final class BoatMission {
         waitsUntilMs = Long.MIN_VALUE;
     }
 
-    /** Goes on at an item, now or when it is started; whether there is such an item. */
+    /** Goes on at an item, now or when it is started; false where no place is at this item or a later one. */
     boolean goOnAt(int item, Optional<Waypoint> home) {
-        if (item >= items.size()) {
+        MissionPath whole = MissionPath.of(items, 1, 1, home);
+        int from = whole.waypointOf(item);
+        if (item >= items.size() || from >= whole.waypoints().size()) {
             return false;
         }
-        path = MissionPath.of(items, 1, 1, home);
-        next = path.waypointOf(item);
+        path = whole;
+        next = from;
         isDone = false;
         return true;
     }
@@ -112,7 +128,9 @@ final class BoatMission {
 
     /** The boat says how far it is; the item that is reached by that, where one is. */
     OptionalInt take(Progress progress, long nowMs) {
-        if (!isList(progress.listId()) || progress.nextIndex() <= next) {
+        boolean further = progress.nextIndex() > next
+                && progress.nextIndex() <= path.waypoints().size();
+        if (!isList(progress.listId()) || !further) {
             return OptionalInt.empty();
         }
         int reached = progress.nextIndex() - 1;

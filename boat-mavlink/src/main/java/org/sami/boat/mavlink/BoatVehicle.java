@@ -34,7 +34,7 @@ final class BoatVehicle {
     private int mode = OnboardModes.HOLD; // that a station has chosen
     private boolean armed;
     private Optional<Waypoint> target = Optional.empty(); // in mode GUIDED
-    private int lists;
+    private boolean releasable; // the latched stop, by a station: one latched it that could have commanded
 
     BoatVehicle(String name, BoatClient boat, StationCommand command, BoatMission mission, BoatParameters parameters) {
         this.name = name;
@@ -42,16 +42,17 @@ final class BoatVehicle {
         this.command = command;
         this.mission = mission;
         this.parameters = parameters;
+        boat.disarmsBy(() -> !armed);
     }
 
     /** Carries out an order, or says why not. */
     OrderReply order(VehicleId station, StationOrder order, long nowMs) {
         if (order instanceof StationOrder.Disarm) {
-            return disarm(nowMs);
+            return disarm(station, nowMs);
         } else if (order instanceof StationOrder.Steer sticks) {
             return steer(station, sticks, nowMs);
         }
-        Optional<String> wrong = whyWrong(order);
+        Optional<String> wrong = whyWrong(order, nowMs);
         if (wrong.isPresent()) {
             return OrderReply.denied(wrong.get());
         }
@@ -79,19 +80,30 @@ final class BoatVehicle {
     }
 
     /** What is wrong with an order whoever commands; an order that cannot be carried out takes no command. */
-    private Optional<String> whyWrong(StationOrder order) {
+    private Optional<String> whyWrong(StationOrder order, long nowMs) {
         if (order instanceof StationOrder.ChangeMode change && !isMode(change.customMode())) {
             return Optional.of(name + " has no " + OnboardModes.name(change.customMode())
                     + "; it has MANUAL, HOLD, LOITER, AUTO, RTL, GUIDED");
         } else if (order instanceof StationOrder.GoTo place && !boat.commands() && !place.changesMode()) {
             return Optional.of("choose GUIDED first");
         } else if (order instanceof StationOrder.GoTo place) {
-            return boat.telemetry()
-                    .map(here -> new LocalFrame(here.latDeg(), here.lonDeg()).distanceM(place.latDeg(), place.lonDeg()))
-                    .filter(metres -> metres > FARTHEST_M)
-                    .map(metres -> "it is " + Math.round(metres / 1000) + " km away");
+            return here(nowMs)
+                    .map(here -> here.distanceM(place.latDeg(), place.lonDeg()))
+                    .map(metres -> metres > FARTHEST_M
+                            ? Optional.of("it is " + Math.round(metres / 1000) + " km away")
+                            : Optional.<String>empty())
+                    .orElse(Optional.of(lostWords()));
         }
         return Optional.empty();
+    }
+
+    /** The map about the boat; empty where it does not know where it is. */
+    private Optional<LocalFrame> here(long nowMs) {
+        return boat.telemetry(nowMs).map(at -> new LocalFrame(at.latDeg(), at.lonDeg()));
+    }
+
+    private String lostWords() {
+        return name + " does not know where it is";
     }
 
     private static boolean isMode(long number) {
@@ -103,28 +115,42 @@ final class BoatVehicle {
                 || number == OnboardModes.GUIDED;
     }
 
-    /** Whoever is at a station may stop the boat: as its commander, or else with the stop that is latched until a base releases it. */
-    private OrderReply disarm(long nowMs) {
+    /**
+     * Whoever is at a station may stop the boat: as its commander, or else with the latched stop. A station releases it only if the one that latched it could have
+     * commanded the boat; else a base has to.
+     */
+    private OrderReply disarm(VehicleId station, long nowMs) {
+        boolean own = command.isHolder(station);
+        boolean could = command.whyNot(station, nowMs).isEmpty();
         armed = false;
         mission.pause();
         target = Optional.empty();
-        Optional<String> refused = boat.commands()
-                ? boat.send(StopMotors::new, nowMs)
-                : boatMode() == BoatMode.STOPPED ? Optional.empty() : boat.send(FleetStop::new, nowMs);
-        return refused.map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
+        if (boatMode() == BoatMode.FLEET_STOP) {
+            releasable &= could;
+            return OrderReply.ACCEPTED;
+        } else if (own) {
+            return boat.send(StopMotors::new, nowMs).map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
+        } else if (could && boatMode() == BoatMode.STOPPED) {
+            return OrderReply.ACCEPTED;
+        }
+        releasable = could;
+        return boat.send(FleetStop::new, nowMs).map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
     }
 
     private OrderReply arm(long nowMs) {
-        if (boatMode() == BoatMode.FLEET_STOP) {
-            String by = boat.settings().map(SettingsReport::stoppedBy).orElse("");
-            if (!by.equals(BoatClient.NAME)) {
-                return OrderReply.failed(
-                        name + " is stopped by " + (by.isEmpty() ? "a fleet stop" : by) + ": release it there");
-            }
-            boat.send(FleetRelease::new, nowMs);
-        }
-        if (armed) {
+        boolean latched = boatMode() == BoatMode.FLEET_STOP;
+        Optional<String> held = latched ? whyLatched() : Optional.empty();
+        if (held.isPresent()) {
+            return OrderReply.failed(name + " is stopped " + held.get());
+        } else if (armed && !latched) {
             return OrderReply.ACCEPTED;
+        }
+        Optional<String> cannot = whyNot(mode, nowMs);
+        if (cannot.isPresent()) {
+            return OrderReply.failed(cannot.get());
+        }
+        if (latched) {
+            boat.send(FleetRelease::new, nowMs);
         }
         armed = true;
         OrderReply begun = begin(nowMs);
@@ -132,9 +158,24 @@ final class BoatVehicle {
         return begun;
     }
 
+    /** By whom the stop is latched, in words, where stations may not release it. */
+    private Optional<String> whyLatched() {
+        String by = boat.settings().map(SettingsReport::stoppedBy).orElse("");
+        if (by.equals(BoatClient.NAME)) {
+            return releasable
+                    ? boat.alsoStoppedBy().map(other -> "by " + other + " too: release it there")
+                    : Optional.of("until a base releases it");
+        }
+        return Optional.of("by " + (by.isEmpty() ? "a fleet stop" : by) + ": release it there");
+    }
+
     private OrderReply change(int next, long nowMs) {
         if (next == OnboardModes.AUTO && mission.isEmpty(home())) {
             return OrderReply.denied("there is no mission");
+        }
+        Optional<String> cannot = armed ? whyNot(next, nowMs) : Optional.empty();
+        if (cannot.isPresent()) {
+            return OrderReply.failed(cannot.get());
         }
         if (next != OnboardModes.AUTO) {
             mission.pause();
@@ -142,6 +183,18 @@ final class BoatVehicle {
         target = Optional.empty();
         mode = next;
         return armed ? begin(nowMs) : OrderReply.ACCEPTED;
+    }
+
+    /** Why a mode cannot begin now; looks only, so that what cannot begin ends nothing. */
+    private Optional<String> whyNot(int next, long nowMs) {
+        if (next == OnboardModes.RETURN) {
+            return home().isPresent() ? Optional.empty() : Optional.of("it has no home");
+        } else if (next != OnboardModes.AUTO) {
+            return Optional.empty();
+        } else if (mission.isEmpty(home())) {
+            return Optional.of("there is no mission");
+        }
+        return here(nowMs).map(here -> mission.tooFar(here, FARTHEST_M, home())).orElse(Optional.of(lostWords()));
     }
 
     /** Has the boat do what the mode says. */
@@ -161,7 +214,7 @@ final class BoatVehicle {
     }
 
     private Optional<String> drive(Waypoint to, long nowMs) {
-        String id = "place-" + ++lists;
+        String id = boat.newListId();
         Optional<String> refused = boat.send(command -> new UploadWaypoints(command, id, List.of(to)), nowMs);
         return refused.isPresent() ? refused : boat.send(command -> new StartWaypoints(command, id, 0), nowMs);
     }
@@ -187,16 +240,20 @@ final class BoatVehicle {
         if (!armed) {
             return OrderReply.notNow(name + " is not armed");
         } else if (start.item() > 0 && !mission.goOnAt(start.item(), home())) {
-            return OrderReply.denied("there is no item " + start.item());
+            return OrderReply.denied(noItem(start.item()));
         }
         return change(OnboardModes.AUTO, nowMs);
     }
 
     private OrderReply goOnAt(int item, long nowMs) {
         if (!mission.goOnAt(item, home())) {
-            return OrderReply.denied("there is no item " + item);
+            return OrderReply.denied(noItem(item));
         }
         return mission.isUnderWay() ? begin(nowMs) : OrderReply.ACCEPTED;
+    }
+
+    private static String noItem(int item) {
+        return "the mission leads nowhere at item " + item + " or after it";
     }
 
     /** Sticks take no command: they are only for who has chosen MANUAL. */

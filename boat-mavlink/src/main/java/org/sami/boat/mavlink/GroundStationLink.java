@@ -142,7 +142,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
         private void moved(Progress progress, long nowMs) {
             mission.take(progress, nowMs).ifPresent(link::reached);
-            boolean ofBase = !mission.isList(progress.listId()) && !boat.commands();
+            boolean ofBase = !boat.isOwnList(progress.listId()) && !boat.commands();
             if (ofBase && !progress.listId().isEmpty() && !progress.listId().equals(shownList)) {
                 shownList = progress.listId();
                 List<MissionItem> shown = MissionPath.missionOf(boat.waypoints(), vehicle.home());
@@ -169,11 +169,11 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
         @Override
         public OnboardState state() {
-            Optional<Telemetry> here = boat.telemetry();
+            Optional<Telemetry> here = boat.telemetry(clock.getAsLong());
             return new OnboardState(
                     here.map(at -> new Place(at.latDeg(), at.lonDeg(), at.headingRad(), at.speedMps())),
                     vehicle.home().map(home -> new Place(home.latDeg(), home.lonDeg(), 0, 0)),
-                    here.map(Telemetry::batteryPercent),
+                    boat.batteryPercent(),
                     switch (level) {
                         case NOMINAL -> BatteryState.OK;
                         case LOW -> BatteryState.LOW;
@@ -181,7 +181,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
                     },
                     vehicle.mode(),
                     vehicle.isArmed(),
-                    boat.isLost(),
+                    boat.isLost() && vehicle.isArmed(),
                     mission.progress());
         }
 
@@ -204,8 +204,9 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
         @Override
         public OrderReply setParameter(VehicleId station, String parameter, double value) {
             long nowMs = clock.getAsLong();
-            Optional<String> refused =
-                    BoatParameters.needsCommand(parameter) ? command.take(station, nowMs) : Optional.empty();
+            Optional<String> refused = BoatParameters.needsCommand(parameter)
+                    ? command.take(station, nowMs)
+                    : command.whyNot(station, nowMs);
             return refused.map(OrderReply::notNow).orElseGet(() -> parameters.set(parameter, value, nowMs));
         }
 

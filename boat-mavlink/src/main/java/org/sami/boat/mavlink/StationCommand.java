@@ -2,6 +2,7 @@ package org.sami.boat.mavlink;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -27,6 +28,8 @@ final class StationCommand {
     private final Consumer<Boolean> commandChanged;
     private Optional<VehicleId> holder = Optional.empty();
     private long holderHeardMs;
+    private Optional<VehicleId> wisher = Optional.empty(); // that asked for the command last
+    private long wisherHeardMs;
     private Optional<String> base = Optional.empty();
     private long baseSeenMs;
     private long wishedMs = Long.MIN_VALUE;
@@ -46,13 +49,20 @@ final class StationCommand {
         baseSeenMs = nowMs;
     }
 
-    /** A station was heard; the one that commands keeps the boat's link alive by that. */
+    /** A station was heard; the one that commands keeps the boat's link alive by that, and any while a base commands, which may hand over at any time. */
     void heard(VehicleId station, long nowMs) {
-        if (holder.equals(Optional.of(station))) {
+        if (wisher.equals(Optional.of(station))) {
+            wisherHeardMs = nowMs;
+        }
+        if (boat.commands() && commanded && holder.isEmpty()) { // a base has handed over without having been asked
+            holder = Optional.of(station);
+        }
+        boolean holds = holder.equals(Optional.of(station));
+        if (holds) {
             holderHeardMs = nowMs;
-            if (boat.commands()) {
-                boat.alive(nowMs);
-            }
+        }
+        if (boat.otherCommander().isPresent() || (holds && boat.commands())) {
+            boat.alive(nowMs);
         }
     }
 
@@ -66,9 +76,11 @@ final class StationCommand {
         watch(nowMs);
         Optional<String> refused = whyNot(station, nowMs);
         if (refused.isPresent()) {
-            wishIfCommanded(nowMs);
+            wishIfCommanded(station, nowMs);
             return refused;
         }
+        wisher = Optional.of(station);
+        wisherHeardMs = nowMs;
         if (!boat.commands() && !boat.takeVacant(nowMs)) {
             return Optional.of(name + " grants the command to nobody now");
         }
@@ -99,9 +111,13 @@ final class StationCommand {
                 : Optional.empty();
     }
 
-    private void wishIfCommanded(long nowMs) {
-        boolean again = wishedMs == Long.MIN_VALUE || nowMs - wishedMs >= WISH_AGAIN_MS;
-        if (boat.otherCommander().isPresent() && again) {
+    private void wishIfCommanded(VehicleId station, long nowMs) {
+        if (boat.otherCommander().isEmpty()) {
+            return;
+        }
+        wisher = Optional.of(station);
+        wisherHeardMs = nowMs;
+        if (wishedMs == Long.MIN_VALUE || nowMs - wishedMs >= WISH_AGAIN_MS) {
             wishedMs = nowMs;
             boat.wish(nowMs);
         }
@@ -125,10 +141,17 @@ final class StationCommand {
         if (now != commanded) {
             commanded = now;
             if (now) {
+                holder = wisher.filter(station -> nowMs - wisherHeardMs <= LinkDefaults.LINK_LOST_AFTER_MS);
+                holderHeardMs = nowMs;
                 base = Optional.empty();
                 voice.say(TextSeverity.NOTICE, "ground stations command " + name);
             } else if (boat.isLost()) {
-                voice.say(TextSeverity.CRITICAL, "ground station lost: " + name + " does what is set for that");
+                voice.say(
+                        TextSeverity.CRITICAL,
+                        "ground station lost: " + name
+                                + (boat.mode() == BoatMode.STOPPED
+                                        ? " has its motors off"
+                                        : " does what is set for that"));
             }
             commandChanged.accept(now);
         }

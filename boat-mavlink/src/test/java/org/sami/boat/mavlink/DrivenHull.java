@@ -13,6 +13,7 @@ final class DrivenHull implements Vehicle {
     private double northM;
     private double headingRad;
     private double speedMps;
+    private boolean hasFix = true;
     private double port;
     private double starboard;
 
@@ -27,9 +28,14 @@ final class DrivenHull implements Vehicle {
         northM += speedMps * Math.cos(headingRad) * seconds;
     }
 
+    /** Its position is unknown from now on. */
+    void loseFix() {
+        hasFix = false;
+    }
+
     @Override
     public double latDeg() {
-        return start.latDeg(eastM, northM);
+        return hasFix ? start.latDeg(eastM, northM) : Double.NaN;
     }
 
     @Override

@@ -153,6 +153,22 @@ class GroundStationLinkTest {
     }
 
     @Test
+    void noParameterIsSetWhileABaseCommands() throws Exception {
+        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+                MavlinkBase station = station(boat)) {
+            seen(station);
+            assertThat(station.setParameter(BOAT, "CRUISE_SPEED", 2).join()).isEqualTo(2);
+            boat.base().command(Role.COMMANDER);
+            assertThat(boat.base().commandedBy()).contains("base1");
+
+            assertThatThrownBy(
+                            () -> station.setParameter(BOAT, "CRUISE_SPEED", 3).join())
+                    .hasMessageContaining("CRUISE_SPEED");
+            assertThat(station.readParameters(BOAT).join()).containsEntry("CRUISE_SPEED", 2.0);
+        }
+    }
+
+    @Test
     void doesWhatIsSetForALostLinkWhenItsStationIsGone() throws Exception {
         try (BoatWithStation boat = new BoatWithStation(LostLinkAction.DRIFT)) {
             try (MavlinkBase station = station(boat)) {

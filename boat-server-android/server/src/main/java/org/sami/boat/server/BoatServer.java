@@ -184,6 +184,11 @@ public final class BoatServer {
         return commander.filter(session -> !commanderLost).map(ServerSession::clientId);
     }
 
+    /** Another client than the one that latched the fleet stop, which has stopped the boat as well since; empty for none, and after a restart. */
+    public Optional<String> alsoStoppedBy() {
+        return executor.alsoStoppedBy();
+    }
+
     /** The waypoint list that the boat holds. */
     public List<Waypoint> waypoints() {
         return modes.path().track().waypoints();
@@ -235,9 +240,13 @@ public final class BoatServer {
     }
 
     private void loseCommander() {
+        boolean staysAtRest =
+                modes.mode() == BoatMode.STOPPED && commander.get().hasDisarmed();
         commanderLost = true;
         movedBy = "";
-        modes.linkLost(executor.lostLinkAction());
+        if (!staysAtRest) {
+            modes.linkLost(executor.lostLinkAction());
+        }
     }
 
     private void greet(ServerSession session, Hello hello, long nowMs) {
@@ -319,6 +328,7 @@ public final class BoatServer {
     /** Whoever is linked may stop the boat. While it is stopped, further stops change nothing and are not logged. */
     private void stopForObserver(ServerSession session, FleetStop stop, Frame frame, long nowMs) {
         if (modes.mode() == BoatMode.FLEET_STOP) {
+            executor.stopAgain(session.clientId());
             session.send(new Ack(stop.commandId()), nowMs);
         } else if (!session.isOvertaken(frame)) {
             execute(session, stop, frame, nowMs);

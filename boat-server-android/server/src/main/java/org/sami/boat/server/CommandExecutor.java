@@ -31,6 +31,7 @@ final class CommandExecutor {
     private final ModeControl modes;
     private final List<String> channels; // that the boat measures
     private String stoppedBy = ""; // while the fleet stop is latched
+    private String alsoStoppedBy = "";
     private LostLinkAction lostLinkAction;
 
     CommandExecutor(ServerConfig config, ModeControl modes, List<String> channels) {
@@ -105,14 +106,33 @@ final class CommandExecutor {
         } else if (command instanceof TakePanorama) {
             return panorama((TakePanorama) command);
         } else if (command instanceof FleetStop) {
-            stoppedBy = isFleetStopped() ? stoppedBy : clientId;
-            modes.fleetStop();
+            fleetStop(clientId);
         } else if (command instanceof FleetRelease) {
             modes.release();
         } else {
             set(command);
         }
         return ack(command);
+    }
+
+    private void fleetStop(String clientId) {
+        if (isFleetStopped()) {
+            stopAgain(clientId);
+        } else {
+            stoppedBy = clientId;
+            alsoStoppedBy = "";
+            modes.fleetStop();
+        }
+    }
+
+    /** A client stops a boat whose fleet stop is latched; the latch keeps the name of the first. */
+    void stopAgain(String clientId) {
+        alsoStoppedBy = clientId.equals(stoppedBy) ? alsoStoppedBy : clientId;
+    }
+
+    /** The newest client other than the first that has stopped the boat while its stop is latched; empty for none. */
+    Optional<String> alsoStoppedBy() {
+        return Optional.of(alsoStoppedBy).filter(client -> isFleetStopped() && !client.isEmpty());
     }
 
     private LinkMessage upload(UploadWaypoints command) {

@@ -2,6 +2,7 @@ package org.sami.boat.server;
 
 import java.io.IOException;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.sami.boat.link.EarlierVersion;
 import org.sami.boat.link.FileRefusal;
 import org.sami.boat.link.FileRequest;
@@ -53,6 +54,7 @@ public final class ServerSession {
     private Optional<BoatKeys> keys = Optional.empty(); // of a boat that speaks with protection
     private Optional<Fingerprint> key = Optional.empty();
     private long unheard;
+    private BooleanSupplier disarmed = () -> false;
 
     ServerSession(BoatServer server, FrameSink toClient, FileProvider files) {
         this.server = server;
@@ -84,6 +86,19 @@ public final class ServerSession {
     public void protectedBy(BoatKeys boatKeys, Fingerprint clientKey) {
         keys = Optional.of(boatKeys);
         key = Optional.of(clientKey);
+    }
+
+    /**
+     * The client arms and disarms the boat, and says whether it is disarmed now. A boat that it has disarmed stays at rest when the link is lost; for clients in
+     * the boat's process.
+     */
+    public void disarmsBy(BooleanSupplier isDisarmed) {
+        disarmed = isDisarmed;
+    }
+
+    /** Whether the boat is disarmed by this client. */
+    boolean hasDisarmed() {
+        return disarmed.getAsBoolean();
     }
 
     /** The most that the client may be; empty for a stranger. */
