@@ -224,7 +224,7 @@ final class WorkRemarks {
         List<Remark> remarks = new ArrayList<>();
         Map<String, JudgedBoat> named = WorkCost.byName(boats);
         ways.forEach((name, points) -> {
-            JudgedBoat boat = Objects.requireNonNull(named.get(name), name);
+            JudgedBoat boat = named.get(name);
             if (boat != null && !points.isEmpty()) {
                 cost.add(boat, points, water(boat, points));
                 far(boat, points).ifPresent(remarks::add);
