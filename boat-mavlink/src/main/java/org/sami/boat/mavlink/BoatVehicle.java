@@ -3,8 +3,6 @@ package org.sami.boat.mavlink;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
-import org.sami.boat.link.FleetRelease;
-import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
@@ -29,17 +27,18 @@ final class BoatVehicle {
     private final String name;
     private final BoatClient boat;
     private final StationCommand command;
+    private final StationStop stop;
     private final BoatMission mission;
     private final BoatParameters parameters;
     private int mode = OnboardModes.HOLD; // that a station has chosen
     private boolean armed;
     private Optional<Waypoint> target = Optional.empty(); // in mode GUIDED
-    private boolean releasable; // the latched stop, by a station: one latched it that could have commanded
 
     BoatVehicle(String name, BoatClient boat, StationCommand command, BoatMission mission, BoatParameters parameters) {
         this.name = name;
         this.boat = boat;
         this.command = command;
+        stop = new StationStop(boat, command);
         this.mission = mission;
         this.parameters = parameters;
         boat.disarmsBy(() -> !armed);
@@ -115,58 +114,30 @@ final class BoatVehicle {
                 || number == OnboardModes.GUIDED;
     }
 
-    /**
-     * Whoever is at a station may stop the boat: as its commander, or else with the latched stop. A station releases it only if the one that latched it could have
-     * commanded the boat; else a base has to.
-     */
     private OrderReply disarm(VehicleId station, long nowMs) {
-        boolean own = command.isHolder(station);
-        boolean could = command.whyNot(station, nowMs).isEmpty();
         armed = false;
         mission.pause();
         target = Optional.empty();
-        if (boatMode() == BoatMode.FLEET_STOP) {
-            releasable &= could;
-            return OrderReply.ACCEPTED;
-        } else if (own) {
-            return boat.send(StopMotors::new, nowMs).map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
-        } else if (could && boatMode() == BoatMode.STOPPED) {
-            return OrderReply.ACCEPTED;
-        }
-        releasable = could;
-        return boat.send(FleetStop::new, nowMs).map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
+        return stop.stop(station, nowMs).map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
     }
 
+    /** An arm that cannot begin releases no stop. */
     private OrderReply arm(long nowMs) {
-        boolean latched = boatMode() == BoatMode.FLEET_STOP;
-        Optional<String> held = latched ? whyLatched() : Optional.empty();
+        Optional<String> held = stop.whyNotReleased();
         if (held.isPresent()) {
             return OrderReply.failed(name + " is stopped " + held.get());
-        } else if (armed && !latched) {
+        } else if (armed && !stop.isLatched()) {
             return OrderReply.ACCEPTED;
         }
         Optional<String> cannot = whyNot(mode, nowMs);
         if (cannot.isPresent()) {
             return OrderReply.failed(cannot.get());
         }
-        if (latched) {
-            boat.send(FleetRelease::new, nowMs);
-        }
+        stop.release(nowMs);
         armed = true;
         OrderReply begun = begin(nowMs);
         armed = begun.isAccepted();
         return begun;
-    }
-
-    /** By whom the stop is latched, in words, where stations may not release it. */
-    private Optional<String> whyLatched() {
-        String by = boat.settings().map(SettingsReport::stoppedBy).orElse("");
-        if (by.equals(BoatClient.NAME)) {
-            return releasable
-                    ? boat.alsoStoppedBy().map(other -> "by " + other + " too: release it there")
-                    : Optional.of("until a base releases it");
-        }
-        return Optional.of("by " + (by.isEmpty() ? "a fleet stop" : by) + ": release it there");
     }
 
     private OrderReply change(int next, long nowMs) {
