@@ -11,6 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.BoatPose;
@@ -26,6 +27,9 @@ import org.sami.spn.value.GeoPoint;
 class ClearWaysOverTcpTest {
     private static final GeoArea ROCK = new GeoArea(List.of(at(-2, 4), at(2, 4), at(2, 7), at(-2, 7)), List.of());
 
+    /** The boat lives so many times slower than the process runs, whose threads a busy machine holds up. */
+    private static final int SLOWER = 3;
+
     @TempDir
     Path logs;
 
@@ -40,7 +44,7 @@ class ClearWaysOverTcpTest {
 
     @Test
     void boatSaysHowFarItMayBeBesideItsWayDrivesAroundTheRockAndKnowsItsWaysHome() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs, links())) {
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER, links())) {
             BoatOnTcp boat = fleet.boat("anna");
             Base base = fleet.base("base");
             base.connect(boat.address(), "anna");
@@ -55,7 +59,7 @@ class ClearWaysOverTcpTest {
                     FollowPath.of("m1", 1, 1, List.of(at(0, 10)), Priority.MEDIUM)
                             .atSpeed(3)
                             .in(water.drivenWith(CrossTrackError.CALM)));
-            Await.until("it has arrived", () -> {
+            Await.until("it has arrived", 300, () -> {
                 base.status("anna").pose().map(BoatPose::position).ifPresent(driven::add);
                 return base.count("anna completed m1") == 1;
             });
