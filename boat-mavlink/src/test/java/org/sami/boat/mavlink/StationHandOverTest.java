@@ -58,12 +58,14 @@ class StationHandOverTest {
     @Test
     void theWishItselfTakesNoCommandFromABaseThatIsJustLost() {
         boat.pass(500);
+        BoatClient late = new BoatClient(boat.server, boat.nowMs); // it has heard of the base's number
+        StationCommand command = new StationCommand(late, "anna", (severity, text) -> {}, won -> {}, boat.nowMs);
         base.falls();
         boat.nowMs += 4_000; // a process that stood still: the boat notices with the next frame
 
-        assertThat(boat.mode(STATION, OnboardModes.LOITER).isAccepted()).isFalse();
-        assertThat(boat.client.commands()).isFalse();
-        boat.pass(1_000, STATION);
-        assertThat(boat.mode(STATION, OnboardModes.LOITER).words()).startsWith("base1 commands anna, lost");
+        assertThat(command.take(STATION, boat.nowMs)).isPresent();
+        assertThat(boat.server.hasCommander()).isFalse();
+        assertThat(command.take(STATION, boat.nowMs))
+                .hasValueSatisfying(why -> assertThat(why).startsWith("base1 commands anna, lost"));
     }
 }
