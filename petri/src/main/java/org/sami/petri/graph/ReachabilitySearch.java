@@ -13,8 +13,14 @@ import org.sami.petri.net.PetriNet;
  * state from which it was found and a slot of the hash table, nothing else (thesis, section 4.2.1). For one thread, once.
  */
 public final class ReachabilitySearch {
-    /** After so many states the clock, the memory and the watch are looked at. */
-    private static final int CHECK_EVERY = 2048;
+    /** After so much work the clock, the memory and the watch are looked at; a firing is one. */
+    private static final int CHECK_EVERY = 20_000;
+
+    /** A firing whose marking is also brought into its normal form is so many. */
+    private static final int NORMALIZED = 9;
+
+    /** As many places of a marking that is loaded are one. */
+    private static final int PLACES = 16;
 
     private final PetriNet net;
     private final SearchSettings settings;
@@ -38,6 +44,7 @@ public final class ReachabilitySearch {
     private long edgeCount;
     private int looked;
     private int checkAt;
+    private long work = CHECK_EVERY; // since the last look at the clock, the memory and the watch
     private @Nullable SearchEnd end;
     private OptionalInt found = OptionalInt.empty();
 
@@ -87,7 +94,8 @@ public final class ReachabilitySearch {
         space.table().add(next);
         parents.add(-1);
         while (end == null && looked < space.table().count()) {
-            if (looked % CHECK_EVERY == 0) {
+            if (work >= CHECK_EVERY) {
+                work = 0;
                 check(nanos.getAsLong() - start >= most);
             }
             if (end == null) {
@@ -148,6 +156,7 @@ public final class ReachabilitySearch {
         if (symmetry != null) {
             count = symmetry.withoutAlike(marking, enabled, count);
         }
+        work += 1 + marking.length / PLACES + (long) count * (symmetry == null ? 1 : NORMALIZED);
         if (edges != null) {
             edges.begin();
         }
@@ -261,7 +270,7 @@ public final class ReachabilitySearch {
             end = SearchEnd.TOKENS;
             return false;
         }
-        if (2 * space.bytes() + parents.bytes() > settings.budget().bytes()) {
+        if (bytes() + space.bytes() > settings.budget().bytes()) {
             end = SearchEnd.MEMORY;
             return false;
         }

@@ -65,7 +65,7 @@ public final class NetSymmetry implements MarkingSymmetry {
 
     /** Finds permutations. In a net with very many nodes some may be missed; each one that is used was verified arc by arc. */
     public static NetSymmetry of(PetriNet net) {
-        return new NetSymmetry(new SymmetrySearch(net).find(), net);
+        return new NetSymmetry(new SymmetrySearch(net, SymmetrySearch.MOST_WORK).find(), net);
     }
 
     /** Whether nothing can be exchanged. */

@@ -9,13 +9,16 @@ import org.sami.petri.net.PetriNet;
 
 /**
  * Colours of the nodes of a net and of a copy of it, refined together until nodes of one colour have neighbours of the same colours. A node of the net can be mapped
- * to those nodes of the copy that have its colour, and to no others. Nodes are numbered places first, then transitions, then those of the copy. For one thread.
+ * to those nodes of the copy that have its colour, and to no others. Nodes are numbered places first, then transitions, then those of the copy. Where that takes too much work, colours stay coarser. For one thread.
  */
 final class PairedColours {
+    private static final int NODE = 4;
+
     private final int nodes;
     private final int[] start;
     private final int[] neighbour;
     private final long[] label;
+    private final long mostWork;
     private int[] colour;
     private int colours;
     private long work;
@@ -23,7 +26,9 @@ final class PairedColours {
     /** An old colour with the sum of what the neighbours say. */
     private record Signature(int colour, long neighbours) {}
 
-    PairedColours(PetriNet net) {
+    /** Colours of a net, refined with so much work at most, and one round. */
+    PairedColours(PetriNet net, long mostWork) {
+        this.mostWork = mostWork;
         int places = net.placeCount();
         nodes = places + net.transitionCount();
         List<ArcTable> kinds = List.of(net.consumed(), net.produced(), net.inhibitors(), net.resets());
@@ -52,7 +57,8 @@ final class PairedColours {
         refine();
     }
 
-    private PairedColours(PairedColours other) {
+    private PairedColours(PairedColours other, long mostWork) {
+        this.mostWork = mostWork;
         nodes = other.nodes;
         start = other.start;
         neighbour = other.neighbour;
@@ -79,13 +85,18 @@ final class PairedColours {
         }
     }
 
-    PairedColours copy() {
-        return new PairedColours(this);
+    PairedColours copy(long mostWorkOfCopy) {
+        return new PairedColours(this, mostWorkOfCopy);
     }
 
-    /** How many arcs were looked at since this copy was made. */
+    /** How many arcs were looked at since this copy was made; a node counts as some arcs. */
     long work() {
         return work;
+    }
+
+    /** Whether there was too much to do: colours may be too coarse. */
+    boolean isCutOff() {
+        return work >= mostWork;
     }
 
     /** The colour of a node of the net. */
@@ -108,10 +119,10 @@ final class PairedColours {
         colour[nodes + ofCopy] = colours++;
     }
 
-    /** Splits colours whose nodes have different neighbours, until there are none. */
+    /** Splits colours whose nodes have different neighbours, until there are none, or there was too much to do. */
     void refine() {
-        int before;
-        do {
+        int before = -1;
+        while (colours != before && !isCutOff()) {
             before = colours;
             Map<Signature, Integer> known = new HashMap<>();
             int[] next = new int[2 * nodes];
@@ -124,10 +135,10 @@ final class PairedColours {
                 }
                 next[node] = known.computeIfAbsent(new Signature(colour[node], sum), s -> known.size());
             }
-            work += 2L * neighbour.length;
+            work += 2L * neighbour.length + 2L * NODE * nodes;
             colour = next;
             colours = known.size();
-        } while (colours != before);
+        }
     }
 
     private static long mixed(long value) {

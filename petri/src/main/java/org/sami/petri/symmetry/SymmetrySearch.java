@@ -13,18 +13,21 @@ import org.sami.petri.net.PetriNet;
  */
 final class SymmetrySearch {
     /** So many arcs are looked at: about a second. */
-    private static final long MOST_WORK = 60_000_000;
+    static final long MOST_WORK = 60_000_000;
 
     private final PetriNet net;
     private final int places;
+    private final long mostWork;
 
     /** For each place another one of those that permutations turn into it; itself at the end. */
     private final int[] orbit;
 
     private long work;
 
-    SymmetrySearch(PetriNet net) {
+    /** A search that ends without finding more when it has done so much work. */
+    SymmetrySearch(PetriNet net, long mostWork) {
         this.net = net;
+        this.mostWork = mostWork;
         places = net.placeCount();
         orbit = new int[places];
         for (int place = 0; place < places; place++) {
@@ -33,10 +36,11 @@ final class SymmetrySearch {
     }
 
     List<NetPermutation> find() {
-        PairedColours colours = new PairedColours(net);
+        PairedColours colours = new PairedColours(net, mostWork);
+        work = colours.work();
         Map<Integer, Integer> lastOfColour = new HashMap<>();
         List<NetPermutation> found = new ArrayList<>();
-        for (int place = 0; place < places && work < MOST_WORK; place++) {
+        for (int place = 0; place < places && work < mostWork; place++) {
             Integer before = lastOfColour.put(colours.ofNet(place), place);
             if (before != null && root(before) != root(place)) {
                 Optional<NetPermutation> permutation = exchange(colours, before, place);
@@ -64,14 +68,14 @@ final class SymmetrySearch {
 
     /** A permutation that takes one place to another, at best one that exchanges them. */
     private Optional<NetPermutation> exchange(PairedColours colours, int first, int second) {
-        PairedColours both = colours.copy();
+        PairedColours both = colours.copy(mostWork - work);
         both.pair(first, second);
         both.pair(second, first);
         Optional<NetPermutation> exchanging = complete(both);
         if (exchanging.isPresent()) {
             return exchanging;
         }
-        PairedColours one = colours.copy();
+        PairedColours one = colours.copy(mostWork - work);
         one.pair(first, second);
         return complete(one);
     }
@@ -82,6 +86,10 @@ final class SymmetrySearch {
         boolean isOpen = true;
         while (isOpen) {
             colours.refine();
+            if (colours.isCutOff()) {
+                work += colours.work();
+                return Optional.empty();
+            }
             Map<Integer, List<Integer>> copies = new HashMap<>();
             Map<Integer, Integer> counts = new HashMap<>();
             for (int node = 0; node < nodes; node++) {

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -283,5 +284,62 @@ class ReachabilitySearchTest {
 
         assertThat(first).isLessThan(second);
         assertThat(graph.runTo(graph.found().orElseThrow()).transitions()).containsExactly(1);
+    }
+
+    @Test
+    void statesWithManyFiringsAreFewBeforeTheWatchIsAsked() {
+        PetriNetBuilder builder = new PetriNetBuilder("wide");
+        int place = builder.place("p", 0);
+        for (int tokens = 1; tokens <= 5_000; tokens++) {
+            builder.produce(builder.transition("t" + tokens), place, tokens);
+        }
+        AtomicInteger asked = new AtomicInteger();
+        GraphWatch watch = new GraphWatch() {
+            @Override
+            public void looked(int states, int waiting) {}
+
+            @Override
+            public boolean isCancelled() {
+                return asked.incrementAndGet() > 1;
+            }
+        };
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(builder.build(), WHOLE, watch, () -> 0);
+
+        assertThat(graph.end()).isEqualTo(SearchEnd.CANCELLED);
+        assertThat(graph.looked()).isEqualTo(4);
+    }
+
+    /** Two tokens that move on by themselves, in places of which each has one bit of one word; with the end, two more tokens at last. */
+    private static PetriNet twoChains(boolean hasEnd) {
+        PetriNetBuilder builder = new PetriNetBuilder("chains");
+        for (int place = 0; place < 31; place++) {
+            builder.place("a" + place, place == 0 ? 1 : 0);
+            builder.place("b" + place, place == 0 ? 1 : 0);
+        }
+        builder.place("more", 0);
+        builder.place("none", 0);
+        for (int place = 1; place < 31; place++) {
+            builder.move("a" + place, List.of("a" + (place - 1)), List.of("a" + place));
+            builder.move("b" + place, List.of("b" + (place - 1)), List.of("b" + place));
+        }
+        if (hasEnd) {
+            builder.produce(builder.move("end", List.of("a30", "b30"), List.of()), builder.placeNumber("more"), 2);
+        }
+        return builder.build();
+    }
+
+    @Test
+    void keptEdgesCountWhereStatesArePackedAgain() {
+        long before =
+                ReachabilitySearch.explore(twoChains(false), WHOLE.withEdges()).bytes();
+        SearchBudget little = new SearchBudget(2_000_000, before + 2_000, Duration.ofDays(1));
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(
+                twoChains(true), SearchSettings.within(little).withEdges());
+
+        assertThat(graph.states()).isEqualTo(31 * 31);
+        assertThat(graph.end()).isEqualTo(SearchEnd.MEMORY);
+        assertThat(graph.bytes()).isLessThanOrEqualTo(little.bytes());
     }
 }

@@ -193,4 +193,32 @@ class NetSymmetryTest {
         }
         return normal;
     }
+
+    private static PetriNet chain(int places) {
+        PetriNetBuilder net = new PetriNetBuilder("chain");
+        for (int place = 0; place < places; place++) {
+            net.place("p" + place, 0);
+        }
+        for (int place = 1; place < places; place++) {
+            net.move("t" + place, List.of("p" + (place - 1)), List.of("p" + place));
+        }
+        return net.build();
+    }
+
+    @Test
+    void coloursOfALongChainAreRefinedNoFurtherThanTheWorkAllows() {
+        PetriNet net = chain(400);
+        long round = new PairedColours(net, 1).work();
+
+        assertThat(new PairedColours(net, 10 * round).work()).isEqualTo(10 * round);
+        assertThat(new PairedColours(net, Long.MAX_VALUE).work()).isGreaterThan(100 * round);
+    }
+
+    @Test
+    void searchForPermutationsEndsWithItsWork() {
+        PetriNet net = ExampleNets.philosophers(5);
+
+        assertThat(new SymmetrySearch(net, 1).find()).isEmpty();
+        assertThat(new SymmetrySearch(net, SymmetrySearch.MOST_WORK).find()).isNotEmpty();
+    }
 }

@@ -6,6 +6,7 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.sami.petri.coverability.CoverabilityQueries;
 import org.sami.petri.coverability.CoverabilitySearch;
+import org.sami.petri.coverability.CoverabilitySet;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.net.PetriNet;
@@ -16,11 +17,13 @@ import org.sami.petri.structure.StructureLimits;
 
 /**
  * Answers queries before states are searched: by the structure of the net, and, where that does not bound all places, by its coverability set, as a search through states
- * might never end. The set is computed once, for the first query that it can answer.
+ * might never end. The set is computed once, for the first query that it can answer, in a quarter of the memory; where that is not enough nothing of it is kept.
  */
 final class ProofsBeforeSearch {
     /** More markings than that take longer than they are worth here. */
     private static final int MOST_MARKINGS = 200_000;
+
+    private static final int PART_OF_MEMORY = 4;
 
     /** So long structure is tried, for all queries together, before states are searched. */
     private static final Duration MOST_TIME = Duration.ofSeconds(10);
@@ -58,7 +61,7 @@ final class ProofsBeforeSearch {
     private Optional<CoverabilityQueries> coverability() {
         if (!asked) {
             asked = true;
-            coverability = mayBeUnbounded() ? searched() : null;
+            coverability = mayBeUnbounded() ? searched().orElse(null) : null;
         }
         return Optional.ofNullable(coverability);
     }
@@ -73,8 +76,11 @@ final class ProofsBeforeSearch {
         return false;
     }
 
-    private CoverabilityQueries searched() {
-        SearchBudget some = new SearchBudget(Math.min(MOST_MARKINGS, budget.states()), budget.bytes(), budget.time());
-        return new CoverabilityQueries(net, CoverabilitySearch.search(net, some, watch, System::nanoTime));
+    private Optional<CoverabilityQueries> searched() {
+        SearchBudget some = new SearchBudget(
+                Math.min(MOST_MARKINGS, budget.states()), budget.bytes() / PART_OF_MEMORY, budget.time());
+        return Optional.of(CoverabilitySearch.search(net, some, watch, System::nanoTime))
+                .filter(CoverabilitySet::isComplete)
+                .map(set -> new CoverabilityQueries(net, set));
     }
 }

@@ -38,7 +38,8 @@ final class SearchOptions {
             paramLabel = "SECONDS",
             defaultValue = "0",
             converter = SecondsConverter.class,
-            description = "How long a search may take; 0: as long as it takes. Default: ${DEFAULT-VALUE}.")
+            description = "How long each search may take, of which a query may need several; 0: as long as it takes."
+                    + " Default: ${DEFAULT-VALUE}.")
     private long millis;
 
     @Option(
