@@ -5,12 +5,16 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Texts about boats as they read of copters: what is only true on the water by its own words, then driving as flying, then the word for a boat. */
+/** Texts about boats as they read of copters: what is only true on the water by its own words, then driving as flying, then the word for a boat. What
+ * stands in quotes is the user's, and stays as it is. */
 final class CopterWords {
     /** Not within a name, an address or a path: boat-2, boat.local:5001 and /home/me/boats/x.log stay as they are. */
     private static final String BEFORE = "(?<![\\w./\\\\-])";
 
     private static final String AFTER = "(?!\\w|[-/\\\\]|[.:]\\w)";
+
+    /** In double quotes, or in single ones that are no apostrophes. */
+    private static final Pattern QUOTED = Pattern.compile("\"[^\"\\n]*\"|(?<!\\w)'[^'\\n]*'(?!\\w)");
 
     private static final Map<Pattern, String> WORDS = new LinkedHashMap<>(); // longer ones first
 
@@ -50,6 +54,17 @@ final class CopterWords {
 
     /** The text, said of copters. */
     static String of(String text) {
+        StringBuilder said = new StringBuilder();
+        Matcher quoted = QUOTED.matcher(text);
+        int end = 0;
+        while (quoted.find()) {
+            said.append(replaced(text.substring(end, quoted.start()))).append(quoted.group());
+            end = quoted.end();
+        }
+        return said.append(replaced(text.substring(end))).toString();
+    }
+
+    private static String replaced(String text) {
         String said = text;
         for (Map.Entry<Pattern, String> word : WORDS.entrySet()) {
             said = word.getKey().matcher(said).replaceAll(word.getValue());

@@ -23,6 +23,12 @@ class RobotKindTest {
                 "Close; boats stop their motors and drift | Close; copters stop and hover",
                 "Connect one (Ctrl+B), or start the plan that connects boats; each appears | Connect one (Ctrl+B);"
                         + " each appears",
+                "boat1 could not do what \"Drive to boats\" asked: the boat left | boat1 could not do what"
+                        + " \"Drive to boats\" asked: the copter left",
+                "\"boats of my boat.jrnl\" is gone; the boat's \"boat\" | \"boats of my boat.jrnl\" is gone; the"
+                        + " copter's \"boat\"",
+                "a boat cannot go on in 'boat place': boats' quay | a copter cannot go on in 'boat place': copters'"
+                        + " take-off place",
                 "a lifeboat | a lifeboat",
                 "a boathouse | a boathouse"
             })

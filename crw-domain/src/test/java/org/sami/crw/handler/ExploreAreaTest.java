@@ -65,11 +65,10 @@ class ExploreAreaTest {
         assertThat(messages())
                 .filteredOn(text -> text.startsWith("Explored"))
                 .singleElement()
-                .satisfies(
-                        text -> assertThat(text)
-                                .matches(
-                                        "Explored (9[5-9]\\.\\d\\d|100\\.00) % of 1600 m² by the positions that boats reported "
-                                                + "\\(planned (99\\.\\d\\d|100\\.00) %\\)(; \\d+ m² are left, most near [0-9.,]+)?"));
+                .satisfies(text -> assertThat(text)
+                        .matches("Explored (9[5-9]\\.\\d\\d|100\\.00) % of 1600 m² by the positions that boats"
+                                + " reported \\(planned (99\\.\\d\\d|100\\.00) %\\)(; \\d+ m² are left,"
+                                + " most near [0-9.,]+)?"));
     }
 
     @Test
@@ -85,8 +84,8 @@ class ExploreAreaTest {
                 .singleElement()
                 .satisfies(text -> {
                     assertThat(text)
-                            .contains(
-                                    " % of 1600 m² by the positions that boats reported until the mission ended (planned ");
+                            .contains(" % of 1600 m² by the positions that boats reported until the mission ended"
+                                    + " (planned ");
                     assertThat(percentIn(text)).isBetween(10.0, 80.0);
                 });
     }
@@ -177,7 +176,7 @@ class ExploreAreaTest {
         assertThat(engine.received("ProxyPathCompleted"))
                 .extracting(Occurrence::proxies)
                 .containsExactly(List.of("east"));
-        assertThat(messages()).anyMatch(text -> text.startsWith("west could not do what here asked"));
+        assertThat(messages()).anyMatch(text -> text.startsWith("west could not do what \"here\" asked"));
     }
 
     @Test

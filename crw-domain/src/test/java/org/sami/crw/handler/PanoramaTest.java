@@ -56,7 +56,7 @@ class PanoramaTest {
         assertThat(taken()).isEmpty();
         assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
-                .anyMatch(text -> text.startsWith("b could not do what here asked") && text.contains("no camera"));
+                .anyMatch(text -> text.startsWith("b could not do what \"here\" asked") && text.contains("no camera"));
     }
 
     @Test

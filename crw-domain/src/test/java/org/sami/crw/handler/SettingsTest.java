@@ -64,7 +64,7 @@ class SettingsTest {
         assertThat(world.boats.find("a").orElseThrow().settings().inForce()).contains(before);
         assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
-                .anyMatch(text -> text.startsWith("a has not taken over what here set"));
+                .anyMatch(text -> text.startsWith("a has not taken over what \"here\" set"));
     }
 
     @Test

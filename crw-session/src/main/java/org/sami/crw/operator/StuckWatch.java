@@ -82,7 +82,7 @@ public final class StuckWatch {
                 first.root(),
                 first.title(),
                 Priority.HIGH,
-                first.title() + " is stuck: " + first.what() + more,
+                "\"" + first.title() + "\" is stuck: " + first.what() + more,
                 first.help());
     }
 

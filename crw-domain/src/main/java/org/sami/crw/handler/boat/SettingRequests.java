@@ -94,7 +94,7 @@ public final class SettingRequests implements Consumer<FleetEvent> {
                 one.activation,
                 one.context,
                 Priority.HIGH,
-                boat + " has not taken over what " + one.activation.place() + " set: " + reason,
+                boat + " has not taken over what \"" + one.activation.place() + "\" set: " + reason,
                 List.of(boat)));
         one.post(one.answers.failed, Map.of("reason", new TextValue(reason)));
     }

@@ -105,7 +105,7 @@ final class SentCommand {
                 activation,
                 context,
                 Priority.HIGH,
-                boat() + " could not do what " + activation.place() + " asked: " + reason,
+                boat() + " could not do what \"" + activation.place() + "\" asked: " + reason,
                 List.of(boat()));
     }
 

@@ -178,7 +178,7 @@ final class TrackShares {
         for (int piece = 0; piece < names.size(); piece++) {
             int boat = cuts.boat(piece);
             if (cuts.lengthM(piece) < LEAST_M) {
-                noWay.put(names.get(boat), tooLittle(names.get(boat), home));
+                noWay.put(names.get(boat), nothing(names.get(boat), share(equal, boat), home));
             } else {
                 give(boat, line.between(cuts.fromM(piece), cuts.fromM(piece + 1)), home, given, noWay);
             }
@@ -209,7 +209,12 @@ final class TrackShares {
         return straightM > LEAST_M ? Math.max(1, homeM(names.get(boat), share) / straightM) : 1;
     }
 
-    private String tooLittle(String boat, boolean home) {
+    /** Why a boat gets nothing: it is slow, or its charge does not last for the way to where its piece would be. */
+    private String nothing(String boat, CoverageShare piece, boolean home) {
+        double wayM = piece.approachM() + (home ? homeM(boat, piece) : 0) + LEAST_M;
+        if (problem.pace(boat) < 1 && wayM <= problem.ranges().of(boat)) {
+            return boat + " is so slow that the others explore its part sooner";
+        }
         return String.format(
                 Locale.ROOT,
                 "%s has charge for %.0f m, and its way to the area%s is longer",

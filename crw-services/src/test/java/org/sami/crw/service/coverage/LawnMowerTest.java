@@ -315,4 +315,14 @@ class LawnMowerTest {
         }
         return new GeoArea(points, List.of());
     }
+
+    @Test
+    void boatThatIsSoSlowThatItGetsNothingIsNotSaidToHaveTooLittleCharge() {
+        Coverage coverage = lawnMower.cover(
+                CoverageProblem.of(boats(2), box(0, 0, 100, 60), 10).at(Map.of("boat-1", 2.0, "boat-2", 0.001)));
+
+        assertThat(coverage.shares()).containsOnlyKeys("boat-1");
+        assertThat(coverage.noWay())
+                .containsExactly(Map.entry("boat-2", "boat-2 is so slow that the others explore its part sooner"));
+    }
 }

@@ -50,8 +50,8 @@ final class JournalWatch {
                             Priority.CRITICAL,
                             "The journal's file is gone: nothing of this session outlives the program",
                             "Bring it back if it was moved; else end the missions and begin a new session")
-                    .withDetails("Missions go on. " + file
-                            + " is no longer there: its disk was taken out, or it was deleted or moved"));
+                    .withDetails("Missions go on. \"" + file
+                            + "\" is no longer there: its disk was taken out, or it was deleted or moved"));
         }
         try {
             long free = Files.getFileStore(folder()).getUsableSpace();

@@ -184,8 +184,8 @@ class SessionFaultTest {
 
         HealthEntry said = awaitEntry(session, HealthKind.ENGINE);
         assertThat(said.fault().text())
-                .startsWith(
-                        "The engine has stopped: the journal cannot be written: the disk is full; it could not be written for 1 s");
+                .startsWith("The engine has stopped: the journal cannot be written: the disk is full; it could not be"
+                        + " written for 1 s");
         assertThat(said.fault().advice()).contains("by hand", "F12", "open it again");
         assertThat(said.fault().details()).contains("where its journal ends");
         Await.until("listeners know", () -> !broken.isEmpty());
@@ -258,7 +258,7 @@ class SessionFaultTest {
 
         HealthEntry said = awaitEntry(session, HealthKind.JOURNAL);
         assertThat(said.fault().text()).startsWith("The journal's file is gone");
-        assertThat(said.fault().details()).contains(file + " is no longer there");
+        assertThat(said.fault().details()).contains("\"" + file + "\" is no longer there");
         assertThat(said.severity()).isEqualTo(Priority.CRITICAL);
 
         Files.move(away, file.getParent());

@@ -107,7 +107,7 @@ class StuckMissionTest {
         assertThat(stuck.help()).isEqualTo("Send it again, press 'Leave it', or complete or abort the mission");
         assertThat(stuck.boats()).containsExactly("anna");
         assertThat(faults(session)).singleElement().satisfies(entry -> {
-            assertThat(entry.fault().text()).isEqualTo("Drive there is stuck: " + stuck.what());
+            assertThat(entry.fault().text()).isEqualTo("\"Drive there\" is stuck: " + stuck.what());
             assertThat(entry.sinceMillis()).isEqualTo(stuck.sinceMillis());
             assertThat(entry.fault().advice()).isEqualTo(stuck.help());
             assertThat(entry.fault().mission()).isEqualTo(mission);
@@ -156,7 +156,7 @@ class StuckMissionTest {
         TestSession.get(session.press("Leave it", mission, List.of()));
         Await.until("it is stuck", () -> !faults(session).isEmpty());
         assertThat(faults(session).get(0).fault().text())
-                .startsWith("Drive there is stuck: nothing is under way, it stands in 'Watch'");
+                .startsWith("\"Drive there\" is stuck: nothing is under way, it stands in 'Watch'");
         assertThat(faults(session).get(0).fault().advice()).isEqualTo("Complete or abort the mission");
         assertThatThrownBy(() -> TestSession.get(session.sendAgain(mission)))
                 .hasMessageContaining("nothing has failed");
