@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -49,5 +50,12 @@ final class FenceItems {
             }
         }
         return true;
+    }
+
+    /** The items as one line, by which a fence is recognized; equal for those that a vehicle holds and those that it was sent. */
+    static String text(List<MissionItem> items) {
+        return items.stream()
+                .map(item -> item.command() + " " + item.latDeg() + " " + item.lonDeg() + " " + item.param1())
+                .collect(Collectors.joining("; "));
     }
 }

@@ -57,9 +57,16 @@ final class VehicleBoat implements BaseSession.Boat {
         settings = new VehicleSettings(base, first.id(), thread, this::reportSettings);
         performance = new VehiclePerformance(
                 base, first.id(), thread, files.consumption(name), counted -> keep(files, counted));
-        fence = new VehicleFence(base, first.id(), thread, this::alarm);
+        fence = new VehicleFence(
+                base, first.id(), thread, this::alarm, files.fences(name), given -> keepFences(files, given));
         orders = new VehicleOrders(
-                base, first, thread, settings, this::broadcast, kept -> keep(files, kept), files.read(name));
+                base,
+                first,
+                thread,
+                settings,
+                this::broadcast,
+                kept -> keep(files, kept),
+                files.read(name));
     }
 
     private void keep(VehicleFiles files, VehicleFiles.Kept kept) {
@@ -77,6 +84,15 @@ final class VehicleBoat implements BaseSession.Boat {
             files.write(name, counted);
         } catch (IOException e) {
             LOG.log(Level.WARNING, "how far " + name + " drives on its charge is counted anew by the next base", e);
+        }
+    }
+
+    private void keepFences(VehicleFiles files, List<String> given) {
+        try {
+            files.writeFences(name, given);
+        } catch (IOException e) {
+            alarm("the fence that " + name + " was given cannot be stored on this machine; a later session takes it for"
+                    + " its owner's: " + e.getMessage());
         }
     }
 

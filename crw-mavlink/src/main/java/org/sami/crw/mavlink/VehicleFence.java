@@ -16,13 +16,14 @@ import org.sami.mavlink.vehicle.VehicleId;
 /**
  * The session's fence and no-go areas as the vehicle's own fence, on which it acts without a base: compared with what the vehicle holds once the base commands
  * it, sent where it differs, and read back equal. Its parameters are set and read back with it. As long as the session has no areas, the vehicle's fence is its
- * owner's. For the gateway's thread.
+ * owner's; one that an earlier session on this machine has left there is taken away. For the gateway's thread.
  *
  * <p>Source: ArduPilot's parameters {@code FENCE_TYPE} (4: polygons alone; the circle is about its home), {@code FENCE_ACTION} (2: mode HOLD) and {@code
  * FENCE_ENABLE}.
  */
 final class VehicleFence {
     private static final long AGAIN_MS = 30_000; // after a fault
+    private static final long AREAS_COME_MS = 10_000; // a session may load its project after it commands the vehicle
     private static final String ENABLE = "FENCE_ENABLE";
     private static final Map<String, Integer> IN_FORCE = inForce();
 
@@ -30,9 +31,12 @@ final class VehicleFence {
     private final VehicleId id;
     private final Executor thread;
     private final Consumer<String> alarm;
+    private final Consumer<List<String>> keep;
+    private List<String> given; // the fences that this machine gave to it, of which it may hold one
     private List<MissionItem> wanted = List.of();
     private Optional<List<MissionItem>> settled = Optional.empty(); // the vehicle was read to hold it, and to heed it
-    private boolean isOurs; // what it holds was put there by this process
+    private boolean hadAreas; // the session has given up areas
+    private Optional<Long> commandedMs = Optional.empty(); // since when
     private boolean busy;
     private long notBeforeMs;
     private String lastFault = "";
@@ -49,16 +53,27 @@ final class VehicleFence {
      * Nothing is known or wanted yet.
      *
      * @param alarm receives faults, in words for the operator
+     * @param given the fences that earlier sessions on this machine gave to the vehicle and did not take away
+     * @param keep receives these fences when they change, for later sessions
      */
-    VehicleFence(MavlinkBase base, VehicleId id, Executor thread, Consumer<String> alarm) {
+    VehicleFence(
+            MavlinkBase base,
+            VehicleId id,
+            Executor thread,
+            Consumer<String> alarm,
+            List<String> given,
+            Consumer<List<String>> keep) {
         this.base = base;
         this.id = id;
         this.thread = thread;
         this.alarm = alarm;
+        this.given = given;
+        this.keep = keep;
     }
 
     /** The fence that it is to hold from now on; empty for none of the session's. */
     void want(List<MissionItem> fence) {
+        hadAreas |= !wanted.isEmpty();
         wanted = fence;
         notBeforeMs = 0;
     }
@@ -70,35 +85,54 @@ final class VehicleFence {
 
     /** Brings the vehicle to hold what is wanted, as long as the base commands it. To be called often. */
     void tick(long atMs, boolean isCommanded) {
-        boolean nothingToDo = settled.isEmpty() && wanted.isEmpty() && !isOurs;
+        commandedMs = isCommanded ? Optional.of(commandedMs.orElse(atMs)) : Optional.empty();
+        boolean nothingToDo = wanted.isEmpty() && (given.isEmpty() || mayAreasCome(atMs));
         if (isCommanded && !busy && !nothingToDo && atMs >= notBeforeMs && !settled.equals(Optional.of(wanted))) {
             busy = true;
             notBeforeMs = atMs + AGAIN_MS;
-            if (wanted.isEmpty()) {
-                remove();
-            } else {
-                Results.when(base.held(id, HeldKind.FENCE), thread, held -> compare(wanted, held), this::failed);
-            }
+            List<MissionItem> fence = wanted;
+            Results.when(base.held(id, HeldKind.FENCE), thread, held -> compare(fence, held), this::failed);
         }
     }
 
+    private boolean mayAreasCome(long atMs) {
+        return !hadAreas && atMs - commandedMs.orElse(atMs) < AREAS_COME_MS;
+    }
+
     private void compare(List<MissionItem> fence, List<MissionItem> held) {
-        if (FenceItems.isHeld(fence, held)) {
+        boolean isOurs = given.contains(FenceItems.text(held));
+        if (!fence.equals(wanted)) { // it has changed while the vehicle was read
+            busy = false;
+            notBeforeMs = 0;
+        } else if (fence.isEmpty() && (isOurs || held.isEmpty())) {
+            remove();
+        } else if (fence.isEmpty()) { // its owner has put it there since
+            give(List.of());
+            done(fence);
+        } else if (FenceItems.isHeld(fence, held)) {
             heed(fence);
-            return;
+        } else {
+            if (!held.isEmpty() && !isOurs) {
+                alarm.accept("vehicle " + id + " held a fence of its own with " + held.size()
+                        + " corners; the fence and no-go areas of this session take its place");
+            }
+            give(isOurs ? List.of(FenceItems.text(held), FenceItems.text(fence)) : List.of(FenceItems.text(fence)));
+            Results.when(base.replace(id, HeldKind.FENCE, fence), thread, there -> heed(fence), this::failed);
         }
-        if (!held.isEmpty() && !isOurs) {
-            alarm.accept("vehicle " + id + " held a fence of its own with " + held.size()
-                    + " corners; the fence and no-go areas of this session take its place");
+    }
+
+    /** It may hold one of these fences from now on that this machine gave to it. */
+    private void give(List<String> fences) {
+        if (!fences.equals(given)) {
+            given = fences;
+            keep.accept(fences);
         }
-        isOurs = true;
-        Results.when(base.replace(id, HeldKind.FENCE, fence), thread, there -> heed(fence), this::failed);
     }
 
     /** Sets what of its parameters is another, in their order. */
     private void heed(List<MissionItem> fence) {
         set(new ArrayList<>(IN_FORCE.entrySet()).iterator(), () -> {
-            isOurs = true;
+            give(List.of(FenceItems.text(fence)));
             done(fence);
         });
     }
@@ -126,7 +160,7 @@ final class VehicleFence {
                 this::failed);
     }
 
-    /** Takes away what this process has put there: first it is no longer heeded. */
+    /** Takes away what this machine has put there: first it is no longer heeded. */
     private void remove() {
         set(
                 List.of(Map.entry(ENABLE, 0)).iterator(),
@@ -134,7 +168,7 @@ final class VehicleFence {
                         base.replace(id, HeldKind.FENCE, List.of()),
                         thread,
                         nothing -> {
-                            isOurs = false;
+                            give(List.of());
                             done(List.of());
                         },
                         this::failed));

@@ -15,8 +15,8 @@ import org.sami.boat.link.UploadWaypoints;
 
 /**
  * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, how far it holds them,
- * and who latched its fleet stop; and how far it drove on how much charge. After a crash the next base finds the list again. Two small files for each vehicle,
- * each replaced as a whole. For one thread at a time.
+ * and who latched its fleet stop; how far it drove on how much charge; and which fence it was given. After a crash the next base finds the list again. Three
+ * small files for each vehicle, each replaced as a whole. For one thread at a time.
  */
 public final class VehicleFiles {
     private static final System.Logger LOG = System.getLogger(VehicleFiles.class.getName());
@@ -124,6 +124,29 @@ public final class VehicleFiles {
         replace(name, consumptionFile(name), counted.metres() + "\n" + counted.percent() + "\n");
     }
 
+    /** The fences that bases of this machine gave to a vehicle and did not take away, as {@link FenceItems#text}; none where its file is damaged. */
+    List<String> fences(String name) {
+        Path file = fenceFile(name);
+        try {
+            return Files.exists(file) ? Files.readAllLines(file) : List.of();
+        } catch (IOException e) {
+            LOG.log(
+                    Level.WARNING,
+                    file + " cannot be read; a fence that the vehicle holds is taken for its owner's",
+                    e);
+            return List.of();
+        }
+    }
+
+    /**
+     * Keeps the fences that a vehicle was given in place of what was kept.
+     *
+     * @throws IOException if it cannot be written; what was kept before stays
+     */
+    void writeFences(String name, List<String> fences) throws IOException {
+        replace(name, fenceFile(name), String.join("\n", fences));
+    }
+
     private void replace(String name, Path file, String text) throws IOException {
         Files.createDirectories(folder);
         Path next = folder.resolve(name + ".next");
@@ -133,6 +156,10 @@ public final class VehicleFiles {
 
     private Path consumptionFile(String name) {
         return folder.resolve(name + ".consumption");
+    }
+
+    private Path fenceFile(String name) {
+        return folder.resolve(name + ".fence");
     }
 
     private Path file(String name) {

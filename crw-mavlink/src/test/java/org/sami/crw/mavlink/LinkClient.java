@@ -16,6 +16,7 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
@@ -93,7 +94,19 @@ final class LinkClient implements AutoCloseable {
 
     /** Waits for an alarm with such words. */
     void untilAlarm(String words) {
-        Await.until("alarm " + words, () -> alarms.stream().anyMatch(text -> text.contains(words)));
+        Await.until("alarm " + words, () -> hasAlarm(words));
+    }
+
+    /** Whether an alarm with such words has come. */
+    boolean hasAlarm(String words) {
+        return alarms.stream().anyMatch(text -> text.contains(words));
+    }
+
+    /** Takes the command from who has it. */
+    void takeCommand() {
+        ask(new TakeCommand("take", "client.0", 2));
+        Await.until("it commands", () -> last(Welcome.class).orElseThrow().role() == Role.COMMANDER);
+        term = last(Welcome.class).orElseThrow().term();
     }
 
     void say(LinkMessage message) {

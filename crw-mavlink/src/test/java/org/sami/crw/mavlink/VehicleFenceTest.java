@@ -134,4 +134,17 @@ class VehicleFenceTest {
 
         client.untilAlarm("mav5 says that it is outside of its own fence");
     }
+
+    @Test
+    void fenceOfAnEarlierSessionIsReplacedWithoutAWord() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+        client.close();
+
+        client = new LinkClient(folder, boat.address() + "/5");
+        client.keepTo(Optional.of(WATER), List.of());
+
+        Await.until("its fence is another", () -> boat.fence().size() == 4);
+        assertThat(client.hasAlarm("a fence of its own")).isFalse();
+    }
 }
