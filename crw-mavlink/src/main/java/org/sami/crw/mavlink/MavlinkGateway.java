@@ -1,11 +1,13 @@
 package org.sami.crw.mavlink;
 
+import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
@@ -25,7 +27,10 @@ import org.sami.spn.value.GeoArea;
  * that vehicles with one system id on two addresses are not taken for one. Safe for use by several threads.
  */
 public final class MavlinkGateway implements BoatGateway {
+    private static final System.Logger LOG = System.getLogger(MavlinkGateway.class.getName());
     private static final long TICK_MS = 100;
+    private static final long LOOK_MS = 20;
+    private static final long LEAVE_MS = 1_500; // an answer, and the heartbeat after it
 
     private final LongSupplier nowMs;
     private final VehicleFiles files;
@@ -100,8 +105,34 @@ public final class MavlinkGateway implements BoatGateway {
         };
     }
 
+    /** Ends it after the last orders, such as to keep the place, were carried out; waits for that at most 1.5 s. */
     @Override
     public void close() {
+        if (thread.isShutdown()) {
+            return;
+        }
+        CountDownLatch quiet = new CountDownLatch(1);
+        var unused = thread.scheduleWithFixedDelay( // after what was asked before
+                () -> {
+                    if (links.values().stream().noneMatch(VehicleLink::isBusy)) {
+                        quiet.countDown();
+                    }
+                },
+                0,
+                LOOK_MS,
+                TimeUnit.MILLISECONDS);
+        try {
+            if (!quiet.await(LEAVE_MS, TimeUnit.MILLISECONDS)) {
+                LOG.log(Level.WARNING, "a vehicle had not carried out its last order when the base ended");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            end();
+        }
+    }
+
+    private void end() {
         ticks.cancel(false);
         executor().execute(() -> {
             closed = true;

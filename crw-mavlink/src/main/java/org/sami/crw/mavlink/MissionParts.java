@@ -2,6 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.mission.HeldKind;
@@ -9,7 +10,7 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the gate, and once they were read back
- * equal, the item that takes the place of the gate. A part that could not be sent is tried again, and the vehicle stops at the gate at worst. For the gateway's
+ * equal, the item that takes the place of the gate. A part that could not be sent is tried again, which the operator hears of, and the vehicle stops at the gate at worst. For the gateway's
  * thread.
  */
 final class MissionParts {
@@ -20,6 +21,8 @@ final class MissionParts {
     private final Executor thread;
     private final Predicate<DrivenList> isHeld;
     private final BiConsumer<DrivenList, Integer> further;
+    private final Consumer<String> alarm;
+    private String lastFault = "";
     private boolean sending;
     private long notBeforeMs;
 
@@ -28,18 +31,21 @@ final class MissionParts {
      *
      * @param isHeld whether the vehicle holds a list, as far as is known; what is no longer held is not sent any further
      * @param further called when the vehicle holds a further part of a list, with the item of the list at which it had to stop before
+     * @param alarm receives faults, in words for the operator
      */
     MissionParts(
             MavlinkBase base,
             VehicleId id,
             Executor thread,
             Predicate<DrivenList> isHeld,
-            BiConsumer<DrivenList, Integer> further) {
+            BiConsumer<DrivenList, Integer> further,
+            Consumer<String> alarm) {
         this.base = base;
         this.id = id;
         this.thread = thread;
         this.isHeld = isHeld;
         this.further = further;
+        this.alarm = alarm;
     }
 
     /** Begins to send the next part of a list, where the vehicle has left enough of it behind. */
@@ -49,30 +55,40 @@ final class MissionParts {
                 sending = true;
                 notBeforeMs = atMs + AGAIN_MS;
                 list.window(next); // what lies behind the vehicle is given up before it is overwritten
-                send(
-                        list,
-                        next,
-                        () -> send(list, next.opened(), () -> {
-                            sending = false;
-                            list.window(next.opened());
-                            further.accept(list, next.gate());
-                        }));
+                send(list, next, next, () -> send(list, next, next.opened(), () -> opened(list, next)));
             });
         }
     }
 
-    /** Only what differs from what the vehicle holds is sent. */
-    private void send(DrivenList list, MissionWindow part, Runnable then) {
+    private void opened(DrivenList list, MissionWindow next) {
+        sending = false;
+        lastFault = "";
+        list.window(next.opened());
+        further.accept(list, next.gate());
+    }
+
+    /** Only what differs from what the vehicle holds is sent. Where the list has been given another part meanwhile, that one counts. */
+    private void send(DrivenList list, MissionWindow next, MissionWindow part, Runnable then) {
         Results.when(
                 base.replace(id, HeldKind.MISSION, part.items()),
                 thread,
                 there -> {
-                    if (isHeld.test(list)) {
+                    if (isHeld.test(list) && list.window() == next) {
                         then.run();
                     } else {
                         sending = false;
                     }
                 },
-                why -> sending = false);
+                this::failed);
+    }
+
+    /** Says it once for each reason. */
+    private void failed(String why) {
+        sending = false;
+        if (!why.equals(lastFault)) {
+            lastFault = why;
+            alarm.accept("vehicle " + id + " has not taken the next part of its path, and waits where its part ends: "
+                    + why);
+        }
     }
 }

@@ -33,18 +33,20 @@ final class MissionStore {
      *
      * @param drives whether the vehicle drives along its mission now
      * @param further called when the vehicle holds a further part of a list, with the item at which it had to stop before
+     * @param alarm receives faults, in words for the operator
      */
     MissionStore(
             MavlinkBase base,
             VehicleId id,
             Executor thread,
             BooleanSupplier drives,
-            BiConsumer<DrivenList, Integer> further) {
+            BiConsumer<DrivenList, Integer> further,
+            Consumer<String> alarm) {
         this.base = base;
         this.id = id;
         this.thread = thread;
         this.drives = drives;
-        parts = new MissionParts(base, id, thread, list -> holds(Optional.of(list)), further);
+        parts = new MissionParts(base, id, thread, list -> holds(Optional.of(list)), further, alarm);
     }
 
     /** Sends the next part of a long list that the vehicle holds, where it has left enough of it behind. To be called often. */
@@ -92,6 +94,7 @@ final class MissionStore {
                     if (isComing(list) && list.recognizes(there)) {
                         arrived(list);
                     } else if (isComing(list) && drives.getAsBoolean()) {
+                        held = Optional.empty();
                         end(Optional.of(ANOTHER)); // nothing is changed under a vehicle that drives along it
                     } else {
                         send(list);

@@ -66,6 +66,7 @@ final class VehicleBoat implements BaseSession.Boat {
                 settings,
                 this::broadcast,
                 kept -> keep(files, kept),
+                this::alarm,
                 files.read(name));
     }
 
@@ -114,6 +115,11 @@ final class VehicleBoat implements BaseSession.Boat {
     /** Whether the id of its autopilot's start is known, which a base needs at the welcome, and its speed, by which lists are compared. */
     boolean isKnown() {
         return settings.bootId().isPresent() && performance.isRead();
+    }
+
+    /** Whether the vehicle is still carrying out an order. */
+    boolean isBusy() {
+        return orders.isBusy();
     }
 
     /** The base has a new connection to it; the earlier one is ended. */

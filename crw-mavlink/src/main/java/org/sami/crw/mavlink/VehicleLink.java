@@ -168,6 +168,11 @@ final class VehicleLink {
         return "no " + what + " is heard there" + (others.isEmpty() ? "" : ", only " + others);
     }
 
+    /** Whether a vehicle is still carrying out an order. */
+    boolean isBusy() {
+        return boats.values().stream().anyMatch(VehicleBoat::isBusy);
+    }
+
     void close() {
         base.removeListener(events);
         base.close();

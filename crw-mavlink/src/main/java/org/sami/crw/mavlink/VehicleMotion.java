@@ -28,6 +28,8 @@ final class VehicleMotion {
     private final Executor thread;
     private final VehiclePilot pilot;
     private Optional<Hand> hand = Optional.empty();
+    private Optional<VehiclePilot.Order> settingOff = Optional.empty(); // along a mission; the last one
+    private Optional<VehiclePilot.Order> stopping = Optional.empty(); // the last one
     private long nowMs;
 
     /** Sticks, and when they were set. */
@@ -43,9 +45,10 @@ final class VehicleMotion {
      *
      * @param item from which it goes on; empty for a vehicle that follows the mission already, which is not disturbed
      * @param speedMps of the leg under way
+     * @param goesThere called when the vehicle has taken the item, before it reports progress from there on
      * @param started called when it follows it
      */
-    record Leg(Optional<Integer> item, double speedMps, Runnable started) {}
+    record Leg(Optional<Integer> item, double speedMps, Runnable goesThere, Runnable started) {}
 
     VehicleMotion(MavlinkBase base, VehicleSnapshot first, Executor thread) {
         this.base = base;
@@ -66,6 +69,16 @@ final class VehicleMotion {
     /** Whether an order is being carried out. */
     boolean isBusy() {
         return pilot.isBusy();
+    }
+
+    /** Whether it is being ordered to follow a mission that it holds; it may drive before its heartbeat says so. */
+    boolean isSettingOff() {
+        return settingOff.filter(order -> !order.isVoid()).isPresent();
+    }
+
+    /** Whether it is being stopped; it may still report that it drives. */
+    boolean isStopping() {
+        return stopping.filter(order -> !order.isVoid()).isPresent();
     }
 
     /** Whether it was heard just now, so that an order reaches it at once. */
@@ -109,6 +122,7 @@ final class VehicleMotion {
     void stop(Consumer<Optional<String>> ended) {
         hand = Optional.empty();
         VehiclePilot.Order order = pilot.begin(ended);
+        stopping = Optional.of(order);
         order.command(
                 base.command(id, VehicleCommand.disarmAtOnce()),
                 () -> order.command(
@@ -118,9 +132,11 @@ final class VehicleMotion {
 
     /** Keeps its place. */
     void hold(Consumer<Optional<String>> ended) {
+        VehiclePilot.Ordered loiter = new VehiclePilot.Ordered(LOITER, true);
         byItself(ended)
-                .ifPresent(order -> order.arm(
-                        () -> order.mode(LOITER, true, () -> order.done(new VehiclePilot.Ordered(LOITER, true)))));
+                .ifPresent(order -> order.arm(() -> order.command(
+                        base.setMode(id, LOITER), // even if it was last seen in it, as in a stop
+                        () -> order.await(loiter::isSo, "come into mode " + LOITER, () -> order.done(loiter)))));
     }
 
     /** Begins an order that needs a position; without one it is refused, and the order before stays in force. */
@@ -165,6 +181,7 @@ final class VehicleMotion {
     }
 
     private void follow(VehiclePilot.Order order, Leg leg) {
+        settingOff = Optional.of(order);
         Runnable drive = () -> order.arm(() -> order.mode(
                 AUTO,
                 true,
@@ -173,7 +190,11 @@ final class VehicleMotion {
                     order.done(new VehiclePilot.Ordered(AUTO, true));
                 })));
         leg.item.ifPresentOrElse(
-                item -> order.command(base.command(id, VehicleCommand.setCurrentItem(item)), drive), drive);
+                item -> order.command(base.command(id, VehicleCommand.setCurrentItem(item)), () -> {
+                    leg.goesThere.run();
+                    drive.run();
+                }),
+                drive);
     }
 
     /** Changes the speed of the leg under way. */

@@ -1,5 +1,7 @@
 package org.sami.crw.mavlink;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -37,7 +39,11 @@ final class VehicleOrders {
     private final VehicleSettings settings;
     private final Consumer<LinkMessage> broadcast;
     private final Consumer<VehicleFiles.Kept> keep;
+    private final List<Delayed> afterStop = new ArrayList<>();
     private String stoppedBy; // who has latched the fleet stop; empty while it is not latched
+
+    /** A list that came while the vehicle was being stopped. */
+    private record Delayed(UploadWaypoints upload, Consumer<LinkMessage> answer) {}
 
     VehicleOrders(
             MavlinkBase base,
@@ -46,12 +52,13 @@ final class VehicleOrders {
             VehicleSettings settings,
             Consumer<LinkMessage> broadcast,
             Consumer<VehicleFiles.Kept> keep,
+            Consumer<String> alarm,
             VehicleFiles.Kept kept) {
         this.settings = settings;
         this.broadcast = broadcast;
         this.keep = keep;
         motion = new VehicleMotion(base, first, thread);
-        paths = new VehiclePaths(base, motion, thread, broadcast, this::remember, kept);
+        paths = new VehiclePaths(base, motion, thread, broadcast, this::remember, alarm, kept);
         stoppedBy = kept.stoppedBy();
     }
 
@@ -70,6 +77,11 @@ final class VehicleOrders {
             case VehicleMotion.HOLD, "INITIALIZING" -> BoatMode.STOPPED;
             default -> BoatMode.TELEOPERATION;
         };
+    }
+
+    /** Whether the vehicle is still carrying out an order. */
+    boolean isBusy() {
+        return motion.isBusy();
     }
 
     /** How far it is along its list. */
@@ -107,20 +119,33 @@ final class VehicleOrders {
     void restarted() {
         motion.release();
         paths.restarted();
+        giveUpDelayed();
     }
 
     void tick(long atMs) {
         motion.tick(atMs);
         paths.tick(atMs);
+        if (!motion.isStopping() && !afterStop.isEmpty()) {
+            Delayed next = afterStop.remove(0);
+            paths.upload(next.upload, mode() == BoatMode.PATH, next.answer);
+        }
+    }
+
+    private void giveUpDelayed() {
+        List<Delayed> given = List.copyOf(afterStop);
+        afterStop.clear();
+        given.forEach(
+                each -> each.answer.accept(new Nack(each.upload.commandId(), NackReason.STALE, "it was not begun")));
     }
 
     /**
      * The base no longer commands it: a vehicle under way keeps its place, like a boat without a commander. A silent vehicle gets no order: it could arrive
-     * when somebody else already steers it.
+     * when somebody else already steers it. One that is being stopped is not armed again.
      */
     void left() {
+        giveUpDelayed();
         BoatMode mode = mode();
-        boolean ours = motion.isHeard() && (motion.isOrdered() || motion.isBusy());
+        boolean ours = motion.isHeard() && !motion.isStopping() && (motion.isOrdered() || motion.isBusy());
         if (ours && (mode == BoatMode.PATH || mode == BoatMode.TELEOPERATION)) {
             motion.hold(why -> {});
         }
@@ -142,7 +167,7 @@ final class VehicleOrders {
             latch("");
             answer.accept(new Ack(command.commandId()));
         } else if (command instanceof UploadWaypoints upload) {
-            paths.upload(upload, mode() == BoatMode.PATH, answer);
+            upload(upload, answer);
         } else if (command instanceof ReadBack) {
             paths.readBack(command, answer);
         } else if ((command instanceof StartWaypoints || command instanceof HoldPosition) && !stoppedBy.isEmpty()) {
@@ -168,6 +193,15 @@ final class VehicleOrders {
                     NackReason.NOT_ABLE,
                     "an autopilot takes no " + command.type()
                             + " from here: set its parameters in its ground station"));
+        }
+    }
+
+    /** Waits until a stop is done: an order to keep the place before the upload would undo it. */
+    private void upload(UploadWaypoints upload, Consumer<LinkMessage> answer) {
+        if (motion.isStopping() || !afterStop.isEmpty()) {
+            afterStop.add(new Delayed(upload, answer));
+        } else {
+            paths.upload(upload, mode() == BoatMode.PATH, answer);
         }
     }
 

@@ -44,6 +44,7 @@ final class VehiclePaths {
      * The list that an earlier base has given to the vehicle, or none.
      *
      * @param changed called when another list, or a further part of one, is to be kept for the next base
+     * @param alarm receives faults, in words for the operator
      */
     VehiclePaths(
             MavlinkBase base,
@@ -51,12 +52,13 @@ final class VehiclePaths {
             Executor thread,
             Consumer<LinkMessage> broadcast,
             Runnable changed,
+            Consumer<String> alarm,
             VehicleFiles.Kept kept) {
         this.base = base;
         this.motion = motion;
         this.broadcast = broadcast;
         this.changed = changed;
-        store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further);
+        store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further, alarm);
         list = kept.list().map(upload -> new DrivenList(upload, kept.heldTo()));
     }
 
@@ -135,12 +137,11 @@ final class VehiclePaths {
             watch.forget();
             return false;
         }
-        boolean isReplaced =
-                watch.isReplaced(list.orElseThrow().window().size(), vehicle) && isInAuto() && motion.isOrdered();
+        boolean isReplaced = watch.isReplaced(list.orElseThrow().window().size(), vehicle);
         if (isReplaced) {
-            store.forget();
+            store.forget(); // whoever commands it: what it reports is no progress along the list
         }
-        return isReplaced;
+        return isReplaced && isInAuto() && motion.isOrdered();
     }
 
     void tick(long atMs) {
@@ -166,7 +167,7 @@ final class VehiclePaths {
     // ---- what is asked
 
     /**
-     * A vehicle that is on its way, or keeps its place at the end of its mission, keeps its place until the new list is started; where it does not, the old one
+     * A vehicle that is on its way, sets off, or keeps its place at the end of its mission, keeps its place until the new list is started; where it does not, the old one
      * stays. So no item is replaced under a vehicle that carries it out.
      */
     void upload(UploadWaypoints upload, boolean isUnderWay, Consumer<LinkMessage> answer) {
@@ -177,7 +178,7 @@ final class VehiclePaths {
             broadcast.accept(progress());
             list.filter(VehiclePaths::isMission).ifPresent(store::put);
         };
-        if (isUnderWay) {
+        if (isUnderWay || isInAuto() || motion.isSettingOff()) {
             motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
         } else {
             taken.run();
@@ -272,7 +273,8 @@ final class VehiclePaths {
         return new VehicleMotion.Leg(
                 isPast ? Optional.empty() : Optional.of(along.itemOf(index)),
                 speedOf(isPast ? along.next() : index),
-                isPast ? () -> broadcast.accept(progress()) : () -> started(along, index));
+                () -> along.startAt(index),
+                () -> broadcast.accept(progress()));
     }
 
     /** Whether the vehicle drives along the list already, and to that waypoint or a later one. */

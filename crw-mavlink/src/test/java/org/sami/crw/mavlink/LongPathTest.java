@@ -183,4 +183,15 @@ class LongPathTest {
                         held -> assertThat(held.waypoints()).isEqualTo(other));
         assertThat(boat.uploads()).isEqualTo(2);
     }
+
+    @Test
+    void partThatItRefusesIsAnAlarmAndTriedAgain() {
+        start();
+        boat.refuseMissions(true);
+
+        client.untilAlarm("vehicle 5 has not taken the next part of its path, and waits where its part ends: ");
+        boat.refuseMissions(false);
+
+        arrives();
+    }
 }

@@ -329,4 +329,14 @@ class VehicleBoatTest {
 
         assertThat(world.<String>ask(BOAT, proxy -> proxy.status().bootId())).isEqualTo(before);
     }
+
+    @Test
+    void baseThatEndsHasItKeepItsPlace() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        world.close();
+
+        Await.until("it keeps its place", GatewayWorld.WAIT_S, () -> boat.mode() == LOITER);
+    }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,7 @@ import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StartWaypoints;
@@ -24,6 +26,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
+import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallBoat;
 
 /** Orders that a later one, the vehicle or another ground station prevents, and impossible reports, on a simulated vehicle. */
@@ -159,5 +162,100 @@ class VehicleOrdersTest {
 
         assertThat(client.ask(new StartWaypoints("start", "first", 0))).isInstanceOf(Ack.class);
         assertThat(boat.uploads()).isEqualTo(2);
+    }
+
+    @Test
+    void missionOfAPilotWhoHasTheCommandIsNoProgress() {
+        drive();
+        boat.takenByPilot(MANUAL, true);
+        Await.until("it is noticed that it is taken", client::isObserver);
+        boat.ownMission(IntStream.range(0, 9)
+                .mapToObj(i -> MissionItem.waypoint(i, 45.7, 10.72, 0, 0))
+                .toList());
+        reports();
+
+        boat.takenByPilot(AUTO, true);
+
+        Await.until("it follows the pilot's mission", () -> boat.visited().size() == 8);
+        reports();
+        assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(0);
+        client.takeCommand();
+        assertThat(client.ask(new StartWaypoints("start again", "first", 0))).isInstanceOf(Ack.class);
+        assertThat(boat.uploads()).isEqualTo(2);
+    }
+
+    private void reports() {
+        long before = client.count(Telemetry.class);
+        Await.until("it has reported itself", () -> client.count(Telemetry.class) > before + 2);
+    }
+
+    @Test
+    void listThatComesWhileItSetsOffIsSentWhileItKeepsItsPlace() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
+        boat.beating(false);
+        client.say(new StartWaypoints("start", "first", 0));
+        Await.until("it sets off", () -> boat.mode() == AUTO);
+
+        UploadWaypoints second = upload("second");
+        client.say(second);
+        Await.until("it is ordered", () -> boat.orderedModes().size() == 3);
+        boat.beating(true);
+
+        assertThat(client.answerTo(second)).isInstanceOf(Ack.class);
+        assertThat(client.ask(new StartWaypoints("start second", "second", 0))).isInstanceOf(Ack.class);
+        assertThat(boat.orderedModes()).containsExactly(LOITER, AUTO, LOITER, AUTO);
+    }
+
+    @Test
+    void listThatComesRightAfterAStopDoesNotUndoIt() {
+        drive();
+        boat.beating(false);
+        StopMotors stop = new StopMotors("stop");
+        UploadWaypoints second = upload("second");
+        client.say(stop);
+        client.say(second);
+        Await.until("it is stopped", () -> boat.mode() == HOLD);
+        boat.beating(true);
+
+        assertThat(client.answerTo(stop)).isInstanceOf(Ack.class);
+        assertThat(client.answerTo(second)).isInstanceOf(Ack.class);
+
+        assertThat(boat.isArmed()).isFalse();
+        assertThat(boat.orderedModes()).doesNotContain(LOITER);
+    }
+
+    @Test
+    void baseThatLeavesRightAfterAStopDoesNotUndoIt() {
+        drive();
+        boat.beating(false);
+        client.say(new StopMotors("stop"));
+        Await.until("it is disarmed", () -> !boat.isArmed());
+
+        client.reconnect();
+        boat.beating(true);
+
+        Await.until("it is stopped", () -> boat.mode() == HOLD);
+        assertThat(boat.isArmed()).isFalse();
+        assertThat(boat.orderedModes()).doesNotContain(LOITER);
+    }
+
+    @Test
+    void waypointThatIsReachedBeforeTheStartIsAnsweredStaysReached() {
+        List<Waypoint> near = List.of(new Waypoint(45.70002, 10.72, 1), new Waypoint(45.71, 10.72, 1));
+        assertThat(client.ask(new UploadWaypoints("upload", "near", near))).isInstanceOf(Ack.class);
+        boat.ignoreSpeeds(true);
+        StartWaypoints start = new StartWaypoints("start", "near", 0);
+        client.say(start);
+        Await.until(
+                "the first is reached",
+                () -> client.last(Progress.class)
+                        .filter(progress -> progress.nextIndex() == 1)
+                        .isPresent());
+
+        boat.ignoreSpeeds(false);
+
+        assertThat(client.answerTo(start)).isInstanceOf(Ack.class);
+        assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(1);
     }
 }

@@ -114,6 +114,7 @@ public final class SmallBoat implements AutoCloseable {
     private boolean placed = true;
     private int filter = LOCATED;
     private int refusedMode = -1;
+    private boolean ignoresSpeeds;
     private double sail; // m/s, said in place of its speed
     private String refusal = "";
     private int charge = 87;
@@ -166,6 +167,23 @@ public final class SmallBoat implements AutoCloseable {
     /** Holds no mission any longer: another ground station has taken it away. */
     public synchronized void loseMission() {
         mission.lose();
+    }
+
+    /** Somebody else has given it this mission, home first. */
+    public synchronized void ownMission(List<MissionItem> items) {
+        mission.put(items.stream()
+                .map(item -> item.message(new VehicleId(system, AUTOPILOT), HeldKind.MISSION))
+                .toList());
+    }
+
+    /** It refuses each mission, and each part of one, from now on, or no longer. */
+    public synchronized void refuseMissions(boolean now) {
+        mission.refuse(now);
+    }
+
+    /** It takes speeds, but does not answer, from now on; or answers again. */
+    public synchronized void ignoreSpeeds(boolean now) {
+        ignoresSpeeds = now;
     }
 
     /** How many whole missions were sent to it. */
@@ -318,7 +336,9 @@ public final class SmallBoat implements AutoCloseable {
     private synchronized void take(Object message) {
         if (message instanceof CommandLong command) {
             boolean known = command(command.command().value(), command.param1(), command.param2());
-            ack(command.command().value(), known);
+            if (!ignoresSpeeds || command.command().value() != CHANGE_SPEED) {
+                ack(command.command().value(), known);
+            }
         } else if (message instanceof CommandInt command && command.command().value() == REPOSITION) {
             motion.goTo(command.x(), command.y());
             motion.speed(command.param1() > 0 ? command.param1() : motion.speed());

@@ -28,6 +28,7 @@ final class SmallBoatMission {
     private int awaited; // the item that is asked for next
     private int last; // of those that come
     private boolean isPart;
+    private boolean refuses;
     private int uploads;
     private int parts;
     private int current;
@@ -41,6 +42,15 @@ final class SmallBoatMission {
 
     int uploads() {
         return uploads;
+    }
+
+    void refuse(boolean now) {
+        refuses = now;
+    }
+
+    void put(List<MissionItemInt> others) {
+        items = new ArrayList<>(others);
+        current = 0;
     }
 
     void lose() {
@@ -122,12 +132,14 @@ final class SmallBoatMission {
         } else if (message instanceof MissionRequestInt asked && asked.seq() < items.size()) {
             return List.of(items.get(asked.seq()));
         } else if (message instanceof MissionCount count && isMission(count.missionType())) {
-            if (count.count() > MOST_ITEMS) {
+            if (refuses || count.count() > MOST_ITEMS) {
                 return List.of(ack(MavMissionResult.MAV_MISSION_NO_SPACE));
             }
             return comes(new ArrayList<>(), 0, count.count() - 1);
         } else if (message instanceof MissionWritePartialList part && isMission(part.missionType())) {
-            return comes(new ArrayList<>(items), part.startIndex(), part.endIndex());
+            return refuses
+                    ? List.of(ack(MavMissionResult.MAV_MISSION_DENIED))
+                    : comes(new ArrayList<>(items), part.startIndex(), part.endIndex());
         } else if (message instanceof MissionClearAll) {
             items = new ArrayList<>();
             return List.of(ack(MavMissionResult.MAV_MISSION_ACCEPTED));
