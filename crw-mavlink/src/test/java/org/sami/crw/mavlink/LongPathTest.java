@@ -1,6 +1,7 @@
 package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -59,6 +60,12 @@ class LongPathTest {
         boat.close();
     }
 
+    /** Many parts are sent in real time while the vehicle's runs 150 times as fast: a machine that does much else does not keep up. */
+    private static void assumeLongDrives() {
+        assumeTrue(
+                Boolean.getBoolean("crw.vehicleMissions"), "minutes, on a quiet machine: only with -PvehicleMissions");
+    }
+
     private void start() {
         assertThat(client.ask(new UploadWaypoints("upload", "long", HALF))).isInstanceOf(Ack.class);
         assertThat(client.ask(new ReadBack("read")))
@@ -96,6 +103,7 @@ class LongPathTest {
 
     @Test
     void isDrivenWithoutAStopAndEachLocationOnce() {
+        assumeLongDrives();
         client.close();
         try (GatewayWorld world = new GatewayWorld(folder)) {
             world.connect(boat.address() + "/5");
@@ -122,6 +130,7 @@ class LongPathTest {
 
     @Test
     void waitsAtTheEndOfItsPartWhileNothingComesThrough() {
+        assumeLongDrives();
         start();
         untilPassed(20);
         boat.silent(true);
@@ -136,6 +145,7 @@ class LongPathTest {
 
     @Test
     void goesOnAfterABaseThatDiedWhereTheVehicleIs() {
+        assumeLongDrives();
         start();
         untilPassed(300);
         client.close();
@@ -191,6 +201,7 @@ class LongPathTest {
 
     @Test
     void partThatItRefusesIsAnAlarmAndTriedAgain() {
+        assumeLongDrives();
         start();
         boat.refuseMissions(true);
 
