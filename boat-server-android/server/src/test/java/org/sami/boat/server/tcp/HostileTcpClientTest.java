@@ -373,7 +373,12 @@ class HostileTcpClientTest {
         CountDownLatch goOn = new CountDownLatch(1);
         try (TcpBench busy = bench()) {
             Client client = busy.greet("base", Role.COMMANDER, 1);
-            busy.duringTick = () -> Await.latch(goOn);
+            CountDownLatch stands = new CountDownLatch(1);
+            busy.duringTick = () -> {
+                stands.countDown();
+                Await.latch(goOn);
+            };
+            Await.latch(stands); // the boat works on nothing from now on
             byte[] frame = client.frame(7, new UploadWaypoints("u", "l", Collections.nCopies(20_000, OLD.get(0))));
             AtomicInteger sent = new AtomicInteger();
             Thread sender = new Thread(() -> sendMany(client, frame, MANY, sent), busy.name + "-sender");
