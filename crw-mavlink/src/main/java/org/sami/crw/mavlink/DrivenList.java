@@ -29,6 +29,7 @@ final class DrivenList {
     private boolean isWindowKnown; // else it is looked for in what the vehicle holds
     private int next;
     private boolean completed;
+    private boolean isOpening; // of this window
 
     /** A list from its beginning. */
     DrivenList(UploadWaypoints upload) {
@@ -91,8 +92,19 @@ final class DrivenList {
 
     /** Another part of it. */
     void window(MissionWindow other) {
+        isOpening &= window == other;
         window = other;
         isWindowKnown = true;
+    }
+
+    /** The vehicle holds all of its part, and is being told to stop no longer at the gate: it may drive past that before the base has read it back. */
+    void opens() {
+        isOpening = true;
+    }
+
+    /** The first item to which the vehicle cannot have come. */
+    private int reach() {
+        return isOpening ? window.to() : window.gate();
     }
 
     /** The part of it that a vehicle needs to drive from a waypoint on. */
@@ -152,14 +164,14 @@ final class DrivenList {
     boolean reached(int number) {
         int item = window.item(number);
         int before = itemOf.indexOf(item);
-        return before >= 0 && item < window.gate() && advance(before + 1);
+        return before >= 0 && item < reach() && advance(before + 1);
     }
 
     /** The vehicle reports the item to which it goes, so the waypoints before it are done. Returns whether that is progress. */
     boolean current(int number) {
         int item = window.item(number);
         int behind = (int) itemOf.stream().filter(each -> each < item).count();
-        return item > 0 && item <= window.gate() && advance(behind);
+        return item > 0 && item <= reach() && advance(behind);
     }
 
     /** Whether a vehicle that goes to an item of its mission goes to a waypoint or to a later one. */

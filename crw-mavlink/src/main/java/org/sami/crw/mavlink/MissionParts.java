@@ -55,7 +55,10 @@ final class MissionParts {
                 sending = true;
                 notBeforeMs = atMs + AGAIN_MS;
                 list.window(next); // what lies behind the vehicle is given up before it is overwritten
-                send(list, next, next, () -> send(list, next, next.opened(), () -> opened(list, next)));
+                send(list, next, next, () -> {
+                    list.opens();
+                    send(list, next, next.opened(), () -> opened(list, next));
+                });
             });
         }
     }

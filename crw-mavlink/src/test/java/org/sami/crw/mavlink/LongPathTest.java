@@ -1,7 +1,6 @@
 package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -60,12 +59,6 @@ class LongPathTest {
         boat.close();
     }
 
-    /** Many parts are sent in real time while the vehicle's runs 150 times as fast: a machine that does much else does not keep up. */
-    private static void assumeLongDrives() {
-        assumeTrue(
-                Boolean.getBoolean("crw.vehicleMissions"), "minutes, on a quiet machine: only with -PvehicleMissions");
-    }
-
     private void start() {
         assertThat(client.ask(new UploadWaypoints("upload", "long", HALF))).isInstanceOf(Ack.class);
         assertThat(client.ask(new ReadBack("read")))
@@ -102,8 +95,7 @@ class LongPathTest {
     }
 
     @Test
-    void isDrivenWithoutAStopAndEachLocationOnce() {
-        assumeLongDrives();
+    void isDrivenToItsEndAndEachLocationOnce() {
         client.close();
         try (GatewayWorld world = new GatewayWorld(folder)) {
             world.connect(boat.address() + "/5");
@@ -123,14 +115,15 @@ class LongPathTest {
         }
 
         assertThat(boat.visited()).isEqualTo(places(PATH));
-        assertThat(boat.stops()).isZero();
+        // the vehicle's time runs 150 times as fast as that in which parts are sent: a busy machine is late
+        boolean quiet = Boolean.getBoolean("crw.vehicleMissions");
+        assertThat(boat.stops()).isLessThan(quiet ? 1 : 100);
         assertThat(boat.uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
     }
 
     @Test
     void waitsAtTheEndOfItsPartWhileNothingComesThrough() {
-        assumeLongDrives();
         start();
         untilPassed(20);
         boat.silent(true);
@@ -145,7 +138,6 @@ class LongPathTest {
 
     @Test
     void goesOnAfterABaseThatDiedWhereTheVehicleIs() {
-        assumeLongDrives();
         start();
         untilPassed(300);
         client.close();
@@ -164,7 +156,8 @@ class LongPathTest {
                 .isInstanceOf(Ack.class);
 
         arrives();
-        assertThat(boat.uploads()).isBetween(1, 2); // it may get the list again if it waited for a part
+        // one that has come to the end of its part is sent the part from there on
+        assertThat(boat.uploads()).isBetween(1, 2);
         assertThat(boat.armings()).isEqualTo(1);
     }
 
@@ -201,7 +194,6 @@ class LongPathTest {
 
     @Test
     void partThatItRefusesIsAnAlarmAndTriedAgain() {
-        assumeLongDrives();
         start();
         boat.refuseMissions(true);
 
