@@ -2,16 +2,19 @@ package org.sami.crw.sim.boat;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.SetWaysHome;
+import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
-import org.sami.boat.server.testing.ProcessClock;
+import org.sami.boat.server.testing.ReaderClock;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.BoatPose;
@@ -27,9 +30,6 @@ import org.sami.spn.value.GeoPoint;
 class ClearWaysOverTcpTest {
     private static final GeoArea ROCK = new GeoArea(List.of(at(-2, 4), at(2, 4), at(2, 7), at(-2, 7)), List.of());
 
-    /** The boat lives so many times slower than the process runs, whose threads a busy machine holds up. */
-    private static final int SLOWER = 3;
-
     @TempDir
     Path logs;
 
@@ -44,13 +44,15 @@ class ClearWaysOverTcpTest {
 
     @Test
     void boatSaysHowFarItMayBeBesideItsWayDrivesAroundTheRockAndKnowsItsWaysHome() throws Exception {
-        try (TcpTestFleet fleet = new TcpTestFleet(logs, () -> ProcessClock.ms() / SLOWER, links())) {
-            BoatOnTcp boat = fleet.boat("anna");
+        try (TcpTestFleet fleet = new TcpTestFleet(logs, links())) {
+            BoatOnTcp boat = fleet.boat("anna", new ReaderClock());
             Base base = fleet.base("base");
             base.connect(boat.address(), "anna");
             Await.until(
                     "it has said its errors",
                     () -> base.ask("anna", BoatProxy::error).equals(Optional.of(CrossTrackError.CALM)));
+            Await.until(
+                    "it has said where it is", () -> base.status("anna").pose().isPresent());
             Water water = Water.of(TcpTestFleet.PIER, List.of(ROCK), Optional.empty());
             List<GeoPoint> driven = new ArrayList<>();
 
@@ -64,21 +66,37 @@ class ClearWaysOverTcpTest {
                 return base.count("anna completed m1") == 1;
             });
 
-            assertThat(water.clearanceM(driven)).isPositive();
-            List<SetWaysHome> sent = fleet.log("anna").stream()
-                    .map(entry -> entry.command())
-                    .filter(SetWaysHome.class::isInstance)
-                    .map(SetWaysHome.class::cast)
-                    .toList();
-            assertThat(sent).hasSize(1);
-            List<List<Waypoint>> fromTheEnd =
-                    sent.get(0).ways().get(sent.get(0).ways().size() - 1);
+            List<GeoPoint> planned = new ArrayList<>(List.of(TcpTestFleet.PIER));
+            planned.addAll(points(first(fleet, UploadWaypoints.class).waypoints()));
+            assertThat(water.clearanceM(planned)).isGreaterThan(0.6);
+            // Not the lines between them: a base that hears nothing for some seconds does not see a boat turn.
+            assertThat(driven)
+                    .isNotEmpty()
+                    .allSatisfy(place -> assertThat(water.clearanceM(place)).isPositive());
+            SetWaysHome sent = first(fleet, SetWaysHome.class);
+            List<List<Waypoint>> fromTheEnd = sent.ways().get(sent.ways().size() - 1);
             assertThat(fromTheEnd).isNotEmpty().allSatisfy(way -> {
                 List<GeoPoint> home = new ArrayList<>(List.of(at(0, 10)));
-                way.forEach(turn -> home.add(GeoPoint.of(turn.latDeg(), turn.lonDeg())));
+                home.addAll(points(way));
                 home.add(TcpTestFleet.PIER);
                 assertThat(water.clearanceM(home)).isGreaterThan(0.6);
             });
         }
+    }
+
+    private static List<GeoPoint> points(List<Waypoint> waypoints) {
+        return waypoints.stream()
+                .map(waypoint -> GeoPoint.of(waypoint.latDeg(), waypoint.lonDeg()))
+                .toList();
+    }
+
+    /** The first command of its kind that the boat has executed; after a link that was lost there may be more. */
+    private static <C extends CommandMessage> C first(TcpTestFleet fleet, Class<C> kind) throws IOException {
+        return fleet.log("anna").stream()
+                .map(entry -> entry.command())
+                .filter(kind::isInstance)
+                .map(kind::cast)
+                .findFirst()
+                .orElseThrow();
     }
 }
