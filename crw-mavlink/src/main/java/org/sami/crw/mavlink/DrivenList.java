@@ -40,8 +40,15 @@ final class DrivenList {
      * A list that an earlier base gave to the vehicle.
      *
      * @param hint the end of the part that the vehicle was then known to hold
+     * @param next the waypoint to which it was under way; their number where it had come to the end
      */
-    DrivenList(UploadWaypoints upload, int hint) {
+    static DrivenList kept(UploadWaypoints upload, int hint, int next) {
+        DrivenList list = new DrivenList(upload, hint);
+        list.advance(next);
+        return list;
+    }
+
+    private DrivenList(UploadWaypoints upload, int hint) {
         this.upload = upload;
         this.hint = hint;
         List<Waypoint> waypoints = upload.waypoints();

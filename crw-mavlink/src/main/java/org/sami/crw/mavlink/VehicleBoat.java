@@ -41,6 +41,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleSettings settings;
     private final VehiclePerformance performance;
     private final VehicleFence fence;
+    private final VehicleFiles files;
     private final OtherHands others = new OtherHands();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
@@ -50,10 +51,12 @@ final class VehicleBoat implements BaseSession.Boat {
     private long beatMs;
     private Optional<BatteryReport> battery = Optional.empty();
     private long batteryMs;
+    private Progress keptProgress = new Progress("", 0, false);
 
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
         name = "mav" + first.id();
         vehicle = first;
+        this.files = files;
         settings = new VehicleSettings(base, first.id(), thread, this::reportSettings);
         performance = new VehiclePerformance(
                 base, first.id(), thread, files.consumption(name), counted -> keep(files, counted));
@@ -88,6 +91,18 @@ final class VehicleBoat implements BaseSession.Boat {
         }
     }
 
+    /** Also while no base is there. */
+    private void keep(Progress progress) {
+        if (!progress.equals(keptProgress)) {
+            keptProgress = progress;
+            try {
+                files.write(name, progress);
+            } catch (IOException e) {
+                LOG.log(Level.WARNING, "how far " + name + " has come along its list is not known to the next base", e);
+            }
+        }
+    }
+
     private void keepFences(VehicleFiles files, List<String> given) {
         try {
             files.writeFences(name, given);
@@ -102,6 +117,9 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     private void broadcast(LinkMessage message) {
+        if (message instanceof Progress progress) {
+            keep(progress);
+        }
         LinkMessage whole = message instanceof SettingsReport report
                 ? report.with(performance.now()).with(CAPABILITIES)
                 : message;

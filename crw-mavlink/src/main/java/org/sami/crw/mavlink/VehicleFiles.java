@@ -11,12 +11,13 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
+import org.sami.boat.link.Progress;
 import org.sami.boat.link.UploadWaypoints;
 
 /**
- * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, how far it holds them,
- * and who latched its fleet stop; how far it drove on how much charge; and which fence it was given. After a crash the next base finds the list again. Three
- * small files for each vehicle, each replaced as a whole. For one thread at a time.
+ * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, how far it holds them
+ * and has come along them, and who latched its fleet stop; how far it drove on how much charge; and which fence it was given. The next base finds the list
+ * again and goes on along it. Four files for each vehicle, each replaced as a whole. For one thread at a time.
  */
 public final class VehicleFiles {
     private static final System.Logger LOG = System.getLogger(VehicleFiles.class.getName());
@@ -29,9 +30,10 @@ public final class VehicleFiles {
      * @param stoppedBy who has latched its fleet stop; empty where it is not latched
      * @param list the list that it was given last, as the base sent it
      * @param heldTo the end of the part of the list that it held ({@link MissionWindow#to}); 0 where that is not known
+     * @param next the waypoint of the list to which it was under way; 0 where that is not known
      */
-    record Kept(String stoppedBy, Optional<UploadWaypoints> list, int heldTo) {
-        static final Kept NOTHING = new Kept("", Optional.empty(), 0);
+    record Kept(String stoppedBy, Optional<UploadWaypoints> list, int heldTo, int next) {
+        static final Kept NOTHING = new Kept("", Optional.empty(), 0, 0);
     }
 
     /** Files in a folder, which is made when something is kept. */
@@ -57,13 +59,28 @@ public final class VehicleFiles {
                             Files.readAllBytes(file), StandardCharsets.UTF_8) // damaged bytes are no fault
                     .lines()
                     .toList();
+            Optional<UploadWaypoints> list = lines.stream().skip(1).findFirst().flatMap(line -> list(file, line));
             return new Kept(
                     lines.stream().findFirst().orElse(""),
-                    lines.stream().skip(1).findFirst().flatMap(line -> list(file, line)),
-                    lines.stream().skip(2).findFirst().map(VehicleFiles::number).orElse(0));
+                    list,
+                    lines.stream().skip(2).findFirst().map(VehicleFiles::number).orElse(0),
+                    list.map(upload -> next(name, upload)).orElse(0));
         } catch (IOException e) {
             LOG.log(Level.WARNING, file + " cannot be read; the vehicle is sent its list again", e);
             return Kept.NOTHING;
+        }
+    }
+
+    /** The waypoint of a list to which a vehicle was under way; its first where that is not known. */
+    private int next(String name, UploadWaypoints list) {
+        Path file = progressFile(name);
+        try {
+            List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
+            boolean isOfList = lines.size() == 2 && lines.get(0).equals(list.listId());
+            return isOfList ? Math.min(number(lines.get(1)), list.waypoints().size()) : 0;
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, file + " cannot be read; the vehicle's list begins with its first waypoint", e);
+            return 0;
         }
     }
 
@@ -86,7 +103,7 @@ public final class VehicleFiles {
     }
 
     /**
-     * Keeps it in place of what was kept.
+     * Keeps it in place of what was kept; how far the vehicle has come is written by itself.
      *
      * @throws IOException if it cannot be written; what was kept before stays
      */
@@ -95,6 +112,15 @@ public final class VehicleFiles {
                 .map(upload -> new String(LinkCodec.body(upload), StandardCharsets.UTF_8))
                 .orElse("");
         replace(name, file(name), kept.stoppedBy() + "\n" + list + "\n" + kept.heldTo() + "\n");
+    }
+
+    /**
+     * Keeps how far a vehicle has come along its list in place of what was kept. A file of its own, as a list may be long.
+     *
+     * @throws IOException if it cannot be written; what was kept before stays
+     */
+    void write(String name, Progress progress) throws IOException {
+        replace(name, progressFile(name), progress.listId() + "\n" + progress.nextIndex() + "\n");
     }
 
     /** What was counted of a vehicle's consumption; nothing where nothing was, or its file is damaged. */
@@ -152,6 +178,10 @@ public final class VehicleFiles {
         Path next = folder.resolve(name + ".next");
         Files.writeString(next, text);
         Files.move(next, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private Path progressFile(String name) {
+        return folder.resolve(name + ".progress");
     }
 
     private Path consumptionFile(String name) {

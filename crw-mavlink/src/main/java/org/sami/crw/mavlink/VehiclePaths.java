@@ -59,7 +59,7 @@ final class VehiclePaths {
         this.broadcast = broadcast;
         this.changed = changed;
         store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further, alarm);
-        list = kept.list().map(upload -> new DrivenList(upload, kept.heldTo()));
+        list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next()));
     }
 
     private boolean isInAuto() {
@@ -87,7 +87,8 @@ final class VehiclePaths {
         return new VehicleFiles.Kept(
                 stoppedBy,
                 list.map(DrivenList::upload),
-                list.map(held -> held.window().to()).orElse(0));
+                list.map(held -> held.window().to()).orElse(0),
+                list.map(DrivenList::next).orElse(0));
     }
 
     void happened(VehicleEvent event) {

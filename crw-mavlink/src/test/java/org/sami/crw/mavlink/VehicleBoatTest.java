@@ -339,4 +339,30 @@ class VehicleBoatTest {
 
         Await.until("it keeps its place", GatewayWorld.WAIT_S, () -> boat.mode() == LOITER);
     }
+
+    @Test
+    void baseThatComesAfterOneThatEndedGoesOnWhereItKeepsItsPlace() {
+        submit(path(FIRST, SECOND, THIRD));
+        Await.until(
+                "the first point is visited",
+                GatewayWorld.WAIT_S,
+                () -> world.has(FleetEvent.Progressed.class, news -> news.visited() == 1));
+        String list = world.list(BOAT);
+        world.close();
+        Await.until("it keeps its place", GatewayWorld.WAIT_S, () -> boat.mode() == LOITER);
+
+        world = new GatewayWorld(folder, "base-2");
+        world.connect(boat.address() + "/7");
+        world.untilReady(BOAT);
+        world.tell(BOAT, proxy -> proxy.commands().knownList(list));
+        submit(path(FIRST, SECOND, THIRD));
+
+        completes("p3");
+        assertThat(boat.visited())
+                .containsExactly(
+                        List.of(FIRST.latDeg(), FIRST.lonDeg()),
+                        List.of(SECOND.latDeg(), SECOND.lonDeg()),
+                        List.of(THIRD.latDeg(), THIRD.lonDeg()));
+        assertThat(boat.uploads()).isEqualTo(1);
+    }
 }
