@@ -210,7 +210,8 @@ class CommandLogFileTest {
                 faults.add(cause);
             }
         };
-        CommandLogFile log = CommandLogFile.open(place(), "b1", entry -> {}, listed);
+        // No new file is begun: another thread would write it after the folder of the test is gone.
+        CommandLogFile log = CommandLogFile.open(new LogDisk(), begun -> {}, place(), "b1", entry -> {}, listed);
         log.close();
         log.answered(1, "base", new StopMotors("s1"), new Ack("s1"));
         log.answered(2, "base", new StopMotors("s2"), new Ack("s2"));
