@@ -30,6 +30,9 @@ final class BoatExplainer {
     /** What a boat does that drives without leaving its place; which of the two, it does not say. */
     private static final String MAKES_ROOM = "makes room for another boat or drives back";
 
+    private static final String NOT_LOCATED =
+            "it has not said where it is, so no way clear of what it is not to enter is known";
+
     /** Slower than this it may as well drift, in m/s: more than a current and a breeze in the field. */
     private static final double DRIVES_MPS = 0.4;
 
@@ -66,6 +69,8 @@ final class BoatExplainer {
             return holding(driver.run().get());
         } else if (driver.run().isPresent()) {
             return running(driver.run().get());
+        } else if (driver.waitsForPosition()) {
+            return still(Cause.NO_POSITION, NOT_LOCATED + counted());
         } else if (driver.isStopping()) {
             return still(Cause.STOPPING, "no mission wants anything of it; it is being stopped");
         } else if (driver.queue().blockedBy().isPresent()) {

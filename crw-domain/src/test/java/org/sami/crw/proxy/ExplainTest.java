@@ -31,6 +31,7 @@ import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -87,8 +88,8 @@ class ExplainTest {
         boat.says(new Telemetry(45, 10, 0, 0.8, 90, BoatMode.HOLD, 1));
 
         assertThat(boat.proxy.explain().text())
-                .isEqualTo(
-                        "boat1 keeps its place, and makes room for another boat or drives back: no mission wants anything of it");
+                .isEqualTo("boat1 keeps its place, and makes room for another boat or drives back: no mission wants"
+                        + " anything of it");
 
         boat.says(new Telemetry(45, 10, 0, 0.2, 90, BoatMode.HOLD, 2));
 
@@ -107,6 +108,9 @@ class ExplainTest {
         boat.says(new Progress("", 0, false));
         assertWhy(Cause.NO_COMMAND, "no mission wants anything");
 
+        boat.proxy.commands().submit(path("n", 1, Priority.MEDIUM).in(Water.open(HERE)));
+        assertWhy(Cause.NO_POSITION, "it has not said where it is");
+        boat.proxy.commands().withdraw(1);
         boat.proxy.commands().submit(path("c", 1, Priority.MEDIUM));
         assertWhy(Cause.UPLOADING, "boat1 waits to follow its path for mission 1: the path is being uploaded");
         boat.setsOut();

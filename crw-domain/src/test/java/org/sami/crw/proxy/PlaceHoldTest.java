@@ -111,6 +111,7 @@ class PlaceHoldTest {
                 List.of());
         Water water = Water.of(HERE, List.of(area), Optional.empty()).drivenWith(CrossTrackError.FIELD);
 
+        boat.onPathAt(HERE, 80, 1);
         giveUp(path("c", 1).in(water));
 
         List<Waypoint> way = boat.last(UploadWaypoints.class).waypoints();

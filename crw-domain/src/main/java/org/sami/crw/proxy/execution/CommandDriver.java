@@ -250,7 +250,7 @@ public final class CommandDriver {
             completeEmptyPaths(); // the one that took the boat may have nothing to do
         }
         Optional<QueuedCommand> task = task();
-        if (run.isEmpty() && task.isPresent()) {
+        if (run.isEmpty() && task.isPresent() && !lacksPosition(task.get())) {
             mustStop = false;
             begin(task.get(), nowMs);
         } else if (run.isEmpty() && mustStop) {
@@ -270,6 +270,17 @@ public final class CommandDriver {
                 current = queue.current()) {
             finish(current.get());
         }
+    }
+
+    /**
+     * Whether nothing is begun because the boat has not said where it is: a way that keeps clear of what it is not to enter is planned from there.
+     */
+    public boolean waitsForPosition() {
+        return run.isEmpty() && task().filter(this::lacksPosition).isPresent();
+    }
+
+    private boolean lacksPosition(QueuedCommand queued) {
+        return queued.command().water().isPresent() && position.get().isEmpty();
     }
 
     /** The boat's present task: a mission's command, otherwise to hold its place. */

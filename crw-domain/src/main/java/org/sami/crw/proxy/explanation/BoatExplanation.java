@@ -32,6 +32,8 @@ public record BoatExplanation(boolean shouldMove, Cause cause, String text) {
         STARTED_ANEW,
         /** The link is back, and the boat has not said yet what it holds. */
         COMPARING,
+        /** It has not said where it is, and its way has to keep clear of something. */
+        NO_POSITION,
         /** Nothing is left to drive with. */
         BATTERY_EMPTY,
         /** Its path is on the way to it, or is being started. */
