@@ -103,7 +103,7 @@ public final class VehicleFiles {
     }
 
     /**
-     * Keeps it in place of what was kept; how far the vehicle has come is written by itself.
+     * Keeps it in place of what was kept, except {@link Kept#next}, which {@link #write(String, Progress)} keeps.
      *
      * @throws IOException if it cannot be written; what was kept before stays
      */

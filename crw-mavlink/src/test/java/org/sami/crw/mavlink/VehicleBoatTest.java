@@ -244,6 +244,18 @@ class VehicleBoatTest {
         world.untilReady(BOAT);
     }
 
+    private void connectNextBase() {
+        world = new GatewayWorld(folder, "base-2");
+        world.connect(boat.address() + "/7");
+        world.untilReady(BOAT);
+    }
+
+    private void goesOnAlong(String list) {
+        world.tell(BOAT, proxy -> proxy.commands().knownList(list));
+        submit(path(FIRST, SECOND, THIRD));
+        completes("p3");
+    }
+
     @Test
     void baseThatComesAfterOneThatDiedGoesOnWithoutSendingAgain() {
         submit(path(FIRST, SECOND, THIRD));
@@ -251,13 +263,9 @@ class VehicleBoatTest {
         String list = world.list(BOAT);
         world.close();
 
-        world = new GatewayWorld(folder, "base-2");
-        world.connect(boat.address() + "/7");
-        world.untilReady(BOAT);
-        world.tell(BOAT, proxy -> proxy.commands().knownList(list));
-        submit(path(FIRST, SECOND, THIRD));
+        connectNextBase();
+        goesOnAlong(list);
 
-        completes("p3");
         assertThat(boat.uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
     }
@@ -323,9 +331,7 @@ class VehicleBoatTest {
         String before = world.ask(BOAT, proxy -> proxy.status().bootId());
         world.close();
 
-        world = new GatewayWorld(folder, "base-2");
-        world.connect(boat.address() + "/7");
-        world.untilReady(BOAT);
+        connectNextBase();
 
         assertThat(world.<String>ask(BOAT, proxy -> proxy.status().bootId())).isEqualTo(before);
     }
@@ -351,13 +357,9 @@ class VehicleBoatTest {
         world.close();
         Await.until("it keeps its place", GatewayWorld.WAIT_S, () -> boat.mode() == LOITER);
 
-        world = new GatewayWorld(folder, "base-2");
-        world.connect(boat.address() + "/7");
-        world.untilReady(BOAT);
-        world.tell(BOAT, proxy -> proxy.commands().knownList(list));
-        submit(path(FIRST, SECOND, THIRD));
+        connectNextBase();
+        goesOnAlong(list);
 
-        completes("p3");
         assertThat(boat.visited())
                 .containsExactly(
                         List.of(FIRST.latDeg(), FIRST.lonDeg()),

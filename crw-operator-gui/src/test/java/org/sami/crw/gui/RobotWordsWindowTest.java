@@ -63,7 +63,7 @@ class RobotWordsWindowTest {
         assertThat(words).filteredOn(contains("boats?")).hasSizeGreaterThan(50);
     }
 
-    /** Whether a text contains a word outside the paths of files: where a file lies, and its name, is no word of the window's. */
+    /** Whether a text contains a word; paths of files are left out, as the window does not choose them. */
     private static Predicate<String> contains(String word) {
         Predicate<String> contained = Pattern.compile("(?<![/\\w])(" + word + ")(?![/\\w])", Pattern.CASE_INSENSITIVE)
                 .asPredicate();

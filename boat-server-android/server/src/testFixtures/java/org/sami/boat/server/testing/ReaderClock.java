@@ -3,9 +3,9 @@ package org.sami.boat.server.testing;
 import java.util.function.LongSupplier;
 
 /**
- * Milliseconds for which the one who reads this clock has run, such as the thread of one boat. The time for which it could not read, because the
- * machine was busy with other threads, does not count: no step of a simulated boat is longer than {@link #LONGEST_STEP_MS}, and what it does depends on
- * no other load. One clock for each reader; may be read from any thread.
+ * Milliseconds that pass for one reader, such as the thread of a simulated boat. Between two readings at most {@link #LONGEST_STEP_MS} are counted, so that
+ * a boat which a busy machine kept waiting does not take one long step. {@link ProcessClock} counts the same for a whole process. For one reader; may be
+ * called from any thread.
  */
 public final class ReaderClock implements LongSupplier {
     /** Somewhat longer than the time between two ticks of a boat. */
