@@ -2,6 +2,7 @@ package org.sami.crw.cli;
 
 import java.util.Map;
 import org.sami.crw.cli.analysis.AnalyseCommand;
+import org.sami.crw.cli.analysis.GraphCommand;
 import org.sami.crw.cli.board.BoardCommand;
 import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.key.KeysCommand;
@@ -64,6 +65,7 @@ import picocli.CommandLine.Spec;
             DrawCommand.class,
             PhasesCommand.class,
             AnalyseCommand.class,
+            GraphCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
             ComponentsCommand.class,

@@ -172,6 +172,29 @@ public final class ReachabilityGraph {
     }
 
     /**
+     * The transitions that are enabled in a state, each with the state to which it leads; needs no kept edges. Where states that are like each other are one, each
+     * transition of the state that stands for them. A firing to a state that was not found, as the search ended early, is left out.
+     */
+    public List<StateFiring> firings(int state) {
+        int[] marking = marking(state);
+        List<StateFiring> firings = new ArrayList<>();
+        for (int transition = 0; transition < net.transitionCount(); transition++) {
+            int fired = transition;
+            fire(transition, marking)
+                    .map(this::stateOf)
+                    .ifPresent(target -> target.ifPresent(to -> firings.add(new StateFiring(fired, to))));
+        }
+        return firings;
+    }
+
+    /**
+     * A firing from a state.
+     *
+     * @param target number of the state after it
+     */
+    public record StateFiring(int transition, int target) {}
+
+    /**
      * A run to a state: a shortest one, unless the search was reduced. Where states that are like each other are one, it leads to a state that is like the one
      * asked for.
      */

@@ -342,4 +342,18 @@ class ReachabilitySearchTest {
         assertThat(graph.end()).isEqualTo(SearchEnd.MEMORY);
         assertThat(graph.bytes()).isLessThanOrEqualTo(little.bytes());
     }
+
+    @Test
+    void firingsOfAStateAreItsEdges() {
+        PetriNet net = ExampleNets.philosophers(3);
+        ReachabilityGraph graph = ReachabilitySearch.explore(
+                net, SearchSettings.within(SearchBudget.ofStates(1_000)).withEdges());
+
+        for (int state = 0; state < graph.states(); state++) {
+            assertThat(graph.firings(state).stream()
+                            .mapToInt(ReachabilityGraph.StateFiring::target)
+                            .toArray())
+                    .isEqualTo(graph.successors(state));
+        }
+    }
 }

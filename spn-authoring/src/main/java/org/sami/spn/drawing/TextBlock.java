@@ -30,7 +30,7 @@ public record TextBlock(List<Line> lines, double width) {
     }
 
     /** A heading with lines below; each is broken between words where it would be wider than {@code widest}. */
-    static TextBlock of(
+    public static TextBlock of(
             String heading,
             TextStyle headingStyle,
             List<String> texts,

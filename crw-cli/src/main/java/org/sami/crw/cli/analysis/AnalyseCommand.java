@@ -138,7 +138,7 @@ public final class AnalyseCommand implements Callable<Integer> {
                 new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
         StructureFacts facts;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            facts = StructureFacts.of(net, budget, watch(progress, stop), stop);
+            facts = StructureFacts.of(net, budget, SearchProgress.watch(progress, stop), stop);
             progress.end();
         }
         if (json) {
@@ -171,7 +171,7 @@ public final class AnalyseCommand implements Callable<Integer> {
                 new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
         List<NetAnalysis> analyses = new ArrayList<>();
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            GraphWatch watch = watch(progress, stop);
+            GraphWatch watch = SearchProgress.watch(progress, stop);
             QueryMeans means = options.means(net);
             if (asked.isEmpty()) {
                 SearchSettings whole = SearchSettings.within(budget);
@@ -189,20 +189,6 @@ public final class AnalyseCommand implements Callable<Integer> {
             progress.end();
         }
         return analyses;
-    }
-
-    private static GraphWatch watch(ProgressDisplay progress, StopOnInterrupt stop) {
-        return new GraphWatch() {
-            @Override
-            public void looked(int states, int waiting) {
-                progress.show(() -> states + " states looked at, " + waiting + " known and waiting");
-            }
-
-            @Override
-            public boolean isCancelled() {
-                return stop.getAsBoolean();
-            }
-        };
     }
 
     /** Without queries, the members of the whole graph stand in the object itself; else there is an object for each query. */
