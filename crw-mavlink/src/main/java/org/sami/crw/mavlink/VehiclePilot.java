@@ -89,7 +89,8 @@ final class VehiclePilot {
                 waits = false;
                 then.run();
             } else if (nowMs > untilMs) {
-                fail("vehicle " + id + " accepts, but does not " + words);
+                fail("vehicle " + id + " accepts, but does not " + words + ": it is in mode " + now.mode()
+                        + arming(now.armed()));
             }
         }
 
@@ -128,9 +129,15 @@ final class VehiclePilot {
             if (state.isSo(now)) {
                 next.run();
             } else {
-                command(base.setMode(id, mode), () -> await(state::isSo, "come into mode " + mode, next));
+                command(
+                        base.setMode(id, mode),
+                        () -> await(state::isSo, "come into mode " + mode + arming(armed), next));
             }
         }
+    }
+
+    private static String arming(boolean armed) {
+        return armed ? ", armed" : ", disarmed";
     }
 
     /** Begins an order. One that runs is cancelled and ends with {@link #VOID}. */

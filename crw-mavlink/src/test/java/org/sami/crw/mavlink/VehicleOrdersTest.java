@@ -258,4 +258,17 @@ class VehicleOrdersTest {
         assertThat(client.answerTo(start)).isInstanceOf(Ack.class);
         assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(1);
     }
+
+    @Test
+    void vehicleThatDisarmsItselfAtTheStartIsNamedSo() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        boat.disarmsItself();
+
+        assertThat(client.ask(new StartWaypoints("start", "first", 0)))
+                .isInstanceOfSatisfying(
+                        Nack.class,
+                        nack -> assertThat(nack.detail())
+                                .isEqualTo("vehicle 5 accepts, but does not come into mode AUTO, armed:"
+                                        + " it is in mode AUTO, disarmed"));
+    }
 }

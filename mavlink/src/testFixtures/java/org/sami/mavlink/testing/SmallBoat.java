@@ -109,6 +109,8 @@ public final class SmallBoat implements AutoCloseable {
     private int mode = SmallBoatMotion.HOLD;
     private boolean armed;
     private boolean silent;
+    private boolean stuck;
+    private boolean disarmsItself;
     private boolean failsafe;
     private boolean beating = true;
     private boolean placed = true;
@@ -244,6 +246,16 @@ public final class SmallBoat implements AutoCloseable {
     /** Says nothing from now on, or again. */
     public synchronized void silent(boolean now) {
         silent = now;
+    }
+
+    /** Does not move from now on, whatever it is ordered; or moves again. */
+    public synchronized void stuck(boolean now) {
+        stuck = now;
+    }
+
+    /** Disarms itself from now on as soon as it was armed, as ArduPilot does where its main loop stands still. */
+    public synchronized void disarmsItself() {
+        disarmsItself = true;
     }
 
     /** Sends no heartbeats from now on, or again. */
@@ -399,7 +411,7 @@ public final class SmallBoat implements AutoCloseable {
                     return false;
                 }
                 armings += first > 0 && !armed ? 1 : 0;
-                armed = first > 0;
+                armed = first > 0 && !disarmsItself;
                 return true;
             }
             case SET_CURRENT -> mission.setCurrent((int) first);
@@ -429,7 +441,7 @@ public final class SmallBoat implements AutoCloseable {
     private synchronized void step() {
         bootMs += STEP_MS;
         fence.tick(bootMs);
-        if (armed) {
+        if (armed && !stuck) {
             motion.step(mode, mission, STEP_MS / 1000.0)
                     .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
         }
