@@ -23,6 +23,7 @@ import org.sami.crw.handler.motion.ExecutePathHandler;
 import org.sami.crw.handler.motion.GotoLatLonHandler;
 import org.sami.crw.handler.motion.GotoLocationListHandler;
 import org.sami.crw.handler.motion.GotoPointHandler;
+import org.sami.crw.handler.motion.LeaveAreaHandler;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.NearPlaces;
 import org.sami.crw.handler.motion.PanoramaHandler;
@@ -106,6 +107,7 @@ final class DomainHandlers {
         byType.put(GotoPointHandler.BLOCKING_TYPE, new GotoPointHandler(motion, true));
         byType.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
         byType.put(GotoLocationListHandler.TYPE, new GotoLocationListHandler(motion));
+        byType.put(LeaveAreaHandler.TYPE, new LeaveAreaHandler(boats, motion, errors));
         byType.put(StationKeepHandler.TYPE, new StationKeepHandler(motion, near));
         byType.put(PanoramaHandler.TYPE, new PanoramaHandler(motion));
         byType.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));

@@ -31,6 +31,11 @@ final class SurroundingsEventCases {
                         "a boat that is carried away from its station comes back",
                         SurroundingsEventCases::station)
                 .shows(
+                        "ProxyLeaveArea",
+                        Seen.ON_A_BOAT,
+                        "the boat that is inside lies outside of the nearest edge, the other one stays where it is",
+                        SurroundingsEventCases::leaveArea)
+                .shows(
                         "ProxyAreaSubscription",
                         Seen.IN_THE_MARKING,
                         "the boat that is inside moves on at once, the other one stays",
@@ -119,6 +124,21 @@ final class SurroundingsEventCases {
         scene.world.hull("boat-1").drift(20, 0);
         assertThat(distance(scene, STATION)).isGreaterThan(12);
         scene.until("the boat is back at its station", () -> distance(scene, STATION) < 5);
+    }
+
+    private static void leaveArea() {
+        PlanScene scene = new PlanScene(
+                new PlanSketch().asks("leave", "ProxyLeaveArea", "area", AREA).on("leave", "ProxyPathCompleted", "out"),
+                2,
+                hull -> {
+                    if (Geodesy.distanceM(hull.position(), PlanScene.at(4, 0)) < 1) {
+                        hull.drift(0, 35);
+                    }
+                });
+        scene.untilBoat("boat-1", "out").untilBoat("boat-2", "out");
+        assertThat(distance(scene, PlanScene.at(-7, 35))).isLessThan(4);
+        assertThat(Geodesy.distanceM(scene.world.hull("boat-2").position(), PlanScene.at(8, 0)))
+                .isLessThan(1);
     }
 
     private static void subscription() {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
@@ -43,12 +44,19 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private final Map<String, SentCommand> sent = new LinkedHashMap<>();
     private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
     private final Map<Long, Set<String>> takenBack = new HashMap<>();
+    private final LeftPaths left;
 
     public MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
         this.clearWays = clearWays;
         this.boats = boats;
         this.questions = questions;
         this.messages = messages;
+        left = new LeftPaths(boats);
+    }
+
+    /** What boats have left of their paths. */
+    LeftPaths leftPaths() {
+        return left;
     }
 
     /** Gives commands to boats; those that are sent where something is wrong wait for the operator's answer. */
@@ -165,7 +173,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         for (String boat : named.isEmpty() ? boats.boatIds() : named) {
             boats.find(boat)
                     .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {
-                        sent.remove(command.commandId());
+                        left.takenFrom(boat, command, visited(sent.remove(command.commandId())));
                         tellAgain(command, one -> failed(one, "the mission that wanted it took it back"));
                     }));
         }
@@ -188,7 +196,14 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     void abort(long mission, String boat, String reason) {
         questions.withdraw(mission, List.of(boat));
         boats.find(boat)
-                .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> onFailed(command, reason)));
+                .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {
+                    left.takenFrom(boat, command, visited(sent.get(command.commandId())));
+                    onFailed(command, reason);
+                }));
+    }
+
+    private static int visited(@Nullable SentCommand command) {
+        return command == null ? 0 : command.visited();
     }
 
     @Override
@@ -223,6 +238,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private void onCompleted(BoatCommand command) {
         SentCommand one = sent.remove(command.commandId());
         if (one != null) {
+            left.finished(one.boat());
             one.post(one.completed());
         }
         tellAgain(command, SentCommand::completed);

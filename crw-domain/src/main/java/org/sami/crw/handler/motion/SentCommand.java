@@ -58,6 +58,11 @@ final class SentCommand {
         return addressee.boat();
     }
 
+    /** How many points of its path are behind the boat, so far as the boat has said. */
+    int visited() {
+        return remembered;
+    }
+
     /** The boat has these tasks no longer; says whether the command was for them alone. */
     boolean release(List<TaskId> names) {
         List<TaskId> left = new ArrayList<>(addressee.tasks());
@@ -70,10 +75,13 @@ final class SentCommand {
 
     /** More of its points are behind the boat. */
     List<Input> progress(int visited) {
-        if (visited <= remembered || along.isEmpty()) {
+        if (visited <= remembered) {
             return List.of();
         }
         remembered = visited;
+        if (along.isEmpty()) {
+            return List.of();
+        }
         return List.of(along.get().remember(activation.mission(), visited));
     }
 

@@ -133,7 +133,8 @@ class PlanLibraryRunTest {
                                 "@homeAfter", "5ms",
                                 "@resendEvery", "10s"))
                         .answering("""
-                                {"event": "RedefineVariables", "answer": {"values": {"@home": {"lat": 45.6992, "lon": 10.72}}}}""")
+                            {"event": "RedefineVariables", "answer": {"values": {"@home": {"lat": 45.6992, "lon": 10.72}}}}\
+                            """)
                         .pressing("end monitoring@90"),
                 Run.of("deploy-and-station-keep", 3, 1, 100, "Boat chosen", "One more", "Place found", "No more")
                         .answering(no("OperatorApprove", "deploy-and-station-keep", 2)),
@@ -156,7 +157,15 @@ class PlanLibraryRunTest {
                 Run.of("bring-home", 3, 1, 150, "Boats chosen", "Places found", "Arrived", "All at home"),
                 Run.of("bring-home", 3, 1, 150, "Boats chosen", "Places found", "Arrived", "All at home")
                         .answering("""
-                                {"event": "OperatorSelectBoatList", "answer": {"silent": true}}"""),
+                            {"event": "OperatorSelectBoatList", "answer": {"silent": true}}\
+                            """),
+                Run.of("recharge-boats", 3, 1, 150, "Boats chosen", "Arrived", "All are there", "Batteries swapped"),
+                Run.of("leave-area", 3, 1, 200, "Area drawn", "Boats chosen", "Out of the area", "All are out")
+                        .answering("""
+                            {"event": "OperatorCreateArea", "answer": {"values": {"area": {"outline": [
+                            {"lat": 45.6988, "lon": 10.71985}, {"lat": 45.6988, "lon": 10.72015},
+                            {"lat": 45.69905, "lon": 10.72015}, {"lat": 45.69905, "lon": 10.71985}]}}}}\
+                            """),
                 Run.of("background-actions", 1, 1, 150, "All begin", "Done", "Enough")
                         .pressing("end background actions@200"));
     }
@@ -175,7 +184,8 @@ class PlanLibraryRunTest {
             RunReport report = Run.of(plan, 3, 1, 200)
                     .pressing("hazard@120")
                     .answering("""
-                            {"event": "RedefineVariables", "answer": {"values": {"@safePlace": {"lat": 45.7, "lon": 10.72}}}}""")
+                        {"event": "RedefineVariables", "answer": {"values": {"@safePlace": {"lat": 45.7, "lon": 10.72}}}}\
+                        """)
                     .report();
             seconds.add(atSeconds(report, "In safety") - atSeconds(report, "A vessel comes"));
             missions.add(report.result().simulatedMillis());
@@ -191,7 +201,8 @@ class PlanLibraryRunTest {
         RunReport report = Run.of("explore-generic", 3, 1, 200)
                 .pressing("hazard@120")
                 .answering("""
-                        {"event": "RedefineVariables", "answer": {"values": {"@safePlace": {"lat": 45.7, "lon": 10.72}}}}""")
+                    {"event": "RedefineVariables", "answer": {"values": {"@safePlace": {"lat": 45.7, "lon": 10.72}}}}\
+                    """)
                 .report();
 
         assertThat(report.map().explorations()).hasSize(1);
