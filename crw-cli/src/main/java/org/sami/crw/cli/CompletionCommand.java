@@ -27,9 +27,11 @@ final class CompletionCommand implements Callable<Integer> {
     }
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(paramLabel = "SHELL", description = "bash or zsh.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Shell shell;
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.FileTooLargeException;
@@ -99,7 +100,7 @@ final class Configuration implements IDefaultValueProvider {
     }
 
     @Override
-    public String defaultValue(ArgSpec argument) {
+    public @Nullable String defaultValue(ArgSpec argument) {
         if (!(argument instanceof OptionSpec option)) {
             return null;
         }

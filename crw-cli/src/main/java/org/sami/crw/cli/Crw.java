@@ -113,6 +113,7 @@ import picocli.CommandLine.Spec;
         })
 public final class Crw implements Runnable {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

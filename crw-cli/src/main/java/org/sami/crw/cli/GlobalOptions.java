@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.ErrorLines;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.TerminalWriter;
@@ -37,14 +38,14 @@ final class GlobalOptions {
             paramLabel = "FILE",
             scope = ScopeType.INHERIT,
             description = "Append the lines of standard error to this file, with the time (UTC).")
-    private Path logFile;
+    private @Nullable Path logFile;
 
     @Option(
             names = "--config",
             paramLabel = "FILE",
             scope = ScopeType.INHERIT,
             description = "Take options from this file of NAME = VALUE, and not from ~/.config/sami/crw.properties.")
-    private Path config; // read before all others, by Configuration
+    private @Nullable Path config; // read before all others, by Configuration
 
     /** Runs a parsed command with these options. */
     int execute(CommandLine line, ParseResult parsed) {

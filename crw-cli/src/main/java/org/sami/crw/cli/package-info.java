@@ -8,4 +8,7 @@
  * <p>Here belongs what speaks to a person or a script: options and their checks, progress, exit codes. What a command does belongs to the
  * packages of runs, reports and resuming.
  */
+@NullMarked
 package org.sami.crw.cli;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.service.LocalPlane;
@@ -32,10 +33,10 @@ final class DriftTrack {
 
     private final List<Sample> samples = new ArrayList<>();
     private Kind kind = Kind.MOVES;
-    private LocalPlane plane;
+    private @Nullable LocalPlane plane; // around where the boat was first seen at rest
     private double[] leftAt = {};
     private int placed; // by so many positions
-    private Optional<Drift> told = Optional.empty();
+    private Optional<Drift> estimated = Optional.empty();
     private boolean changed;
 
     private enum Kind {
@@ -57,21 +58,23 @@ final class DriftTrack {
     /** The boat has said where it is, and what it does. */
     void says(GeoPoint position, BoatMode mode, long boatTimeMs) {
         Kind now = Kind.of(mode);
-        boolean anew = !samples.isEmpty() && boatTimeMs < last().atMs; // the boat's server, and with it its clock
-        if (now != kind || anew) {
+        boolean restarted = !samples.isEmpty() && boatTimeMs < last().atMs; // the boat's server, and with it its clock
+        if (now != kind || restarted) {
             samples.clear();
             placed = 0;
             kind = now;
-            told = Optional.empty();
+            estimated = Optional.empty();
             changed = false;
         }
         if (kind == Kind.MOVES || (!samples.isEmpty() && boatTimeMs - last().atMs < SPACING_MS)) {
             return;
         }
-        if (samples.isEmpty() && placed == 0) {
-            plane = new LocalPlane(position);
+        LocalPlane around = plane;
+        if (around == null || (samples.isEmpty() && placed == 0)) {
+            around = new LocalPlane(position);
+            plane = around;
         }
-        samples.add(new Sample(boatTimeMs, plane.x(position), plane.y(position)));
+        samples.add(new Sample(boatTimeMs, around.x(position), around.y(position)));
         while (boatTimeMs - samples.get(0).atMs > WINDOW_MS) {
             samples.remove(0);
         }
@@ -92,16 +95,16 @@ final class DriftTrack {
      * @param positionM standard deviation of the position that the boat knows; empty where that is not known
      */
     Optional<Drift> drift(OptionalDouble positionM) {
-        if (changed) {
+        if (changed && plane != null) {
             changed = false;
-            told = Optional.of(estimate(positionM.orElse(CrossTrackError.FIELD.positionM())));
+            estimated = Optional.of(estimate(plane, positionM.orElse(CrossTrackError.FIELD.positionM())));
         }
-        return told;
+        return estimated;
     }
 
-    private Drift estimate(double positionM) {
+    private Drift estimate(LocalPlane around, double positionM) {
         double[] here = median(samples.subList(Math.max(0, samples.size() - PLACED_BY), samples.size()));
-        GeoPoint left = plane.point(leftAt[0], leftAt[1]);
+        GeoPoint left = around.point(leftAt[0], leftAt[1]);
         double awayM = Math.hypot(here[0] - leftAt[0], here[1] - leftAt[1]);
         int half = samples.size() / 2;
         long spanMs = last().atMs - samples.get(0).atMs;

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
@@ -58,13 +60,13 @@ public final class TrafficRelay {
         // the check of a period at which it receives all boats: spreads the load over the period
         private final int turn;
         private final List<Seen> near = new ArrayList<>();
-        private Sighting sighting;
+        private @Nullable Sighting sighting; // none before the first look
         private boolean isNews; // it has changed since the check before
         private long atMs;
         private double eastM;
         private double northM;
         private boolean isAtRest;
-        private Optional<NearbyBoat> row; // made when first needed
+        private Optional<NearbyBoat> row = Optional.empty(); // made when first needed
         private boolean isConcerned; // this boat or one near it is under way
         private boolean isClose; // the same within CLOSE_M
         private long allSentMs = Long.MIN_VALUE / 2;
@@ -211,7 +213,7 @@ public final class TrafficRelay {
     }
 
     private static NearbyBoat row(Seen other, long nowMs) {
-        Sighting at = other.sighting;
+        Sighting at = Objects.requireNonNull(other.sighting, "a boat is near once it was looked at");
         Optional<GeoPoint> to = other.boat.traffic().target();
         boolean isGoing = to.isPresent();
         return new NearbyBoat(

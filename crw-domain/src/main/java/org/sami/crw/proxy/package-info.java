@@ -18,4 +18,7 @@
  *
  * <p>Not here: transports, the engine, the meaning of a plan's events.
  */
+@NullMarked
 package org.sami.crw.proxy;
+
+import org.jspecify.annotations.NullMarked;

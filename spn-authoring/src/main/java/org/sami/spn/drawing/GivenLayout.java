@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
@@ -76,7 +77,7 @@ final class GivenLayout {
                     edge.id(),
                     edge.place(),
                     edge.transition(),
-                    lines.line(vertices.get(edge.place()), vertices.get(edge.transition()), twin),
+                    lines.line(vertex(edge.place()), vertex(edge.transition()), twin),
                     NetShapes.isUnconditional(edge),
                     edge.mode() == Mode.RECOVERY));
         }
@@ -86,7 +87,7 @@ final class GivenLayout {
                     edge.id(),
                     edge.transition(),
                     edge.place(),
-                    lines.line(vertices.get(edge.transition()), vertices.get(edge.place()), twin),
+                    lines.line(vertex(edge.transition()), vertex(edge.place()), twin),
                     NetShapes.isUnconditional(edge),
                     edge.mode() == Mode.RECOVERY));
         }
@@ -102,7 +103,12 @@ final class GivenLayout {
     }
 
     private LayoutPoint at(String id) {
-        return scaled(layout.get(id));
+        return scaled(Objects.requireNonNull(layout.get(id), id));
+    }
+
+    /** The vertex at an end of an edge: a plan whose edges lead elsewhere does not load. */
+    private NetDrawing.Vertex vertex(String id) {
+        return Objects.requireNonNull(vertices.get(id), id);
     }
 
     private LayoutPoint scaled(LayoutPoint point) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -76,7 +77,7 @@ final class LayeredLayout {
             addVertex(place.id(), Kind.PLACE);
             if (place.start() != place.end()) {
                 LayerConstraint layer = place.start() ? LayerConstraint.FIRST : LayerConstraint.LAST;
-                sites.get(place.id()).node().setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, layer);
+                site(place.id()).node().setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, layer);
             }
         }
         plan.transitions().forEach(transition -> addVertex(transition.id(), Kind.TRANSITION));
@@ -124,6 +125,11 @@ final class LayeredLayout {
         sites.put(id, new Site(kind, node, port(node, PortSide.WEST, 0, kind), port(node, PortSide.EAST, width, kind)));
     }
 
+    /** The site of a vertex of the plan. */
+    private Site site(String id) {
+        return Objects.requireNonNull(sites.get(id), id);
+    }
+
     private static ElkPort port(ElkNode node, PortSide side, double x, Kind kind) {
         ElkPort port = ElkGraphUtil.createPort(node);
         port.setProperty(LayeredOptions.PORT_SIDE, side);
@@ -151,10 +157,10 @@ final class LayeredLayout {
     private List<NetDrawing.Vertex> vertices() {
         List<NetDrawing.Vertex> vertices = new ArrayList<>();
         for (Place place : plan.places()) {
-            vertices.add(NetShapes.vertex(place, sites.get(place.id()).centre()));
+            vertices.add(NetShapes.vertex(place, site(place.id()).centre()));
         }
         for (Transition transition : plan.transitions()) {
-            vertices.add(NetShapes.vertex(transition, sites.get(transition.id()).centre()));
+            vertices.add(NetShapes.vertex(transition, site(transition.id()).centre()));
         }
         return vertices;
     }
@@ -190,8 +196,8 @@ final class LayeredLayout {
         if (edge == null) {
             return Optional.empty();
         }
-        Site source = sites.get(from);
-        Site target = sites.get(to);
+        Site source = site(from);
+        Site target = site(to);
         ElkEdgeSection section = edge.getSections().get(0);
         List<LayoutPoint> points = new ArrayList<>();
         points.add(new LayoutPoint(

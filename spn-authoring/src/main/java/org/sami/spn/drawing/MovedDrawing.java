@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.sami.spn.model.LayoutPoint;
 
@@ -43,7 +44,10 @@ public final class MovedDrawing {
             }
             share.put(edge.id(), ends / 2.0);
             boolean twin = pairs.contains(edge.to() + "\n" + edge.from());
-            List<LayoutPoint> line = NetShapes.line(now.get(edge.from()), now.get(edge.to()), twin);
+            List<LayoutPoint> line = NetShapes.line(
+                    Objects.requireNonNull(now.get(edge.from()), edge.from()),
+                    Objects.requireNonNull(now.get(edge.to()), edge.to()),
+                    twin);
             edges.add(new NetDrawing.Edge(
                     edge.id(), edge.from(), edge.to(), line, edge.unconditional(), edge.recovery()));
         }

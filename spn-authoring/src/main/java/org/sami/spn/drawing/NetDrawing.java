@@ -1,6 +1,7 @@
 package org.sami.spn.drawing;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.FrameColor;
 import org.sami.spn.model.LayoutPoint;
 
@@ -194,7 +195,7 @@ public record NetDrawing(
         return bounds == null ? new DrawingBox(0, 0, 0, 0) : bounds;
     }
 
-    private static DrawingBox union(DrawingBox bounds, DrawingBox box) {
+    private static DrawingBox union(@Nullable DrawingBox bounds, DrawingBox box) {
         return bounds == null ? box : bounds.union(box);
     }
 }

@@ -5,4 +5,7 @@
  * here: the texts, which requirements are implied and not written, layout, and that no label covers another. Does not belong here: fonts,
  * colours, pixels.
  */
+@NullMarked
 package org.sami.spn.drawing;
+
+import org.jspecify.annotations.NullMarked;

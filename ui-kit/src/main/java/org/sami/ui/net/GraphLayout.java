@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import org.sami.spn.drawing.NetDrawing;
@@ -69,8 +70,9 @@ public enum GraphLayout {
                     points.values().stream().mapToDouble(Point2D::getY).min().orElse(0);
             double right = left;
             for (String id : vertices) {
-                double x = left + scale * (points.get(id).getX() - from);
-                centres.put(id, new LayoutPoint(x, scale * (points.get(id).getY() - top)));
+                Point2D point = at(points, id);
+                double x = left + scale * (point.getX() - from);
+                centres.put(id, new LayoutPoint(x, scale * (point.getY() - top)));
                 right = Math.max(right, x);
             }
             left = right + ROOM;
@@ -87,7 +89,7 @@ public enum GraphLayout {
         vertices.forEach(id -> points.put(id, spread.apply(id)));
         if (vertices.size() > 1) {
             AbstractLayout<String, String> layout = layout(graph, size);
-            layout.setInitializer(points::get);
+            layout.setInitializer(id -> at(points, id));
             layout.initialize();
             IterativeContext steps = (IterativeContext) layout;
             while (!steps.done()) {
@@ -101,13 +103,17 @@ public enum GraphLayout {
         return points;
     }
 
+    private static Point2D at(Map<String, Point2D> points, String vertex) {
+        return Objects.requireNonNull(points.get(vertex), vertex);
+    }
+
     /** How long edges are on average; as long as a vertex takes where there are none. */
     private static double meanLength(Graph<String, String> graph, Map<String, Point2D> points) {
         return Math.max(
                 1,
                 graph.getEdges().stream()
                         .mapToDouble(
-                                edge -> points.get(graph.getSource(edge)).distance(points.get(graph.getDest(edge))))
+                                edge -> at(points, graph.getSource(edge)).distance(at(points, graph.getDest(edge))))
                         .average()
                         .orElse(ROOM));
     }

@@ -5,4 +5,7 @@
  * is shown and how it is painted ({@link org.sami.picture.net}), where things lie and what is written ({@link org.sami.spn.drawing}), and
  * what an edit does.
  */
+@NullMarked
 package org.sami.ui.net;
+
+import org.jspecify.annotations.NullMarked;

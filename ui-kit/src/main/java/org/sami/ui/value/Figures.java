@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -76,7 +77,10 @@ record Figures(Map<String, String> figures, Map<String, String> lines) {
                 keys(map)
                         .forEach(key -> lines.merge(
                                 ValueSummary.of(key),
-                                inWords(key, map.entries().get(key), ways),
+                                inWords(
+                                        key,
+                                        Objects.requireNonNull(map.entries().get(key)),
+                                        ways),
                                 (a, b) -> a.equals(b) ? a : a + ", " + b));
             }
         } else if (value instanceof ListValue list) {

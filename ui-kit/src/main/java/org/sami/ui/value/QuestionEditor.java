@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
@@ -26,8 +27,8 @@ import org.sami.ui.geo.GeoSketch;
 public final class QuestionEditor {
     private final Question question;
     private final List<OfferedRow> offered;
-    private final FieldsPanel fields;
-    private final Optional<ValueEditor> single;
+    private final Optional<FieldsPanel> form; // where values are filled in
+    private final Optional<ValueEditor> single; // the editor of all other questions
 
     /**
      * An editor that shows what the question proposes.
@@ -40,7 +41,7 @@ public final class QuestionEditor {
         this.question = question;
         this.offered = List.copyOf(offered);
         if (question instanceof Question.FillIn fillIn) {
-            fields = fields(fillIn, chosen, editors);
+            form = Optional.of(fields(fillIn, chosen, editors));
             single = Optional.empty();
         } else {
             ValueEditor editor = question instanceof Question.Approve
@@ -48,7 +49,7 @@ public final class QuestionEditor {
                     : chooser(name, chosen, editors);
             editor.leaveMessage();
             single = Optional.of(editor);
-            fields = null;
+            form = Optional.empty();
         }
     }
 
@@ -60,7 +61,7 @@ public final class QuestionEditor {
             panel.editors().values().forEach(ValueEditor::leaveMessage);
         }
         for (Question.Item item : fillIn.items()) {
-            ValueEditor editor = panel.editors().get(item.key());
+            ValueEditor editor = Objects.requireNonNull(panel.editors().get(item.key()), item.key());
             item.defaultValue().ifPresent(editor::show);
             if (!item.editable()) {
                 editor.setEditable(false);
@@ -88,18 +89,20 @@ public final class QuestionEditor {
 
     /** What is put into a window. */
     public JComponent component() {
-        return single.map(ValueEditor::component).orElseGet(() -> fields.component());
+        return single.map(ValueEditor::component)
+                .orElseGet(() -> form.orElseThrow().component());
     }
 
     /** Where the keyboard's focus goes first. */
     public JComponent focusTarget() {
-        return single.map(ValueEditor::focusTarget).orElseGet(() -> fields.focusTarget());
+        return single.map(ValueEditor::focusTarget)
+                .orElseGet(() -> form.orElseThrow().focusTarget());
     }
 
     /** The answer that what is filled in makes; empty while something is missing. */
     public Optional<Answer> answer() {
         if (question instanceof Question.FillIn) {
-            return fields.values().map(Answer.Fields::new);
+            return form.orElseThrow().values().map(Answer.Fields::new);
         }
         ValueEditor editor = single.orElseThrow();
         if (editor.entry().value().isEmpty()) {
@@ -125,12 +128,13 @@ public final class QuestionEditor {
     /** Why there is no answer yet, in one line; empty where there is one. */
     public Optional<String> reason() {
         return single.map(editor -> editor.entry().reason())
-                .orElseGet(() -> fields.missing().map(Entry.Missing::why));
+                .orElseGet(() -> form.orElseThrow().missing().map(Entry.Missing::why));
     }
 
     /** Whether the operator has changed something: such an editor must not be replaced by another. */
     public boolean isTouched() {
-        return single.map(ValueEditor::isTouched).orElseGet(() -> fields.isTouched());
+        return single.map(ValueEditor::isTouched)
+                .orElseGet(() -> form.orElseThrow().isTouched());
     }
 
     /** How many options can be chosen by number: two for yes and no, none where values are filled in. */
@@ -162,7 +166,10 @@ public final class QuestionEditor {
         if (question instanceof Question.ChooseOption && offered.size() == 1) {
             return List.of(offered.get(0).row().value());
         }
-        return single.map(List::of).orElseGet(() -> List.copyOf(fields.editors().values())).stream()
+        return single
+                .map(List::of)
+                .orElseGet(() -> List.copyOf(form.orElseThrow().editors().values()))
+                .stream()
                 .flatMap(editor -> editor.entry().value().stream())
                 .toList();
     }
@@ -170,9 +177,8 @@ public final class QuestionEditor {
     /** What is filled in so far, by the keys of the question's items; nothing where options are offered. */
     public Map<String, Value> given() {
         Map<String, Value> given = new LinkedHashMap<>();
-        if (single.isEmpty()) {
-            fields.editors().forEach((key, editor) -> editor.entry().value().ifPresent(value -> given.put(key, value)));
-        }
+        form.ifPresent(fields -> fields.editors()
+                .forEach((key, editor) -> editor.entry().value().ifPresent(value -> given.put(key, value))));
         return given;
     }
 
@@ -226,11 +232,9 @@ public final class QuestionEditor {
     }
 
     private List<ValueEditor> drawn() {
-        return single.isPresent()
-                ? List.of()
-                : fields.editors().values().stream()
-                        .filter(editor -> editor.sketch().isPresent())
-                        .toList();
+        return form.map(fields -> fields.editors().values()).orElse(List.of()).stream()
+                .filter(editor -> editor.sketch().isPresent())
+                .toList();
     }
 
     /** What is drawn for the first field that has a place and no value yet, or else for the first that has a place; empty where none has. */
@@ -264,7 +268,8 @@ public final class QuestionEditor {
 
     /** Adds a listener that is called after each change. */
     public void addListener(Runnable listener) {
-        single.ifPresentOrElse(editor -> editor.addListener(listener), () -> fields.addListener(listener));
+        single.ifPresentOrElse(
+                editor -> editor.addListener(listener), () -> form.orElseThrow().addListener(listener));
     }
 
     /** Calls a listener when yes or no was pressed, which is an answer without any further click. */

@@ -3,6 +3,7 @@ package org.sami.ui.value;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import javax.swing.JComponent;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
@@ -42,8 +43,9 @@ final class SolutionLines {
 
     private void refresh() {
         Figures.of(solution, known).lines().forEach((label, text) -> {
-            if (!texts.get(label).getText().equals(text)) {
-                texts.get(label).setText(text);
+            WrappedText line = Objects.requireNonNull(texts.get(label), label);
+            if (!line.getText().equals(text)) {
+                line.setText(text);
             }
         });
     }

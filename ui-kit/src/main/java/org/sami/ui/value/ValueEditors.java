@@ -60,10 +60,13 @@ public final class ValueEditors {
                 && context.declarations().get(named.name()) instanceof NamedType.RecordType declared) {
             return new RecordEditor(field, record(form, field, declared));
         }
-        String reason = chosen instanceof ChosenComponent.Warning warning
-                ? warning.reason()
-                : "The chosen component does not fit " + field.label();
-        return new WarningView(field, reason);
+        return chosen instanceof ChosenComponent.Warning warning
+                ? new WarningView(field, warning.reason())
+                : unfit(field);
+    }
+
+    private static ValueEditor unfit(ValueField field) {
+        return new WarningView(field, "The chosen component does not fit " + field.label());
     }
 
     private static ComponentRequest request(ChosenComponent.Direct direct, ValueField field, Optional<Offer> offer) {
@@ -73,9 +76,11 @@ public final class ValueEditors {
 
     private FieldsPanel record(ChosenComponent.Form form, ValueField field, NamedType.RecordType declared) {
         Map<String, ValueEditor> editors = new LinkedHashMap<>();
-        declared.fields()
-                .forEach((name, type) -> editors.put(
-                        name, build(form.fields().get(name), field.part(name, ValueField.words(name), type))));
+        declared.fields().forEach((name, type) -> {
+            ValueField part = field.part(name, ValueField.words(name), type);
+            ChosenComponent component = form.fields().get(name);
+            editors.put(name, component == null ? unfit(part) : build(component, part));
+        });
         return new FieldsPanel(editors);
     }
 

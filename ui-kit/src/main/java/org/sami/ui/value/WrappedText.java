@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
+import org.jspecify.annotations.Nullable;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
@@ -21,8 +22,8 @@ public final class WrappedText extends JTextArea {
             Pattern.compile("(?<=\\d) (?=(?:%|°|mm|m|km|m²|km²|m/s|ms|s|min|h|Hz)(?![\\p{L}\\p{N}]))");
 
     private final transient Supplier<Font> letters;
-    private transient Measured measured;
-    private transient Dimension needed;
+    private transient @Nullable Measured measured; // none before the size was first asked for
+    private transient Dimension needed = new Dimension();
 
     /** What the size of a text depends on, but for the look. */
     private record Measured(String text, Font font, FontRenderContext rendering, int width, int columns) {}
@@ -65,7 +66,7 @@ public final class WrappedText extends JTextArea {
     }
 
     @Override
-    public String getSelectedText() {
+    public @Nullable String getSelectedText() {
         String selected = super.getSelectedText();
         return selected == null ? null : selected.replace(NO_BREAK, ' ');
     }

@@ -5,4 +5,7 @@
  * <p>Belongs here: editors of values, how values are typed and written. Does not belong here: which component is chosen
  * ({@code spn.component}), what a decision means, a window that shows one. All classes but the {@code Text} ones live on the event thread.
  */
+@NullMarked
 package org.sami.ui.value;
+
+import org.jspecify.annotations.NullMarked;

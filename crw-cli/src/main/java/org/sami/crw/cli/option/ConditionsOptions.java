@@ -3,6 +3,7 @@ package org.sami.crw.cli.option;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
@@ -21,33 +22,33 @@ public final class ConditionsOptions {
             description = "Water and instruments: calm, field (a lake on an ordinary day, noise as "
                     + "measured), rough; the options below change single values (default: calm). With connected "
                     + "boats: the errors assumed for those that do not report theirs (default: field).")
-    private NamedConditions named;
+    private @Nullable NamedConditions named;
 
     @Option(
             names = "--gps-noise",
             paramLabel = "METRES",
             description =
                     "Standard deviation of the position that a boat knows, 0 to 100 (default: that of --conditions).")
-    private Double gpsNoiseM;
+    private @Nullable Double gpsNoiseM;
 
     @Option(
             names = "--gps-jumps",
             paramLabel = "METRES",
             description = "How far that position jumps at most, every half minute or so, 0 to 100 (default: likewise).")
-    private Double gpsJumpM;
+    private @Nullable Double gpsJumpM;
 
     @Option(
             names = "--compass-noise",
             paramLabel = "DEGREES",
             description = "Standard deviation of the heading that a boat knows, 0 to 90 (default: likewise).")
-    private Double compassNoiseDeg;
+    private @Nullable Double compassNoiseDeg;
 
     @Option(
             names = "--current",
             paramLabel = "MPS@DEG",
             converter = Flows.class,
             description = "How fast the water flows, and where to: 0.3@90 is 0.3 m/s eastward (default: likewise).")
-    private Flow current;
+    private @Nullable Flow current;
 
     @Option(
             names = "--wind",
@@ -55,7 +56,7 @@ public final class ConditionsOptions {
             converter = Flows.class,
             description = "Speed and origin of the wind: 5@270 is 5 m/s from the west, in gusts; it pushes a "
                     + "hull with 3 %% of its speed (default: likewise).")
-    private Flow wind;
+    private @Nullable Flow wind;
 
     @Option(
             names = "--sensor",
@@ -63,17 +64,16 @@ public final class ConditionsOptions {
             split = ",",
             converter = Sensors.class,
             description =
-                    "Sensors of the boats, with readings per second (one if not given): temperature, conductivity, oxygen, ph. "
-                            + "May be given several times.")
+                    "Sensors of the boats, with readings per second (one if not given): temperature, conductivity,"
+                            + " oxygen, ph. May be given several times.")
     private List<SensorSetting> sensors = new ArrayList<>();
 
     @Option(
             names = "--discharge-interval",
             paramLabel = "SECONDS",
             defaultValue = "600",
-            description =
-                    "For how long the battery cost of a metre stays the same for a boat, before it is drawn again within "
-                            + "10 %% of the mean; 0 = ten times a second (default ${DEFAULT-VALUE}).")
+            description = "For how long the battery cost of a metre stays the same for a boat, before it is drawn again"
+                    + " within 10 %% of the mean; 0 = ten times a second (default ${DEFAULT-VALUE}).")
     private double dischargeIntervalS;
 
     /**

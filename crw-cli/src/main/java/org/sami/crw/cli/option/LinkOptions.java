@@ -3,6 +3,7 @@ package org.sami.crw.cli.option;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import picocli.CommandLine.Option;
@@ -13,9 +14,10 @@ public final class LinkOptions {
             names = "--keys",
             paramLabel = "DIR",
             description =
-                    "The keys of this base, with which all links are protected, also those to this machine "
-                            + "(default: ~/.config/sami/keys, for boats on other machines; boats on this machine are linked plainly).")
-    private Path keys;
+                    "The keys of this base, with which all links are protected, also those to this machine (default:"
+                            + " ~/.config/sami/keys, for boats on other machines; boats on this machine are linked"
+                            + " plainly).")
+    private @Nullable Path keys;
 
     @Option(
             names = "--open",

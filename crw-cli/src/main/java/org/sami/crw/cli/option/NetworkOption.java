@@ -2,6 +2,7 @@ package org.sami.crw.cli.option;
 
 import java.net.InetAddress;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.proxy.near.BoatFinder;
 import picocli.CommandLine.Option;
 
@@ -12,7 +13,7 @@ public final class NetworkOption {
             paramLabel = "ADDRESS",
             description =
                     "Look for boats only on the network of this address of this machine (default: on all networks).")
-    private InetAddress network;
+    private @Nullable InetAddress network;
 
     /** The address; empty for all networks. */
     public Optional<InetAddress> address() {

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.report.ReportText;
@@ -27,7 +28,7 @@ public final class OutputOptions {
             description =
                     "Write report.json, boats.csv, locations.csv, firings.csv, tracks.csv, decisions.csv and map.png "
                             + "into this folder.")
-    private Path folder;
+    private @Nullable Path folder;
 
     @Option(
             names = "--overwrite",

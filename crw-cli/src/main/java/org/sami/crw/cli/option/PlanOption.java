@@ -9,6 +9,7 @@ public final class PlanOption {
             paramLabel = "NAME",
             defaultValue = "",
             description = "Which plan of a project with several; its id or name.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
     /** As it was given; empty text where it was not. */

@@ -73,7 +73,7 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
                     path,
                     () -> new ProjectReader(library.vocabulary()).readAndCheck(path, read -> checked(library, read)));
         } catch (IOException tooLarge) {
-            throw new UsageFault(tooLarge.getMessage());
+            throw new UsageFault(String.valueOf(tooLarge.getMessage()));
         }
     }
 

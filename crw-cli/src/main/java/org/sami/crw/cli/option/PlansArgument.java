@@ -16,6 +16,7 @@ public final class PlansArgument {
     @Parameters(
             paramLabel = "FILE|PLAN",
             description = "A project's file or folder, or a plan of the library by its id.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
     @Mixin

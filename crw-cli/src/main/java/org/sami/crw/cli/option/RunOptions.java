@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
@@ -21,15 +22,15 @@ public final class RunOptions {
     private static final Speed DEFAULT_SPEED = new Speed(20);
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private ScenarioOptions options;
 
     @Option(
             names = "--connect",
             paramLabel = "HOST:PORT,...",
-            description =
-                    "Use the boats whose servers listen at these addresses, over TCP and in real time, instead of simulated ones "
-                            + "('crw boat'). The area lies around them.")
-    private String connect;
+            description = "Use the boats whose servers listen at these addresses, over TCP and in real time, instead of"
+                    + " simulated ones ('crw boat'). The area lies around them.")
+    private @Nullable String connect;
 
     @Option(
             names = "--connect-within",
@@ -53,9 +54,10 @@ public final class RunOptions {
             converter = SpeedConverter.class,
             description = "Simulated seconds in one second; 1 is real time, max waits for nothing "
                     + "(default 20; with --connect 1, and nothing else).")
-    private Speed speed;
+    private @Nullable Speed speed;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private ConditionsOptions conditions;
 
     @Option(
@@ -95,7 +97,7 @@ public final class RunOptions {
         try {
             return isConnected ? conditions.stated() : conditions.conditions();
         } catch (IllegalArgumentException e) {
-            throw new UsageFault(e.getMessage());
+            throw new UsageFault(String.valueOf(e.getMessage()));
         }
     }
 
@@ -105,7 +107,7 @@ public final class RunOptions {
      * @param name of a plan of the library, or of a file; null where the user gave none
      * @throws UsageFault if there is no such plan and no such file, or neither a name nor a script
      */
-    public PlanSource source(String name, DomainLibrary library) {
+    public PlanSource source(@Nullable String name, DomainLibrary library) {
         return options.source(name, library);
     }
 
@@ -133,7 +135,7 @@ public final class RunOptions {
         return connectWithinMillis;
     }
 
-    private List<BoatAddress> addresses(String text, List<BoatAddress> found) {
+    private List<BoatAddress> addresses(@Nullable String text, List<BoatAddress> found) {
         List<BoatAddress> named = addressesOf(text);
         checkConnected();
         List<BoatAddress> all = new ArrayList<>(named);
@@ -161,7 +163,7 @@ public final class RunOptions {
     }
 
     /** Reads {@code --connect}; none for an option that was not given. */
-    public static List<BoatAddress> addressesOf(String text) {
+    public static List<BoatAddress> addressesOf(@Nullable String text) {
         if (text == null) {
             return List.of();
         }

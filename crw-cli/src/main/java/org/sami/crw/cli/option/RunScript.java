@@ -55,7 +55,7 @@ public final class RunScript {
             try {
                 script.take(i + 1, CommandLineText.words(lines.get(i)));
             } catch (ConsoleFault fault) {
-                throw script.fault(i + 1, fault.getMessage());
+                throw script.fault(i + 1, String.valueOf(fault.getMessage()));
             }
         }
         if (script.starts.isEmpty()) {
@@ -153,7 +153,7 @@ public final class RunScript {
             try {
                 plans.add(PlannedMission.parse(text(start), vocabulary, project).plan());
             } catch (IllegalArgumentException unfit) {
-                throw fault(start.line(), unfit.getMessage());
+                throw fault(start.line(), String.valueOf(unfit.getMessage()));
             }
         }
         return plans;
@@ -170,7 +170,7 @@ public final class RunScript {
             try {
                 interrupts.read(List.of(press.text()), boats);
             } catch (IllegalArgumentException unfit) {
-                throw fault(press.line(), unfit.getMessage());
+                throw fault(press.line(), String.valueOf(unfit.getMessage()));
             }
         }
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -36,7 +37,7 @@ public final class ScenarioOptions {
             names = "--boats",
             paramLabel = "N",
             description = "How many boats, named boat1, boat2, ...; 1 to 250 (default 3).")
-    private Integer boats;
+    private @Nullable Integer boats;
 
     @Option(
             names = "--locations",
@@ -59,7 +60,7 @@ public final class ScenarioOptions {
             description =
                     "Where its centre lies, in degrees (default 45.7,10.72; with --connect the middle of the boats). "
                             + "Nothing else moves it.")
-    private GeoPoint centre;
+    private @Nullable GeoPoint centre;
 
     @Option(
             names = "--quay",
@@ -68,14 +69,14 @@ public final class ScenarioOptions {
             description =
                     "Where the boats of this process lie at the start and get full batteries, the middle of their "
                             + "line (default 20 m south of the square).")
-    private GeoPoint quay;
+    private @Nullable GeoPoint quay;
 
     @Option(
             names = "--for",
             paramLabel = "SECONDS",
             converter = SecondsConverter.class,
             description = "Stop after so much simulated time, whether or not the mission is over (default one day).")
-    private Long limitMillis;
+    private @Nullable Long limitMillis;
 
     @Option(
             names = "--set",
@@ -98,7 +99,7 @@ public final class ScenarioOptions {
             paramLabel = "FILE",
             description = "Answers of the simulated operator (JSON; see docs/answers-file.md). Default: all boats, "
                     + "drawn locations, the first option, yes, and default values.")
-    private Path answers;
+    private @Nullable Path answers;
 
     @Option(
             names = "--interrupt",
@@ -124,7 +125,7 @@ public final class ScenarioOptions {
                     "Play this script in place of a plan, a command of the console a line: 'start PLAN [NAME=VALUE"
                             + " ...]', 'press INTERRUPT [BOAT ...]', 'wait SECONDS'. Its plans are those of PLAN|FILE,"
                             + " else of the library.")
-    private Path script;
+    private @Nullable Path script;
 
     private Optional<RunScript> read = Optional.empty(); // the script, once it was needed
 
@@ -132,14 +133,14 @@ public final class ScenarioOptions {
             names = "--battery",
             paramLabel = "PERCENT[,PERCENT...]",
             description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
-    private String battery;
+    private @Nullable String battery;
 
     @Option(
             names = "--range",
             paramLabel = "METRES",
             description =
                     "How far a full battery takes each boat of this process on average; 100 to 1000000 (default 3500).")
-    private Double rangeM;
+    private @Nullable Double rangeM;
 
     /** What determines a run in addition to these options. */
     public record Rest(long seed, Conditions water, Speed speed, List<BoatAddress> addresses) {}
@@ -172,7 +173,7 @@ public final class ScenarioOptions {
                     .also(script(folder).map(RunScript::also).orElse(also))
                     .build();
         } catch (IllegalArgumentException e) {
-            throw new UsageFault(e.getMessage());
+            throw new UsageFault(String.valueOf(e.getMessage()));
         }
     }
 
@@ -182,7 +183,7 @@ public final class ScenarioOptions {
      * @param name of a plan of the library, or of a file; null where the user gave none
      * @throws UsageFault if there is no such plan and no such file, or neither a name nor a script
      */
-    public PlanSource source(String name, DomainLibrary library) {
+    public PlanSource source(@Nullable String name, DomainLibrary library) {
         if (name != null) {
             return PlanSource.find(name, library);
         }

@@ -3,4 +3,7 @@
  *
  * <p>Does not belong here: options of one subcommand (they stand in its class), what comes of them.
  */
+@NullMarked
 package org.sami.crw.cli.option;
+
+import org.jspecify.annotations.NullMarked;

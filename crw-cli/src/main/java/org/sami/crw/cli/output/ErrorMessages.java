@@ -7,6 +7,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.json.FileTooLargeException;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
@@ -52,13 +53,13 @@ public final class ErrorMessages {
             return code;
         }
         PrintWriter err = TerminalWriter.of(command.getErr());
-        err.println(
-                "crw: standard output could not be written (a full disk or a closed pipe); what was printed is not complete");
+        err.println("crw: standard output could not be written (a full disk or a closed pipe); what was printed is not"
+                + " complete");
         err.flush();
         return code == ExitCode.OK ? ExitCode.FAILED : code;
     }
 
-    public static int onException(Exception fault, CommandLine command, ParseResult arguments) {
+    public static int onException(Exception fault, CommandLine command, @Nullable ParseResult arguments) {
         PrintWriter err = TerminalWriter.of(command.getErr());
         if (fault instanceof UsageFault || fault instanceof FileTooLargeException) {
             err.println("crw: " + fault.getMessage());

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.legacy.ImportedFindings;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanSource;
@@ -55,6 +56,7 @@ public final class CheckCommand implements Callable<Integer> {
     private static final int MOST_STATES = 1_000_000;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(
@@ -62,7 +64,7 @@ public final class CheckCommand implements Callable<Integer> {
             arity = "0..1",
             description =
                     "A project's file or folder, or a plan of the library by its id. May be left out with --domain.")
-    private String name;
+    private @Nullable String name;
 
     @Mixin
     private DomainOption domain = new DomainOption();

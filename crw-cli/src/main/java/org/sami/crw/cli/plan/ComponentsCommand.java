@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
@@ -44,16 +45,17 @@ import picocli.CommandLine.Spec;
         })
 public final class ComponentsCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(paramLabel = "EVENT", arity = "0..1", description = "An event type, by name or other name.")
-    private String event;
+    private @Nullable String event;
 
     @Option(
             names = "--type",
             paramLabel = "TYPE",
             description = "A type of values instead of an event: point, list<point>, map<proxy,path>, Allocation.")
-    private String type;
+    private @Nullable String type;
 
     @Option(names = "--create", description = "With --type: the operator gives such a value; else one is shown.")
     private boolean create;
@@ -74,7 +76,8 @@ public final class ComponentsCommand implements Callable<Integer> {
         }
         DomainLibrary library = PlanSource.library();
         PrintWriter out = spec.commandLine().getOut();
-        if (event == null && type == null) {
+        String asked = event == null ? type : event;
+        if (asked == null) {
             if (!markups.isEmpty()) {
                 throw new UsageFault("--markup says something only with an event or --type");
             }
@@ -83,28 +86,28 @@ public final class ComponentsCommand implements Callable<Integer> {
         } else {
             Vocabulary vocabulary = library.vocabulary();
             ComponentChoice choice = new ComponentChoice(library.components(), vocabulary.types());
-            out.print(new ComponentText(choice).of(event == null ? type : event, interaction(vocabulary)));
+            out.print(new ComponentText(choice).of(asked, interaction(asked, vocabulary)));
         }
         out.flush();
         return ExitCode.OK;
     }
 
-    private Interaction interaction(Vocabulary vocabulary) {
-        List<MarkupOption> wanted =
+    private Interaction interaction(String asked, Vocabulary vocabulary) {
+        List<MarkupOption> options =
                 markups.stream().map(text -> markup(vocabulary, text)).toList();
         if (type != null) {
-            ValueType value = TypeNames.parse(type)
-                    .orElseThrow(() -> new UsageFault("'" + type + "' is no type; types are such as "
+            ValueType value = TypeNames.parse(asked)
+                    .orElseThrow(() -> new UsageFault("'" + asked + "' is no type; types are such as "
                             + String.join(", ", TypeNames.builtIn()) + ", list<point>, map<proxy,path>"));
             return new Interaction(
-                    create ? Purpose.CREATE : Purpose.SELECT, Map.of(Interactions.ANSWER, value), wanted);
+                    create ? Purpose.CREATE : Purpose.SELECT, Map.of(Interactions.ANSWER, value), options);
         }
         EventType found = vocabulary
-                .event(event)
-                .orElseThrow(() -> VocabularyText.nothing("event", event, NearMatches.ofEvents(vocabulary, event)));
+                .event(asked)
+                .orElseThrow(() -> VocabularyText.nothing("event", asked, NearMatches.ofEvents(vocabulary, asked)));
         Optional<Interaction> interaction = new Interactions(vocabulary).of(found, List.of());
         return interaction
-                .map(asked -> new Interaction(asked.purpose(), asked.values(), wanted))
+                .map(of -> new Interaction(of.purpose(), of.values(), options))
                 .orElseThrow(() -> new UsageFault(found.name()
                         + (found.decision().isPresent()
                                 ? " asks for variables of the plan; name their types with --type"

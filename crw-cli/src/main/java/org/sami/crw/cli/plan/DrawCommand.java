@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.PlansArgument;
 import org.sami.crw.cli.output.ExitCode;
@@ -30,6 +31,7 @@ import picocli.CommandLine.Spec;
         footer = {"  crw draw clv --svg clv.svg", "  crw draw my-project.json --plan search --layout --png search.png"})
 public final class DrawCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin
@@ -39,10 +41,10 @@ public final class DrawCommand implements Callable<Integer> {
     private PlanOption planOption = new PlanOption();
 
     @Option(names = "--svg", paramLabel = "FILE", description = "Write the picture as SVG.")
-    private Path svg;
+    private @Nullable Path svg;
 
     @Option(names = "--png", paramLabel = "FILE", description = "Write the picture as PNG.")
-    private Path png;
+    private @Nullable Path png;
 
     @Option(names = "--layout", description = "Lay it out in layers, whatever layout the file has.")
     private boolean layout;

@@ -16,6 +16,7 @@ import picocli.CommandLine.Spec;
         footer = {"  crw events", "  crw events battery", "  crw events --json"})
 public final class EventsCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

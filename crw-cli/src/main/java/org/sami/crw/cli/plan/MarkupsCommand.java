@@ -16,6 +16,7 @@ import picocli.CommandLine.Spec;
         footer = {"  crw markups", "  crw markups priority", "  crw markups --json"})
 public final class MarkupsCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

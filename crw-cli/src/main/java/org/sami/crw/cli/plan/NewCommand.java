@@ -40,9 +40,11 @@ public final class NewCommand implements Callable<Integer> {
     private static final String ENDING = ".json";
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(paramLabel = "NAME", description = "The project's name, which the file gets as well; or the file.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
     @Option(names = "--replace", description = "Replace a file that is there already.")

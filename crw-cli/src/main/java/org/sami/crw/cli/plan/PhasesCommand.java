@@ -36,6 +36,7 @@ import picocli.CommandLine.Spec;
         })
 public final class PhasesCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin
@@ -47,8 +48,8 @@ public final class PhasesCommand implements Callable<Integer> {
     @Option(
             names = "--choose",
             paramLabel = "OPTION",
-            description =
-                    "Show the effects of this branch, named by its label. Repeatable; default: the first branch everywhere.")
+            description = "Show the effects of this branch, named by its label. Repeatable; default: the first branch"
+                    + " everywhere.")
     private List<String> choices = new ArrayList<>();
 
     @Override

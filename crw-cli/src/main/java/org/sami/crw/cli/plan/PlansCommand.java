@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -25,9 +26,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "plans",
         mixinStandardHelpOptions = true,
-        description =
-                "Lists the plans of the library or of a file, with what can be set when they start and which interrupts "
-                        + "can be pressed.",
+        description = "Lists the plans of the library or of a file, with what can be set when they start and which"
+                + " interrupts can be pressed.",
         footerHeading = "%nExamples:%n",
         footer = {"  crw plans", "  crw plans station-keep", "  crw plans my-project.json --json"})
 public final class PlansCommand implements Callable<Integer> {
@@ -35,13 +35,14 @@ public final class PlansCommand implements Callable<Integer> {
     private static final String INDENT = "    ";
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @CommandLine.Parameters(
             paramLabel = "PLAN|FILE",
             arity = "0..1",
             description = "Only this plan of the library, or the plans of this project's file or folder.")
-    private String name;
+    private @Nullable String name;
 
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;

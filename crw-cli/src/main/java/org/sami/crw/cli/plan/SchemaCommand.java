@@ -19,7 +19,8 @@ import picocli.CommandLine.Spec;
         name = "schema",
         mixinStandardHelpOptions = true,
         description =
-                "Prints the JSON Schema (draft 2020-12) of a kind of file, for editors that check and complete as you type.",
+                "Prints the JSON Schema (draft 2020-12) of a kind of file, for editors that check and complete as you"
+                        + " type.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {"0:done", "2:wrong usage"},
         footerHeading = "%nExamples:%n",
@@ -35,6 +36,7 @@ public final class SchemaCommand implements Callable<Integer> {
             "legacy-classes", "legacy-classes-1.schema.json"));
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(
@@ -42,8 +44,10 @@ public final class SchemaCommand implements Callable<Integer> {
             arity = "0..1",
             defaultValue = "project",
             description =
-                    "project (a project's file; the default), vocabulary (a domain's files), authoring "
-                            + "(its groups and sequences of events) or legacy-classes (a domain's table of class names of the earlier system).")
+                    "project (a project's file; the default), vocabulary (a domain's files), authoring (its groups and"
+                            + " sequences of events) or legacy-classes (a domain's table of class names of the earlier"
+                            + " system).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String kind;
 
     @Override

@@ -39,6 +39,7 @@ import picocli.CommandLine.Spec;
         footer = {"  crw test my-plan.json", "  crw test clv --json", "  crw test --domain uav search"})
 public final class TestCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin
@@ -49,6 +50,7 @@ public final class TestCommand implements Callable<Integer> {
             paramLabel = "NAME",
             defaultValue = "",
             description = "Only the test cases of this plan; its id or name.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String planName;
 
     @Option(names = "--json", description = "Print one JSON object.")

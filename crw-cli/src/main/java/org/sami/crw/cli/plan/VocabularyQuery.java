@@ -17,6 +17,7 @@ final class VocabularyQuery {
             arity = "0..1",
             defaultValue = "",
             description = "Only those with this in their name or one of their other names.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String wanted;
 
     @Option(names = "--json", description = "Print one JSON array.")

@@ -3,4 +3,7 @@
  *
  * <p>Nothing here runs a mission on boats ({@code run}).
  */
+@NullMarked
 package org.sami.crw.cli.plan;
+
+import org.jspecify.annotations.NullMarked;

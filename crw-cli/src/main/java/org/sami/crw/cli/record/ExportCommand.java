@@ -23,10 +23,9 @@ import picocli.CommandLine.Spec;
         name = "export",
         mixinStandardHelpOptions = true,
         sortOptions = false,
-        description =
-                "Writes what is in the journal of a session, or of a run with --connect, for other programs: boat tracks, "
-                        + "firings, decisions, messages, readings, tasks, phases and the operator's log as CSV; tracks, paths "
-                        + "and areas as GeoJSON. All missions together; the journal is only read.",
+        description = "Writes what is in the journal of a session, or of a run with --connect, for other programs: boat"
+                + " tracks, firings, decisions, messages, readings, tasks, phases and the operator's log as CSV;"
+                + " tracks, paths and areas as GeoJSON. All missions together; the journal is only read.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {"0:written", "2:wrong usage, or there is no such file", "4:the journal cannot be read"},
         footerHeading = "%nExamples:%n",
@@ -35,18 +34,21 @@ public final class ExportCommand implements Callable<Integer> {
     private static final String IN_PROCESS = "in-process";
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(
             index = "0",
             paramLabel = "JOURNAL",
             description = "A file that 'crw session --journal' or 'crw run --connect --journal' wrote.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path file;
 
     @Parameters(
             index = "1",
             paramLabel = "DIR",
             description = "The folder for the files; it is made where there is none.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path folder;
 
     @Option(names = "--overwrite", description = "Replace files of these names that are in the folder already.")

@@ -57,9 +57,11 @@ public final class ImportLegacyCommand implements Callable<Integer> {
     static final String TABLE = "/org/sami/domain/crw/legacy.json";
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(index = "0", paramLabel = "FILE", description = "The export.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path file;
 
     @Parameters(
@@ -67,6 +69,7 @@ public final class ImportLegacyCommand implements Callable<Integer> {
             paramLabel = "OUT",
             description = "The project to write: a file where the name ends in .json, else a folder. "
                     + "It must not be there yet.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path out;
 
     @Option(

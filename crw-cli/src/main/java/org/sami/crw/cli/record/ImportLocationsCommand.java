@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.geotext.GeoWords;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ExitCode;
@@ -42,8 +43,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description = {
-            "Reads locations, paths or areas from a text file of the earlier system, checks them, and writes them as global "
-                    + "variables into a project, new or there already.",
+            "Reads locations, paths or areas from a text file of the earlier system, checks them, and writes them as"
+                    + " global variables into a project, new or there already.",
             "A line of the file is LAT,LON in degrees, '[', ']' or a comment that begins with #."
         },
         exitCodeListHeading = "%nExit codes:%n",
@@ -62,9 +63,11 @@ public final class ImportLocationsCommand implements Callable<Integer> {
     private static final Pattern NAME = Pattern.compile("@[A-Za-z][A-Za-z0-9_.]*");
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(index = "0", paramLabel = "FILE", description = "The text file.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path file;
 
     @Parameters(
@@ -73,20 +76,20 @@ public final class ImportLocationsCommand implements Callable<Integer> {
             paramLabel = "PROJECT",
             description =
                     "The project's file or folder; a file that is not there is made. Without it nothing is written.")
-    private Path projectPath;
+    private @Nullable Path projectPath;
 
     @Option(
             names = "--as",
             paramLabel = "MEANING",
             description = "What the points are: ${COMPLETION-CANDIDATES}. Needed where the file can mean several, "
                     + "unless the variable is there already and is replaced.")
-    private GeoMeaning meaning;
+    private @Nullable GeoMeaning meaning;
 
     @Option(
             names = "--name",
             paramLabel = "@NAME",
             description = "The variable's name (default: the file's, without its ending).")
-    private String name;
+    private @Nullable String name;
 
     @Option(names = "--each", description = "A variable for each path or area, numbered from 1, not one list of all.")
     private boolean each;
@@ -112,8 +115,9 @@ public final class ImportLocationsCommand implements Callable<Integer> {
         }
         DomainLibrary library = PlanSource.library();
         Optional<Project> project = Optional.empty();
-        if (projectPath != null) {
-            project = project(library);
+        Path target = projectPath;
+        if (target != null) {
+            project = project(target, library);
             if (project.isEmpty()) {
                 return ExitCode.FINDINGS;
             }
@@ -126,8 +130,8 @@ public final class ImportLocationsCommand implements Callable<Integer> {
         }
         PrintWriter out = spec.commandLine().getOut();
         made.variables().forEach(v -> out.print(GeoWords.text(v)));
-        if (project.isPresent()) {
-            write(project.get(), made.variables(), library);
+        if (target != null && project.isPresent()) {
+            write(project.get(), made.variables(), target, library);
         }
         out.flush();
         return ExitCode.OK;
@@ -150,20 +154,20 @@ public final class ImportLocationsCommand implements Callable<Integer> {
         return made;
     }
 
-    private Optional<Project> project(DomainLibrary library) {
-        if (!Files.exists(projectPath)) {
-            if (!projectPath.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
-                throw new UsageFault("there is no project " + projectPath + "; a new one is a file that ends in .json");
+    private Optional<Project> project(Path target, DomainLibrary library) {
+        if (!Files.exists(target)) {
+            if (!target.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
+                throw new UsageFault("there is no project " + target + "; a new one is a file that ends in .json");
             }
-            String id = projectPath.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+            String id = target.getFileName().toString().replaceFirst("\\.[^.]*$", "");
             return Optional.of(new Project(id, "", library.vocabulary().domain(), List.of(), List.of(), List.of()));
         }
-        Reading<Project> reading = new ProjectReader(library.vocabulary()).read(projectPath);
+        Reading<Project> reading = new ProjectReader(library.vocabulary()).read(target);
         if (reading.result().isEmpty()) {
             List<Finding> errors =
                     reading.findings().stream().filter(Finding::isError).toList();
             PrintWriter err = spec.commandLine().getErr();
-            FindingsText.print(err, projectPath.toString(), errors);
+            FindingsText.print(err, target.toString(), errors);
             err.flush();
         }
         return reading.result();
@@ -192,24 +196,24 @@ public final class ImportLocationsCommand implements Callable<Integer> {
                 file + " is " + text.words() + "; say what that is with --as " + GeoMeaning.choices(text.nesting())));
     }
 
-    private void write(Project project, List<VariableSpec> variables, DomainLibrary library) throws IOException {
+    private void write(Project project, List<VariableSpec> variables, Path target, DomainLibrary library)
+            throws IOException {
         List<String> collisions = ProjectVariables.collisions(project, variables);
         if (!collisions.isEmpty() && !replace) {
-            throw new UsageFault(projectPath + " has " + String.join(", ", collisions)
+            throw new UsageFault(target + " has " + String.join(", ", collisions)
                     + " already; --replace replaces, --name gives another name");
         }
         for (VariableSpec variable : variables) {
             for (VariableSpec old : project.globals()) {
                 if (old.name().equals(variable.name()) && !old.type().equals(variable.type())) {
-                    throw new UsageFault(
-                            old.name() + " in " + projectPath + " is of the type " + TypeNames.of(old.type()) + ", not "
-                                    + TypeNames.of(variable.type()) + "; the plans that use it would break");
+                    throw new UsageFault(old.name() + " in " + target + " is of the type " + TypeNames.of(old.type())
+                            + ", not " + TypeNames.of(variable.type()) + "; the plans that use it would break");
                 }
             }
         }
-        new ProjectWriter(library.vocabulary()).write(ProjectVariables.with(project, variables), projectPath);
+        new ProjectWriter(library.vocabulary()).write(ProjectVariables.with(project, variables), target);
         PrintWriter err = spec.commandLine().getErr();
-        err.println("written to " + projectPath);
+        err.println("written to " + target);
         err.flush();
     }
 

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
@@ -33,10 +34,9 @@ import picocli.CommandLine.Spec;
         name = "journal",
         mixinStandardHelpOptions = true,
         sortOptions = false,
-        description =
-                "Shows the state of a session after any entry of its journal: missions with their tokens, open decisions, "
-                        + "interrupts, and why each transition of a marked place cannot fire. Or saves the values that "
-                        + "global variables had then to a project's file.",
+        description = "Shows the state of a session after any entry of its journal: missions with their tokens, open"
+                + " decisions, interrupts, and why each transition of a marked place cannot fire. Or saves the"
+                + " values that global variables had then to a project's file.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:shown, or saved",
@@ -53,16 +53,18 @@ import picocli.CommandLine.Spec;
         })
 public final class JournalCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(paramLabel = "JOURNAL", description = "A file that 'crw run --journal' wrote.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path file;
 
     @Option(
             names = "--at",
             paramLabel = "ENTRY",
             description = "After which entry; 0 is before the first (default: the last).")
-    private Long at;
+    private @Nullable Long at;
 
     @Option(names = "--entries", description = "List the entries instead, one line each.")
     private boolean entries;
@@ -71,9 +73,9 @@ public final class JournalCommand implements Callable<Integer> {
             names = "--save-globals",
             paramLabel = "PROJECT",
             description =
-                    "Make the values that global variables had after that entry the initial values in this project's file, "
-                            + "and list what changes.")
-    private Path saveGlobals;
+                    "Make the values that global variables had after that entry the initial values in this project's"
+                            + " file, and list what changes.")
+    private @Nullable Path saveGlobals;
 
     @Override
     public Integer call() throws IOException {
@@ -99,7 +101,7 @@ public final class JournalCommand implements Callable<Integer> {
                 Engine engine = JournalPlans.engine(file, journal.header());
                 EngineState state = journal.stateAt(index, engine);
                 if (saveGlobals != null) {
-                    return save(engine.view(state).globals(), engine.vocabulary());
+                    return save(engine.view(state).globals(), saveGlobals, engine.vocabulary());
                 }
                 out.printf("entry %d of %d, after %s%n", index, last, StateText.time(state.nowMillis()));
                 new StateText(engine.view(state)).print(out);
@@ -110,10 +112,10 @@ public final class JournalCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private int save(Map<String, Value> globals, Vocabulary vocabulary) throws IOException {
+    private int save(Map<String, Value> globals, Path project, Vocabulary vocabulary) throws IOException {
         PrintWriter out = spec.commandLine().getOut();
-        Reading<List<GlobalsFile.Change>> saved = new GlobalsFile(vocabulary).save(globals, saveGlobals);
-        FindingsText.print(spec.commandLine().getErr(), saveGlobals.toString(), saved.findings());
+        Reading<List<GlobalsFile.Change>> saved = new GlobalsFile(vocabulary).save(globals, project);
+        FindingsText.print(spec.commandLine().getErr(), project.toString(), saved.findings());
         saved.result().ifPresent(changes -> {
             changes.forEach(change -> out.printf(
                     "%s: %s, before %s%n",
@@ -122,7 +124,7 @@ public final class JournalCommand implements Callable<Integer> {
                     change.before()
                             .map(before -> text(before, change, vocabulary))
                             .orElse("without a value")));
-            out.printf("%d of %d globals changed in %s%n", changes.size(), globals.size(), saveGlobals);
+            out.printf("%d of %d globals changed in %s%n", changes.size(), globals.size(), project);
         });
         out.flush();
         spec.commandLine().getErr().flush();

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.server.log.LogHistory;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.output.ExitCode;
@@ -26,9 +27,9 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
-                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and prints what it holds: the "
-                        + "track, sensor readings, commands, and every line that could not be read. Of a boat's log of today "
-                        + "(crw boat --log, crw logs), any file of it: the commands of all of its files.",
+                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and prints what it holds:"
+                    + " the track, sensor readings, commands, and every line that could not be read. Of a boat's log"
+                    + " of today (crw boat --log, crw logs), any file of it: the commands of all of its files.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:read; unreadable lines are counted and named",
@@ -44,9 +45,11 @@ import picocli.CommandLine.Spec;
         })
 public final class LogCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(paramLabel = "FILE", description = "The log.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path file;
 
     @Option(
@@ -54,7 +57,7 @@ public final class LogCommand implements Callable<Integer> {
             paramLabel = "DIR",
             description = "Write summary.json, tracks.csv, track.geojson, readings.csv, commands.csv, problems.csv and "
                     + "map.png into this folder.")
-    private Path folder;
+    private @Nullable Path folder;
 
     @Option(names = "--json", description = "Print the summary as one JSON object, and nothing else there.")
     private boolean json;
@@ -70,7 +73,7 @@ public final class LogCommand implements Callable<Integer> {
         }
         LogSummary summary;
         try {
-            summary = folder == null ? LogConversion.summary(file) : LogConversion.report(file, reportFolder());
+            summary = folder == null ? LogConversion.summary(file) : LogConversion.report(file, prepared(folder));
         } catch (NotALogException e) {
             err.println("crw: " + file + " " + e.getMessage());
             err.flush();
@@ -96,7 +99,7 @@ public final class LogCommand implements Callable<Integer> {
         }
         CommandLogText log = new CommandLogText(file);
         if (folder != null) {
-            log.write(reportFolder());
+            log.write(prepared(folder));
             err.println("commands written to " + folder.resolve("commands.csv"));
             err.flush();
         }
@@ -104,8 +107,8 @@ public final class LogCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private Path reportFolder() {
-        OutputOptions.toFolder(folder).prepare(spec.commandLine().getErr());
-        return folder;
+    private Path prepared(Path reports) {
+        OutputOptions.toFolder(reports).prepare(spec.commandLine().getErr());
+        return reports;
     }
 }

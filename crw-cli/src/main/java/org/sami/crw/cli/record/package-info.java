@@ -5,4 +5,7 @@
  * <p>Does not belong here: how a run goes on with its journal ({@code run}), the formats ({@code org.sami.crw.log}, {@code
  * org.sami.spn.legacy}).
  */
+@NullMarked
 package org.sami.crw.cli.record;
+
+import org.jspecify.annotations.NullMarked;

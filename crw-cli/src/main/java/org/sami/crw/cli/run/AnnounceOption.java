@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.BoatAnnouncement;
 import org.sami.crw.proxy.near.BoatAnnouncer;
 import picocli.CommandLine.Option;
@@ -16,7 +17,7 @@ final class AnnounceOption {
             negatable = true,
             description = "Announce the boat on the local network, so that bases find it (crw find), or do not "
                     + "(default: announced, except a boat on loopback).")
-    private Boolean announce;
+    private @Nullable Boolean announce;
 
     /**
      * Announces the boat, if it is to be; a boat that cannot be announced is told so, and serves all the same.

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.BoatAnnouncement.Access;
 import org.sami.boat.link.Role;
@@ -27,7 +28,7 @@ final class BoatKeyOptions {
             paramLabel = "DIR",
             description = "A folder for the boat's keys, made where there is none: only bases that are paired command "
                     + "it. Without it links are plain, which a boat on another address than loopback needs --open for.")
-    private Path folder;
+    private @Nullable Path folder;
 
     @Option(
             names = "--pair",

@@ -87,6 +87,7 @@ public final class BoatServerCommand implements Callable<Integer> {
     private static final double MOST_TOP_SPEED_MPS = 20;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Option(
@@ -101,6 +102,7 @@ public final class BoatServerCommand implements Callable<Integer> {
             required = true,
             paramLabel = "NAME",
             description = "The boat's name, unique in the fleet.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
     @Option(
@@ -138,9 +140,11 @@ public final class BoatServerCommand implements Callable<Integer> {
     private @Nullable Double rangeM;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private ConditionsOptions conditions;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private HullOptions hullOptions;
 
     @Option(
@@ -157,6 +161,7 @@ public final class BoatServerCommand implements Callable<Integer> {
             defaultValue = "hold",
             description = "What it does when the link to its commander is lost, until a command sets something else: "
                     + "hold, return, continue, drift (default ${DEFAULT-VALUE}).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private LostLinkAction lostLink;
 
     @Mixin

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SpeedConverter;
@@ -27,9 +28,9 @@ import picocli.CommandLine.Spec;
         name = "demo",
         mixinStandardHelpOptions = true,
         description =
-                "Starts three simulated boats as processes of their own, runs the plan 'clv' on them over TCP on the loopback "
-                        + "address, shows it, and writes a report with a picture; it takes about a minute. The boats end "
-                        + "with it.",
+                "Starts three simulated boats as processes of their own, runs the plan 'clv' on them over TCP on the"
+                    + " loopback address, shows it, and writes a report with a picture; it takes about a minute. The"
+                    + " boats end with it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:the mission ended",
@@ -59,6 +60,7 @@ public final class DemoCommand implements Callable<Integer> {
     private static final Path BUILD = Path.of("build");
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Option(
@@ -66,22 +68,22 @@ public final class DemoCommand implements Callable<Integer> {
             paramLabel = "DIR",
             description = "Where the report goes (default build/demo-report where there is a folder build, "
                     + "else a new temporary folder).")
-    private Path folder;
+    private @Nullable Path folder;
 
     @Option(
             names = "--speed",
             paramLabel = "X|max",
             converter = SpeedConverter.class,
             description = "Use boats in this process, twelve locations, and this many simulated seconds in one second.")
-    private Speed speed;
+    private @Nullable Speed speed;
 
     @Override
     public Integer call() throws Exception {
-        return speed == null ? onBoatsThatAreProcesses() : inThisProcess();
+        return speed == null ? onBoatsThatAreProcesses() : inThisProcess(speed);
     }
 
-    private int inThisProcess() throws IOException {
-        return run(new RunSettings.Fleet(NAMES.size(), 12, 600, 1), FAST_LIMIT_MILLIS, List.of());
+    private int inThisProcess(Speed chosen) throws IOException {
+        return run(new RunSettings.Fleet(NAMES.size(), 12, 600, 1), chosen, FAST_LIMIT_MILLIS, List.of());
     }
 
     private int onBoatsThatAreProcesses() throws IOException, InterruptedException {
@@ -97,7 +99,7 @@ public final class DemoCommand implements Callable<Integer> {
                 tell(NAMES.get(addresses.size() - 1) + " is process " + boat.pid() + ", listening on "
                         + addresses.get(addresses.size() - 1));
             }
-            return run(new RunSettings.Fleet(boats.size(), 9, 60, 1), LIMIT_MILLIS, addresses);
+            return run(new RunSettings.Fleet(boats.size(), 9, 60, 1), Speed.REAL, LIMIT_MILLIS, addresses);
         } finally {
             boats.forEach(BoatProcess::close);
         }
@@ -121,7 +123,8 @@ public final class DemoCommand implements Callable<Integer> {
                 spec.root().userObject().getClass().getName());
     }
 
-    private int run(RunSettings.Fleet fleet, long limitMillis, List<BoatAddress> addresses) throws IOException {
+    private int run(RunSettings.Fleet fleet, Speed rate, long limitMillis, List<BoatAddress> addresses)
+            throws IOException {
         Path reports = folder != null
                 ? folder
                 : Files.isDirectory(BUILD) ? BUILD.resolve("demo-report") : Files.createTempDirectory("crw-demo");
@@ -129,7 +132,7 @@ public final class DemoCommand implements Callable<Integer> {
         PlanSource source = PlanSource.find(PLAN, library);
         Plan plan = source.choose(PLAN);
         RunSettings settings = RunSettings.of(plan.id(), plan.name(), fleet)
-                .speed(addresses.isEmpty() ? speed : Speed.REAL)
+                .speed(rate)
                 .limitMillis(limitMillis)
                 .answerAfterMillis(addresses.isEmpty() ? 5_000 : 1_000)
                 .connect(addresses)

@@ -15,6 +15,7 @@ import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ErrorMessages;
@@ -124,7 +125,7 @@ final class Execution {
      * @param journal its journal's file; null for none
      * @return the exit code
      */
-    int runNew(PlanSource source, Plan plan, RunSettings settings, Path journal) throws IOException {
+    int runNew(PlanSource source, Plan plan, RunSettings settings, @Nullable Path journal) throws IOException {
         Project project = source.project().orElseThrow();
         RunPlan runPlan = new RunPlan(library.vocabulary(), project, plan);
         AnswersFile answers = answers(settings, library.vocabulary()).orThrow();
@@ -143,7 +144,7 @@ final class Execution {
                 : runInProcess(runPlan, record, answers, journal);
     }
 
-    private static void checkJournal(Path journal) {
+    private static void checkJournal(@Nullable Path journal) {
         if (journal == null) {
             return;
         }
@@ -157,7 +158,8 @@ final class Execution {
         }
     }
 
-    private int runInProcess(RunPlan plan, RunRecord record, AnswersFile answers, Path journal) throws IOException {
+    private int runInProcess(RunPlan plan, RunRecord record, AnswersFile answers, @Nullable Path journal)
+            throws IOException {
         RunSettings settings = record.settings();
         if (journal == null) {
             return run(inProcess(plan, settings, answers, RunJournal.none()), record, journal);
@@ -168,7 +170,8 @@ final class Execution {
         }
     }
 
-    private int runConnected(RunPlan plan, RunRecord record, AnswersFile answers, Path journal) throws IOException {
+    private int runConnected(RunPlan plan, RunRecord record, AnswersFile answers, @Nullable Path journal)
+            throws IOException {
         RunSettings settings = record.settings();
         try (ConnectedJournal session =
                 journal == null ? ConnectedJournal.none() : ConnectedJournal.create(journal, record)) {
@@ -403,7 +406,7 @@ final class Execution {
         err.flush();
     }
 
-    private int run(Mission mission, RunRecord record, Path journal) throws IOException {
+    private int run(Mission mission, RunRecord record, @Nullable Path journal) throws IOException {
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         RunReport report;
         boolean told;

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
@@ -44,9 +45,8 @@ import picocli.CommandLine.Spec;
         name = "experiment",
         mixinStandardHelpOptions = true,
         sortOptions = false,
-        description =
-                "Runs missions on simulated boats with many seeds and in several conditions, side by side on all cores, "
-                        + "and prints a table of the results. Equal experiments give equal tables.",
+        description = "Runs missions on simulated boats with many seeds and in several conditions, side by side on all"
+                + " cores, and prints a table of the results. Equal experiments give equal tables.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:all missions ended",
@@ -54,7 +54,8 @@ import picocli.CommandLine.Spec;
             "2:wrong usage, or a file that cannot be read",
             "3:a mission was aborted; none failed",
             "4:a mission or the program failed",
-            "5:a mission was still running at its time (--for), or not all were run (Ctrl-C); none failed or was aborted",
+            "5:a mission was still running at its time (--for), or not all were run (Ctrl-C); none failed or was"
+                    + " aborted",
             "6:all missions ended, some with problems, or with a boat deeper in an avoided area than announced"
         },
         footerHeading = "%nExamples:%n",
@@ -70,13 +71,14 @@ public final class ExperimentCommand implements Callable<Integer> {
     private static final int MOST_JOBS = 1000;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Parameters(
             paramLabel = "PLAN|FILE",
             arity = "0..1",
             description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
-    private String name;
+    private @Nullable String name;
 
     @Option(
             names = "--seeds",
@@ -84,6 +86,7 @@ public final class ExperimentCommand implements Callable<Integer> {
             defaultValue = "1..20",
             converter = SeedsConverter.class,
             description = "The seeds of the runs, such as 1..20 or 3,7,11..13 (default ${DEFAULT-VALUE}).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private SeedsConverter.Seeds seeds;
 
     @Option(
@@ -93,22 +96,23 @@ public final class ExperimentCommand implements Callable<Integer> {
             defaultValue = "calm,field,rough",
             converter = ConditionsConverter.class,
             description = "The conditions of the runs: calm, field, rough (default: ${DEFAULT-VALUE}).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private List<NamedConditions> conditions;
 
     @Option(
             names = RUNS,
             paramLabel = "FILE",
             description = "Instead of PLAN: a file with a mission a line, a plan and options of 'crw run'.")
-    private Path runs;
+    private @Nullable Path runs;
 
     @Option(
             names = "--jobs",
             paramLabel = "N",
             description = "How many runs go side by side (default: as many as there are cores).")
-    private Integer jobs;
+    private @Nullable Integer jobs;
 
     @Option(names = "--out", paramLabel = "FILE", description = "Write a table with a row for each run there (CSV).")
-    private Path out;
+    private @Nullable Path out;
 
     @Option(names = "--overwrite", description = "Replace the file of --out where there is one.")
     private boolean overwrite;
@@ -120,6 +124,7 @@ public final class ExperimentCommand implements Callable<Integer> {
     private PlanOption planOption = new PlanOption();
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private ScenarioOptions options;
 
     @Override

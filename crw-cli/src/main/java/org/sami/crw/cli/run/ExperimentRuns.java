@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.Converters;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.ScenarioOptions;
@@ -65,15 +66,18 @@ public final class ExperimentRuns {
     @Command(name = "a run")
     static final class Line {
         @Parameters(paramLabel = "PLAN|FILE", arity = "0..1")
-        private String name; // null where a script stands in its place
+        private @Nullable String name; // null where a script stands in its place
 
         @Option(names = "--plan", defaultValue = "")
+        @SuppressWarnings("NullAway.Init") // picocli sets it
         private String plan;
 
         @Option(names = "--label", defaultValue = "")
+        @SuppressWarnings("NullAway.Init") // picocli sets it
         private String label;
 
         @Mixin
+        @SuppressWarnings("NullAway.Init") // picocli sets it
         private ScenarioOptions options;
     }
 
@@ -97,7 +101,7 @@ public final class ExperimentRuns {
                 if (words.isEmpty()) {
                     continue;
                 }
-                ExperimentCase read = read(words, file.toAbsolutePath().getParent());
+                ExperimentCase read = read(words, file.toAbsolutePath().resolveSibling(""));
                 Integer earlier = lineOf.putIfAbsent(read.label(), i + 1);
                 if (earlier != null) {
                     throw new UsageFault("line " + earlier + " is called '" + read.label()
@@ -140,7 +144,7 @@ public final class ExperimentRuns {
      * @param label likewise; it is the plan's id then
      * @param folder that the answers file and the script are looked for in
      */
-    ExperimentCase of(String name, String planName, String label, ScenarioOptions options, Path folder)
+    ExperimentCase of(@Nullable String name, String planName, String label, ScenarioOptions options, Path folder)
             throws FaultyFile {
         PlanSource source = options.source(name, library);
         if (source.project().isEmpty()) {

@@ -39,6 +39,7 @@ import picocli.CommandLine.Spec;
         })
 public final class FindCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

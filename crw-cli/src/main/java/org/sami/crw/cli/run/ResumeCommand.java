@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
@@ -27,8 +28,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
-                "Resumes a run that has a journal, from the point where its process ended. The plan and all settings are the "
-                        + "journal's; the result is the same as without the interruption.",
+                "Resumes a run that has a journal, from the point where its process ended. The plan and all settings"
+                        + " are the journal's; the result is the same as without the interruption.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:the mission ended",
@@ -42,12 +43,14 @@ import picocli.CommandLine.Spec;
         footer = {"  crw resume visit.journal", "  crw resume visit.journal --speed max --json"})
 public final class ResumeCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin
     private LinkOptions links = new LinkOptions();
 
     @Parameters(paramLabel = "JOURNAL", description = "The file that 'crw run --journal' wrote.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path journal;
 
     @Option(
@@ -55,7 +58,7 @@ public final class ResumeCommand implements Callable<Integer> {
             paramLabel = "X|max",
             converter = SpeedConverter.class,
             description = "Another speed than the recorded one.")
-    private Speed speed;
+    private @Nullable Speed speed;
 
     @Option(
             names = "--for",
@@ -63,14 +66,14 @@ public final class ResumeCommand implements Callable<Integer> {
             converter = SecondsConverter.class,
             description = "Stop after so much simulated time since the start of the run. Without it the recorded --for "
                     + "holds, unless the run has reached it already: then it continues to its end.")
-    private Long limitMillis;
+    private @Nullable Long limitMillis;
 
     @Option(
             names = "--connect",
             paramLabel = "HOST:PORT,...",
             description =
                     "Present addresses of the boats' servers, if they have changed. For runs with --connect only.")
-    private String connect;
+    private @Nullable String connect;
 
     @Option(
             names = "--connect-within",
@@ -82,6 +85,7 @@ public final class ResumeCommand implements Callable<Integer> {
     private long connectWithinMillis;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private OutputOptions output;
 
     @Override

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
@@ -61,6 +62,7 @@ import picocli.CommandLine.Spec;
         })
 public final class RunCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin
@@ -70,7 +72,7 @@ public final class RunCommand implements Callable<Integer> {
             paramLabel = "PLAN|FILE",
             arity = "0..1",
             description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
-    private String name;
+    private @Nullable String name;
 
     /** Warns of what a mission does although it was disabled for trying (decision 0434). */
     private static final String DISABLED = "W-DISABLED";
@@ -82,15 +84,17 @@ public final class RunCommand implements Callable<Integer> {
     private DomainOption domain = new DomainOption();
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private RunOptions options;
 
     @Option(
             names = "--journal",
             paramLabel = "FILE",
             description = "Write a journal, so that 'crw resume FILE' can go on if this process dies.")
-    private Path journal;
+    private @Nullable Path journal;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private OutputOptions output;
 
     @Override

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.mavlink.StationAddress;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.DomainOption;
@@ -83,6 +84,7 @@ public final class SessionCommand implements Callable<Integer> {
     private static final int WITH_FAULTS = 6;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin
@@ -96,7 +98,7 @@ public final class SessionCommand implements Callable<Integer> {
             arity = "0..1",
             description = "A project's file or folder, or a plan of the library, whose project is taken; else the whole"
                     + " library.")
-    private String name;
+    private @Nullable String name;
 
     @Option(
             names = "--connect",
@@ -118,7 +120,7 @@ public final class SessionCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "Keep the session in this file. If the file exists, its session is resumed: its project, "
                     + "missions, variables and boats.")
-    private Path journal;
+    private @Nullable Path journal;
 
     @Option(
             names = "--conditions",
@@ -126,9 +128,9 @@ public final class SessionCommand implements Callable<Integer> {
             converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
-                            + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
-                            + " field; of a session that is resumed, its own).")
-    private NamedConditions conditions;
+                        + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                        + " field; of a session that is resumed, its own).")
+    private @Nullable NamedConditions conditions;
 
     @Option(
             names = "--mavlink",
@@ -136,13 +138,13 @@ public final class SessionCommand implements Callable<Integer> {
             description =
                     "Show the simulated boats that are added to a ground station of another maker, each as a vehicle"
                             + " of its own: " + StationAddress.FORMS + ".")
-    private String mavlink;
+    private @Nullable String mavlink;
 
     @Option(
             names = "--script",
             paramLabel = "FILE",
             description = "Read commands from this file instead of standard input.")
-    private Path script;
+    private @Nullable Path script;
 
     @Option(
             names = "--on-fault",
@@ -178,12 +180,11 @@ public final class SessionCommand implements Callable<Integer> {
         if (unfit.isPresent()) {
             throw new UsageFault("--mavlink: " + unfit.get());
         }
-        boolean goesOn = journal != null && Files.exists(journal);
-        if (goesOn && name != null) {
-            throw new UsageFault("the project is that of " + journal + "; leave out '" + name + "'");
-        }
-        if (goesOn) {
-            SessionJournal opened = opened();
+        if (journal != null && Files.exists(journal)) {
+            if (name != null) {
+                throw new UsageFault("the project is that of " + journal + "; leave out '" + name + "'");
+            }
+            SessionJournal opened = opened(journal);
             Map<String, String> settings =
                     opened.header().map(JournalHeader::settings).orElse(Map.of());
             return run(
@@ -224,14 +225,14 @@ public final class SessionCommand implements Callable<Integer> {
         return run(setup, stated, Optional.ofNullable(conditions), addresses, false);
     }
 
-    private SessionJournal opened() throws IOException {
-        SessionJournal opened = SessionJournal.open(journal);
+    private static SessionJournal opened(Path file) throws IOException {
+        SessionJournal opened = SessionJournal.open(file);
         String kind = opened.header()
                 .map(header -> header.settings().getOrDefault("kind", ""))
                 .orElse("");
         if (!kind.equals("session")) {
             opened.close();
-            throw new UsageFault(journal + " is the journal of a run; go on with it by: crw resume " + journal);
+            throw new UsageFault(file + " is the journal of a run; go on with it by: crw resume " + file);
         }
         return opened;
     }

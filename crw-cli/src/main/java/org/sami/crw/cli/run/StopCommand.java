@@ -23,8 +23,8 @@ import picocli.CommandLine.Spec;
         name = "stop",
         mixinStandardHelpOptions = true,
         description =
-                "Stops the boats at these addresses, even if another base commands them: motors to zero, latched until it is "
-                        + "released, also over lost links and restarts. Prints the answer of each boat.",
+                "Stops the boats at these addresses, even if another base commands them: motors to zero, latched until"
+                        + " it is released, also over lost links and restarts. Prints the answer of each boat.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every boat obeyed",
@@ -39,6 +39,7 @@ import picocli.CommandLine.Spec;
         })
 public final class StopCommand implements Callable<Integer> {
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Mixin

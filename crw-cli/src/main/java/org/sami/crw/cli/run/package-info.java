@@ -5,4 +5,7 @@
  * <p>{@link org.sami.crw.cli.run.Execution} is common to those that run one mission. Does not belong here: the runs themselves
  * ({@code org.sami.crw.sim.run}, {@code org.sami.crw.sim.tcp}).
  */
+@NullMarked
 package org.sami.crw.cli.run;
+
+import org.jspecify.annotations.NullMarked;

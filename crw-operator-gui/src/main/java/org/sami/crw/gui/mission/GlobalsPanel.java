@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
@@ -225,9 +226,12 @@ final class GlobalsPanel extends JPanel {
                                 .map(value -> DraftAnswer.of(Map.of(global.name(), value)))
                                 .orElse(DraftAnswer.EMPTY)
                         : DraftAnswer.EMPTY,
-                draft -> context.session()
-                        .drafts()
-                        .judgeGlobal(global.name(), draft.values().get(global.name())),
+                draft -> {
+                    Value value = draft.values().get(global.name());
+                    return value == null // taken back: there is nothing to judge
+                            ? CompletableFuture.completedFuture(Judgement.NOTHING)
+                            : context.session().drafts().judgeGlobal(global.name(), value);
+                },
                 () -> {
                     edited.filter(one -> one.editor() == editor)
                             .ifPresent(one -> state.ifPresent(now -> tell(now, global, editor, one.judged())));

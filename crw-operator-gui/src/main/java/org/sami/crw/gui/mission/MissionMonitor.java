@@ -211,8 +211,7 @@ public final class MissionMonitor extends JPanel {
     private void tabChanged() {
         MissionsSnapshot missions = context.models().missions().snapshot();
         shown().filter(views::containsValue)
-                .flatMap(view -> missions.mission(view.mission()))
-                .ifPresent(mission -> views.get(mission.id()).show(mission, missions));
+                .ifPresent(view -> missions.mission(view.mission()).ifPresent(mission -> view.show(mission, missions)));
         refreshCommands();
     }
 

@@ -10,6 +10,7 @@ import java.util.function.IntFunction;
 import javax.swing.JComponent;
 import javax.swing.JTable;
 import javax.swing.TransferHandler;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.operator.mission.TaskMovePreview;
 import org.sami.spn.value.TaskId;
 
@@ -46,7 +47,7 @@ final class TaskTransfer extends TransferHandler {
     }
 
     @Override
-    protected Transferable createTransferable(JComponent component) {
+    protected @Nullable Transferable createTransferable(JComponent component) {
         dragged = taskAt.apply(((JTable) component).getSelectedRow());
         return dragged.map(task -> new StringSelection(task.name())).orElse(null);
     }

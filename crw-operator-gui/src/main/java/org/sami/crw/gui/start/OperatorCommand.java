@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
@@ -37,7 +38,8 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw-operator",
             "  crw-operator --connect 10.0.0.11:11411,10.0.0.12:11411 --project my-beach.json",
-            "  crw-operator --keys ~/fleet-keys --connect 10.0.0.11:11411   to boats that are paired (Boats > Pair a boat)",
+            "  crw-operator --keys ~/fleet-keys --connect 10.0.0.11:11411   to boats that are paired (Boats > Pair a"
+                    + " boat)",
             "  crw-operator --near          boats on the local network are listed, and connected with one press",
             "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun",
             "  crw-operator --replay today.journal --at 90"
@@ -46,6 +48,7 @@ public final class OperatorCommand implements Callable<Integer> {
     private final Opening opening;
 
     @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
     @Option(
@@ -59,15 +62,16 @@ public final class OperatorCommand implements Callable<Integer> {
             names = "--boats",
             paramLabel = "FILE",
             description = "The same from a file: HOST:PORT on each line, # begins a remark.")
-    private Path boatsFile;
+    private @Nullable Path boatsFile;
 
     @Option(
             names = "--near",
-            description =
-                    "Begin without simulated boats, with the list of boats that announce themselves on the local network open.")
+            description = "Begin without simulated boats, with the list of boats that announce themselves on the local"
+                    + " network open.")
     private boolean near;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private NetworkOption network;
 
     @Option(
@@ -75,10 +79,11 @@ public final class OperatorCommand implements Callable<Integer> {
             paramLabel = "NAME",
             defaultValue = StartOptions.BOATS,
             description = "Whose plans are run: uav opens the window on five simulated copters (default: the boats').")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private String domain;
 
     @Option(names = "--project", paramLabel = "FILE", description = "A project's file or folder; else Katara Beach.")
-    private Path project;
+    private @Nullable Path project;
 
     @Option(
             names = "--conditions",
@@ -88,39 +93,42 @@ public final class OperatorCommand implements Callable<Integer> {
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field "
                             + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, "
                             + "else field; of a session that is resumed, its own).")
-    private NamedConditions conditions;
+    private @Nullable NamedConditions conditions;
 
     @Option(
             names = "--data",
             paramLabel = "DIR",
             description =
                     "Where journals, settings and the arrangement of panels are kept; else the user's data directory.")
-    private Path data;
+    private @Nullable Path data;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private LinkOptions links;
 
     @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
     private LookOptions look;
 
     @Option(
             names = "--resume",
             negatable = true,
             description =
-                    "Go on with the session that was not finished, or (--no-resume) begin a new one, without being asked.")
-    private Boolean resume;
+                    "Go on with the session that was not finished, or (--no-resume) begin a new one, without being"
+                            + " asked.")
+    private @Nullable Boolean resume;
 
     @Option(
             names = "--replay",
             paramLabel = "JOURNAL",
             description = "Show what was, at any moment of a session's journal, instead of opening a session.")
-    private Path replay;
+    private @Nullable Path replay;
 
     @Option(
             names = "--at",
             paramLabel = "SECONDS",
             description = "With --replay: at which moment it begins, in seconds since the session's start.")
-    private Double at;
+    private @Nullable Double at;
 
     /** What opens the window, once the command line is understood. */
     @FunctionalInterface
