@@ -99,7 +99,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
             List<OutEdge> goneOut =
                     compared(before.outEdges(), after.outEdges(), OutEdge::id, words::name, words::changes, kept);
             moved();
-            PlanWords.testCases(before, after).forEach(text -> differences.add(new Difference(text, Set.of())));
+            PlanWords.casesAndQueries(before, after).forEach(text -> differences.add(new Difference(text, Set.of())));
             return new PlanComparison(both(gonePlaces, goneTransitions, goneIn, goneOut), changes, differences);
         }
 

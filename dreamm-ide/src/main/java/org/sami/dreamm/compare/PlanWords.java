@@ -35,9 +35,10 @@ final class PlanWords {
         return texts;
     }
 
-    static List<String> testCases(Plan was, Plan is) {
+    static List<String> casesAndQueries(Plan was, Plan is) {
         List<String> texts = new ArrayList<>();
         parts("test case ", was.testCases(), is.testCases(), one -> "\"" + one.name() + "\"", texts);
+        parts("query ", was.queries(), is.queries(), one -> "\"" + one.name() + "\"", texts);
         return texts;
     }
 

@@ -108,6 +108,7 @@ final class ProjectSearch {
         plan.inEdges().forEach(edge -> edge(plan, edge));
         plan.outEdges().forEach(edge -> edge(plan, edge));
         plan.testCases().forEach(test -> add(plan, "", test.name(), "test case of " + name));
+        plan.queries().forEach(query -> add(plan, "", query.name() + ": " + query.text(), "query of " + name));
     }
 
     private void place(Plan plan, Place place) {

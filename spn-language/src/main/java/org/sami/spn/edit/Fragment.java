@@ -34,6 +34,7 @@ public record Fragment(Plan part) {
                 .withNotes(List.of())
                 .withFrames(List.of())
                 .withTestCases(List.of())
+                .withQueries(List.of())
                 .withReads(List.of())
                 .withVariables(List.of())
                 .withTasks(List.of());

@@ -75,7 +75,8 @@ final class PlanNames {
                 .withInEdges(inEdges)
                 .withOutEdges(outEdges)
                 .withLayout(layout)
-                .withTestCases(cases);
+                .withTestCases(cases)
+                .withQueries(new QueryNames(plan, names).replaced());
     }
 
     private String name(NameUse.Kind kind, String name, String of, String element, String where) {

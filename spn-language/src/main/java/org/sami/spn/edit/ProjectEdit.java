@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.PlanQuery;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
 
@@ -247,6 +248,32 @@ public sealed interface ProjectEdit extends Edit {
             List<TestCase> others =
                     Parts.without(before.testCases(), t -> t.name().equals(name));
             return before.withTestCases(testCase.map(t -> Parts.with(others, t)).orElse(others));
+        }
+    }
+
+    /** Keeps a query with a plan; one of the same name is replaced, and with an empty one removed. */
+    record SetQuery(String plan, String name, Optional<PlanQuery> query) implements ProjectEdit, PlanEdit {
+        public SetQuery {
+            Objects.requireNonNull(plan, "plan");
+            Objects.requireNonNull(name, "name");
+            Objects.requireNonNull(query, "query");
+        }
+
+        @Override
+        public String label() {
+            return (query.isPresent() ? "Keep query \"" : "Remove query \"") + name + "\"";
+        }
+
+        @Override
+        public Plan change(Plan before, EditContext context) {
+            boolean there = before.queries().stream().anyMatch(q -> q.name().equals(name));
+            if (there && query.isPresent()) {
+                return before.withQueries(
+                        Parts.replaced(before.queries(), q -> q.name().equals(name), q -> query.get()));
+            }
+            List<PlanQuery> others =
+                    Parts.without(before.queries(), q -> q.name().equals(name));
+            return before.withQueries(query.map(q -> Parts.with(others, q)).orElse(others));
         }
     }
 }

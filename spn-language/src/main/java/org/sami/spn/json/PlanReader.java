@@ -13,6 +13,7 @@ import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.PlanQuery;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.Transition;
@@ -73,6 +74,9 @@ final class PlanReader {
         TestCaseReader testCases = new TestCaseReader(parts, readPlaces, globals, variables, events.refused());
         List<TestCase> cases =
                 m.objects("testCases").stream().map(testCases::read).toList();
+        Names queryNames = new Names(parts.problems());
+        List<PlanQuery> queries =
+                m.objects("queries").stream().map(q -> query(q, queryNames)).toList();
         m.done();
         return new Plan(
                 id,
@@ -88,7 +92,18 @@ final class PlanReader {
                 layout,
                 notes,
                 frames,
-                cases);
+                cases,
+                queries);
+    }
+
+    /** What its text means is found out by those who search; here it is a text. */
+    private static PlanQuery query(JsonObjectReader q, Names names) {
+        String name = q.text("name");
+        names.take(name, q.at("name"));
+        PlanQuery query =
+                new PlanQuery(name, q.text("text"), q.word("expect", PlanQuery.Expected.class, PlanQuery.Expected.YES));
+        q.done();
+        return query;
     }
 
     private Place place(JsonObjectReader p) {

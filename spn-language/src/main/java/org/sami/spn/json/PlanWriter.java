@@ -15,6 +15,7 @@ import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.PlanQuery;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TaskSpec;
@@ -64,6 +65,15 @@ final class PlanWriter {
         OptionalMembers.put(node, "frames", plan.frames(), PlanWriter::frame);
         TestCaseWriter cases = new TestCaseWriter(vocabulary, plan, project);
         OptionalMembers.put(node, "testCases", plan.testCases(), cases::write);
+        OptionalMembers.put(node, "queries", plan.queries(), PlanWriter::query);
+        return node;
+    }
+
+    private static ObjectNode query(PlanQuery query) {
+        ObjectNode node = NODES.objectNode().put("name", query.name()).put("text", query.text());
+        if (query.expected() != PlanQuery.Expected.YES) {
+            node.put("expect", Words.of(query.expected()));
+        }
         return node;
     }
 

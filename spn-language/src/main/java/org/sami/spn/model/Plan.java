@@ -18,6 +18,7 @@ import java.util.Set;
  * @param reads names of variables that it expects of its parents or the project
  * @param layout of vertices, by id
  * @param frames of groups on the drawing
+ * @param queries questions about what the plan can do, which searches answer
  */
 public record Plan(
         String id,
@@ -33,7 +34,8 @@ public record Plan(
         Map<String, LayoutPoint> layout,
         List<Note> notes,
         List<NetFrame> frames,
-        List<TestCase> testCases) {
+        List<TestCase> testCases,
+        List<PlanQuery> queries) {
     public Plan {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(name, "name");
@@ -49,9 +51,10 @@ public record Plan(
         notes = List.copyOf(notes);
         frames = List.copyOf(frames);
         testCases = List.copyOf(testCases);
+        queries = List.copyOf(queries);
     }
 
-    /** A plan without frames. */
+    /** A plan without frames and queries. */
     public Plan(
             String id,
             String name,
@@ -80,7 +83,8 @@ public record Plan(
                 layout,
                 notes,
                 List.of(),
-                testCases);
+                testCases,
+                List.of());
     }
 
     /** What people call it: its name, or its id where the author gave it none. */
@@ -148,7 +152,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with another name. */
@@ -167,7 +172,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with another description. */
@@ -186,7 +192,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other places. */
@@ -205,7 +212,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other transitions. */
@@ -224,7 +232,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other in edges. */
@@ -243,7 +252,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other out edges. */
@@ -262,7 +272,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other variables. */
@@ -281,7 +292,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other variables that it expects of its parents. */
@@ -300,7 +312,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other tasks. */
@@ -319,7 +332,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with another layout. */
@@ -338,7 +352,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other notes. */
@@ -357,7 +372,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other frames. */
@@ -376,7 +392,8 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
     }
 
     /** The same plan with other test cases. */
@@ -395,6 +412,27 @@ public record Plan(
                 layout,
                 notes,
                 frames,
-                testCases);
+                testCases,
+                queries);
+    }
+
+    /** The same plan with other queries. */
+    public Plan withQueries(List<PlanQuery> queries) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                frames,
+                testCases,
+                queries);
     }
 }

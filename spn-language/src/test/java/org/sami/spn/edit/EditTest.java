@@ -15,6 +15,7 @@ import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.PlanQuery;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
@@ -149,6 +150,50 @@ class EditTest {
         assertThat(done.remarks()).isEmpty();
         assertThat(refused(NetBuilder.project(plan), new RenameElement("p", "start", "end")))
                 .contains("\"p\"", "end is used already");
+    }
+
+    @Test
+    void renamedVertexIsSpokenOfByItsNewIdInQueries() {
+        Plan plan = saying("p")
+                .build()
+                .withQueries(List.of(
+                        query("a", "reachable m(start.robots) >= 1 and m(\"start\".generic) = 0"),
+                        query("b", "bound start"),
+                        query("c", "invariant m(starting) = 0 or enabled(t) and m( start ) <= 2")));
+
+        EditResult.Done done = done(NetBuilder.project(plan), new RenameElement("p", "start", "first-one"));
+
+        assertThat(plan(done, "p").queries())
+                .extracting(PlanQuery::text)
+                .containsExactly(
+                        "reachable m(\"first-one\".robots) >= 1 and m(\"first-one\".generic) = 0",
+                        "bound \"first-one\"",
+                        "invariant m(starting) = 0 or enabled(t) and m( \"first-one\" ) <= 2");
+        assertThat(new Usages(done.changed()).ofElement("p", "first-one"))
+                .extracting(Usage::where)
+                .contains("query \"a\"", "query \"b\"", "query \"c\"");
+    }
+
+    @Test
+    void queryIsKeptReplacedAndRemovedByItsName() {
+        Project project = NetBuilder.project(saying("p").build());
+        PlanQuery first = query("asked", "deadlock");
+        PlanQuery second = query("asked", "bound start");
+
+        Project kept = done(project, new ProjectEdit.SetQuery("p", "asked", Optional.of(first)))
+                .changed();
+        Project replaced = done(kept, new ProjectEdit.SetQuery("p", "asked", Optional.of(second)))
+                .changed();
+        Project removed = done(replaced, new ProjectEdit.SetQuery("p", "asked", Optional.empty()))
+                .changed();
+
+        assertThat(kept.plan("p").orElseThrow().queries()).containsExactly(first);
+        assertThat(replaced.plan("p").orElseThrow().queries()).containsExactly(second);
+        assertThat(removed).isEqualTo(project);
+    }
+
+    private static PlanQuery query(String name, String text) {
+        return new PlanQuery(name, text, PlanQuery.Expected.YES);
     }
 
     @Test

@@ -41,6 +41,7 @@ import org.sami.spn.model.Note;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.PlanQuery;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TaskSpec;
@@ -234,6 +235,14 @@ public final class RandomEdits {
                 List.of(random.nextInt(2)), random.nextBoolean() ? List.of() : List.of(random.nextInt(2)), 0));
         kinds.add(() -> new ProjectEdit.SetTestCase(
                 plan.id(), of(plan.testCases().stream().map(t -> t.name()).toList(), "none"), Optional.empty()));
+        kinds.add(() -> new ProjectEdit.SetQuery(plan.id(), "asked", query()));
+    }
+
+    private Optional<PlanQuery> query() {
+        String place = of(plan.places().stream().map(Place::id).toList(), "nowhere");
+        return random.nextInt(3) == 0
+                ? Optional.empty()
+                : Optional.of(new PlanQuery("asked", "reachable m(\"" + place + "\") >= 1", PlanQuery.Expected.YES));
     }
 
     private String fresh(String stem) {

@@ -111,7 +111,8 @@ public final class NewCommand implements Callable<Integer> {
                 plan.layout(),
                 plan.notes(),
                 plan.frames(),
-                plan.testCases());
+                plan.testCases(),
+                plan.queries());
         MissionTreeNode tree = new MissionTreeNode("", Optional.of(id), List.of());
         return new Project(
                 id,
