@@ -52,6 +52,8 @@ enum SamiModule {
                     "org.sami.spn.stepping..",
                     "org.sami.spn.testcase.."),
             List.of(SPN_LANGUAGE)),
+    /** Place/transition nets and their analysis: no plan and no boat. */
+    PETRI("petri", 120, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */
     SPN_AUTHORING(
             "spn-authoring",
@@ -61,12 +63,11 @@ enum SamiModule {
                     "org.sami.spn.geotext..",
                     "org.sami.spn.legacy..",
                     "org.sami.spn.pattern..",
+                    "org.sami.spn.plannet..",
                     "org.sami.spn.statespace..",
                     "org.sami.spn.wiring..",
                     "org.sami.spn.wizard.."),
-            List.of(SPN_CORE, SPN_LANGUAGE)),
-    /** Place/transition nets and their analysis: no plan and no boat. */
-    PETRI("petri", 120, List.of("org.sami.petri.."), List.of()),
+            List.of(SPN_CORE, SPN_LANGUAGE, PETRI)),
     BOAT_LINK("boat-link", 90, List.of("org.sami.boat.link.."), List.of()),
     BOAT_SERVER("boat-server-android/server", 95, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     /** Control board, position and motors of a real hull, on streams. */

@@ -1,0 +1,113 @@
+package org.sami.spn.plannet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.sami.petri.graph.FiringSequence;
+import org.sami.petri.net.PetriNet;
+
+/**
+ * A plan with its team as a place/transition net (thesis 4.1): a place of the net for each token that can stand in a place of the plan, a transition for each case
+ * of a firing. What the engine can reach the net can reach, as far as {@link #abstractions} says nothing else: input events may come or not, and name any of
+ * those whom they may name. Nobody connects, is dropped or aborts the mission. Immutable.
+ *
+ * <p>Source: thesis, section 4.1; the rules of docs/semantics.md.
+ */
+public final class PlanNet {
+    private final PlanNetRequest request;
+    private final PetriNet net;
+    private final List<PlanNetPlace> places;
+    private final List<PlanNetFiring> firings;
+    private final List<Abstraction> abstractions;
+    private final int beyond;
+
+    PlanNet(
+            PlanNetRequest request,
+            PetriNet net,
+            List<PlanNetPlace> places,
+            List<PlanNetFiring> firings,
+            List<Abstraction> abstractions,
+            int beyond) {
+        this.request = request;
+        this.net = net;
+        this.places = List.copyOf(places);
+        this.firings = List.copyOf(firings);
+        this.abstractions = List.copyOf(abstractions);
+        this.beyond = beyond;
+    }
+
+    /**
+     * The net of a plan.
+     *
+     * @throws PlanNetTooLargeException if it would have more transitions than asked for
+     * @throws IllegalArgumentException if there is no such plan, or it has no start place
+     */
+    public static PlanNet of(PlanNetRequest request) throws PlanNetTooLargeException {
+        return new PlanTranslation(request).translate();
+    }
+
+    /** The net with its initial marking. */
+    public PetriNet net() {
+        return net;
+    }
+
+    /** What was translated. */
+    public PlanNetRequest request() {
+        return request;
+    }
+
+    /** Where the net is not exactly what the engine does; empty where it is. */
+    public List<Abstraction> abstractions() {
+        return abstractions;
+    }
+
+    /** What a place of the net stands for. */
+    public PlanNetPlace place(int netPlace) {
+        return places.get(netPlace);
+    }
+
+    /** What a transition of the net stands for. */
+    public PlanNetFiring firing(int netTransition) {
+        return firings.get(netTransition);
+    }
+
+    /** The place of the net that is marked once there were more tokens at once than it follows: what it says from then on is no proof. */
+    public int beyond() {
+        return beyond;
+    }
+
+    /** A run of the net as firings of the plan. */
+    public List<PlanNetFiring> firings(FiringSequence run) {
+        return run.transitions().stream().map(firings::get).toList();
+    }
+
+    /** A marking of the net in the words of the plan. */
+    public PlanMarking marking(int[] netMarking) {
+        SortedMap<String, SortedMap<String, Integer>> tokens = new TreeMap<>();
+        Set<String> nobody = new TreeSet<>();
+        for (int i = 0; i < places.size(); i++) {
+            PlanNetPlace place = places.get(i);
+            if (netMarking[i] > 0 && place.role() == PlanNetPlace.Role.TOKEN) {
+                tokens.computeIfAbsent(place.planPlace(), p -> new TreeMap<>()).put(place.token(), netMarking[i]);
+            } else if (netMarking[i] > 0 && place.role() == PlanNetPlace.Role.NOBODY) {
+                nobody.add(place.planPlace());
+            }
+        }
+        return new PlanMarking(tokens, nobody, netMarking[0] > 0);
+    }
+
+    /** The places of the net that hold the tokens of a plan's place. */
+    public List<Integer> placesOf(String planPlace) {
+        List<Integer> found = new ArrayList<>();
+        for (int i = 0; i < places.size(); i++) {
+            if (places.get(i).role() == PlanNetPlace.Role.TOKEN
+                    && places.get(i).planPlace().equals(planPlace)) {
+                found.add(i);
+            }
+        }
+        return found;
+    }
+}

@@ -1,0 +1,219 @@
+package org.sami.spn.plannet;
+
+import java.util.Collection;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.flow.TokenType;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Which tokens can come to which place, whoever may be named, and which of them can never be copied. A bound from above that follows requirements and no
+ * numbers. Immutable.
+ */
+final class PossibleTokens {
+    private final Project project;
+    private final Plan plan;
+    private final Vocabulary vocabulary;
+    private final Map<String, Set<PlanToken>> at = new HashMap<>();
+    private final Set<String> byNobody = new HashSet<>();
+    private final Set<PlanToken> copied = new HashSet<>();
+
+    PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all) {
+        this.project = project;
+        this.vocabulary = vocabulary;
+        this.plan = plan;
+        plan.startPlace()
+                .ifPresent(start ->
+                        all.stream().filter(token -> !token.isMade()).forEach(token -> come(start.id(), token)));
+        boolean more = true;
+        while (more) {
+            more = false;
+            for (OutEdge edge : plan.outEdges()) {
+                more |= follow(edge, all);
+            }
+        }
+        plan.outEdges().stream()
+                .filter(edge -> edge.requirements().isEmpty()
+                        || edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL)
+                        || isEnd(edge.place()))
+                .map(OutEdge::place)
+                .forEach(byNobody::add);
+        for (PlanToken token : all) {
+            if (plan.transitions().stream().anyMatch(t -> copies(t, token))) {
+                copied.add(token);
+            }
+        }
+    }
+
+    private boolean isEnd(String place) {
+        return plan.place(place).filter(Place::end).isPresent();
+    }
+
+    private boolean follow(OutEdge edge, Collection<PlanToken> all) {
+        Optional<Transition> t = plan.transition(edge.transition());
+        boolean more = false;
+        for (PlanToken token : all) {
+            if (t.isPresent() && !comes(edge.place(), token) && adds(edge, t.get(), token)) {
+                more |= come(edge.place(), token);
+            }
+        }
+        return more;
+    }
+
+    private boolean come(String place, PlanToken token) {
+        return at.computeIfAbsent(place, p -> new HashSet<>()).add(token);
+    }
+
+    private boolean adds(OutEdge edge, Transition t, PlanToken token) {
+        return edge.requirements().stream().anyMatch(r -> adds(r, t, token));
+    }
+
+    private boolean adds(OutRequirement r, Transition t, PlanToken token) {
+        if (r.action() == Action.CONSUME) {
+            return false;
+        }
+        return makes(r, t, token) || (covers(r, t, token) && isInPool(t, token));
+    }
+
+    /** Whether a requirement can add a token that stands in no in place. */
+    boolean makes(OutRequirement r, Transition t, PlanToken token) {
+        boolean isGeneric = token.type() == TokenType.GENERIC;
+        if (r.kind() == TokenKind.SUB_MISSION_TOKENS && r.action() != Action.CONSUME) {
+            return madeByChildren(t).contains(token.type());
+        }
+        return r.action() == Action.ADD
+                && ((r.kind() == TokenKind.GENERIC && !r.takesAll() && r.n() > 0 && isGeneric)
+                        || (r.kind() == TokenKind.RELEVANT
+                                && !isGeneric
+                                && !t.inputs().isEmpty()
+                                && (token.isMade() || !makesTasks(t))));
+    }
+
+    /** Whether a transition only waits for tasks that the mission makes: its occurrences name those, which stand nowhere yet. */
+    boolean makesTasks(Transition t) {
+        return !t.inputs().isEmpty()
+                && t.inputs().stream()
+                        .allMatch(input -> vocabulary
+                                .event(input.type())
+                                .filter(type -> type.role() == EventRole.TASKS_GENERATED)
+                                .isPresent());
+    }
+
+    /** Whether a requirement can select a token of the pool. */
+    boolean covers(OutRequirement r, Transition t, PlanToken token) {
+        return switch (r.kind()) {
+            case RELEVANT -> token.type() != TokenType.GENERIC && !t.inputs().isEmpty() && !makesTasks(t);
+            case TASK -> token.isTask(r.task());
+            case SUB_MISSION_TOKENS -> plan.inEdgesOf(t.id()).stream().anyMatch(edge -> hasSub(edge.place()));
+            case GENERIC -> token.type() == TokenType.GENERIC && (r.action() != Action.ADD || r.takesAll());
+            default -> TokenType.of(r.kind()).contains(token.type());
+        };
+    }
+
+    /** Whether a token can be in the pool of a transition. */
+    private boolean isInPool(Transition t, PlanToken token) {
+        return plan.inEdgesOf(t.id()).stream()
+                .anyMatch(edge -> comes(edge.place(), token) && !isExcluded(t, edge.place(), token));
+    }
+
+    /** Whether the transition cannot fire while the token is in the place. */
+    boolean isExcluded(Transition t, String place, PlanToken token) {
+        return plan.inEdgesOf(t.id()).stream()
+                .filter(edge -> edge.place().equals(place))
+                .flatMap(edge -> edge.requirements().stream())
+                .filter(InRequirement::asksForNone)
+                .anyMatch(r -> r.kind() == TokenKind.TASK
+                        ? token.isTask(r.task())
+                        : r.kind() != TokenKind.RELEVANT
+                                && TokenType.of(r.kind()).contains(token.type()));
+    }
+
+    private boolean copies(Transition t, PlanToken token) {
+        int entered = 0;
+        for (OutEdge edge : plan.outEdgesOf(t.id())) {
+            boolean here = false;
+            for (OutRequirement r : edge.requirements()) {
+                if (adds(r, t, token)) {
+                    if ((r.action() == Action.ADD || makes(r, t, token)) && !(token.isMade() && makesTasks(t))) {
+                        return true;
+                    }
+                    here = true;
+                }
+            }
+            entered += here ? 1 : 0;
+        }
+        return entered > 1;
+    }
+
+    private Set<TokenType> madeByChildren(Transition t) {
+        Set<TokenType> made = EnumSet.noneOf(TokenType.class);
+        Set<String> seen = new HashSet<>();
+        plan.inEdgesOf(t.id()).forEach(edge -> children(plan, edge.place(), made, seen));
+        return made;
+    }
+
+    private void children(Plan parent, String place, Set<TokenType> made, Set<String> seen) {
+        parent.place(place).stream()
+                .flatMap(p -> p.subMissions().stream())
+                .flatMap(sub -> project.plan(sub.plan()).stream())
+                .filter(child -> seen.add(child.id()))
+                .forEach(child -> {
+                    child.transitions().forEach(ct -> made(child, ct, made));
+                    child.places().forEach(p -> children(child, p.id(), made, seen));
+                });
+    }
+
+    /** What firings of a child can make or copy. */
+    private static void made(Plan child, Transition t, Set<TokenType> made) {
+        List<OutEdge> edges = child.outEdgesOf(t.id()).stream()
+                .filter(edge -> edge.requirements().stream().anyMatch(r -> r.action() == Action.TAKE))
+                .toList();
+        child.outEdgesOf(t.id()).stream()
+                .flatMap(edge -> edge.requirements().stream())
+                .filter(r -> r.action() == Action.ADD || (r.action() == Action.TAKE && edges.size() > 1))
+                .forEach(r -> made.addAll(TokenType.of(r.kind())));
+    }
+
+    boolean hasSub(String place) {
+        return plan.place(place).filter(p -> !p.subMissions().isEmpty()).isPresent();
+    }
+
+    /** Whether a token can stand in a place. */
+    boolean comes(String place, PlanToken token) {
+        return at.getOrDefault(place, Set.of()).contains(token);
+    }
+
+    /** Whether a place can be entered by nobody. */
+    boolean isEnteredByNobody(String place) {
+        return byNobody.contains(place);
+    }
+
+    /** Whether there can be several of a token in the mission. */
+    boolean isCopied(PlanToken token) {
+        return copied.contains(token);
+    }
+
+    /** The in places of a transition in which a token can stand when it fires, each once, in the order of its edges. */
+    List<String> spots(Transition t, PlanToken token) {
+        return plan.inEdgesOf(t.id()).stream()
+                .map(edge -> edge.place())
+                .distinct()
+                .filter(place -> comes(place, token) && !isExcluded(t, place, token))
+                .toList();
+    }
+}

@@ -1,0 +1,42 @@
+package org.sami.spn.plannet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/** What a case of a firing supposes of one token, and does with it. Filled by {@link TokenOptions}, then only read. */
+final class TokenOption {
+    final PlanToken token;
+    final boolean isNamed;
+    /** The in places in which it stands, as far as they are known. */
+    final List<String> present;
+    /** Whether it is known where it stands. */
+    final boolean isKnown;
+    /** The level at which requirements with numbers select it, by group; 0 where they do not. */
+    final Map<String, Integer> levels = new TreeMap<>();
+
+    final CaseArcs arcs = new CaseArcs();
+    final List<PlanNetMove> moves = new ArrayList<>();
+    /** The out edges along which it goes. */
+    final Set<Integer> edges = new TreeSet<>();
+    /** The in places that it leaves. */
+    final Set<String> left = new TreeSet<>();
+
+    TokenOption(PlanToken token, boolean isNamed, List<String> present, boolean isKnown) {
+        this.token = token;
+        this.isNamed = isNamed;
+        this.present = present;
+        this.isKnown = isKnown;
+    }
+
+    /** The same suppositions; effects are to be filled in. */
+    TokenOption again() {
+        TokenOption again = new TokenOption(token, isNamed, present, isKnown);
+        again.levels.putAll(levels);
+        again.arcs.join(arcs);
+        return again;
+    }
+}

@@ -1,0 +1,328 @@
+package org.sami.spn.plannet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
+
+/**
+ * What can be with one robot or task when a transition fires: whether it is named, where it stands, which requirements select it, and what becomes of it. Where
+ * a token can be there several times, it is followed whether it is there at all.
+ */
+final class TokenOptions {
+    private final MissionPlaces places;
+    private final PossibleTokens possible;
+    private final Transition t;
+    private final Selections selections;
+    private final boolean speaksOfRelevant;
+    private final Set<String> watched;
+
+    TokenOptions(
+            MissionPlaces places,
+            PossibleTokens possible,
+            Transition t,
+            Selections selections,
+            boolean speaksOfRelevant,
+            Set<String> watched) {
+        this.places = places;
+        this.possible = possible;
+        this.t = t;
+        this.selections = selections;
+        this.speaksOfRelevant = speaksOfRelevant;
+        this.watched = watched;
+    }
+
+    List<TokenOption> of(PlanToken token) {
+        if (possible.makesTasks(t)) {
+            return ofMaking(token);
+        }
+        List<TokenOption> options = new ArrayList<>();
+        add(token, false, options);
+        if (!t.inputs().isEmpty() && (speaksOfRelevant || t.waitFor() == WaitFor.ALL)) {
+            add(token, true, options);
+        }
+        return options;
+    }
+
+    /** Where only tasks that the mission makes are named: they stand nowhere yet. */
+    private List<TokenOption> ofMaking(PlanToken token) {
+        List<TokenOption> options = new ArrayList<>();
+        add(token, false, options);
+        if (token.isMade() && speaksOfRelevant) {
+            TokenOption made = new TokenOption(token, true, List.of(), true);
+            made.arcs.remove(places.unmade(token), 1);
+            for (Selections.Selector s : selections.all()) {
+                if (possible.makes(s.requirement(), t, token)) {
+                    made.edges.add(s.edge());
+                }
+            }
+            enter(made);
+            options.add(made);
+        }
+        return options;
+    }
+
+    private void add(PlanToken token, boolean isNamed, List<TokenOption> options) {
+        List<String> spots = possible.spots(t, token);
+        boolean byAll = selections.all().stream()
+                .anyMatch(s -> s.requirement().takesAll()
+                        && !s.isOf(TokenKind.RELEVANT)
+                        && !s.isOf(TokenKind.SUB_MISSION_TOKENS)
+                        && possible.covers(s.requirement(), t, token));
+        boolean byNumber = selections.all().stream()
+                .anyMatch(s ->
+                        s.level() > 0 && !s.isOf(TokenKind.RELEVANT) && possible.covers(s.requirement(), t, token));
+        boolean bySub = selections.all().stream()
+                .anyMatch(s -> s.isOf(TokenKind.SUB_MISSION_TOKENS) && possible.covers(s.requirement(), t, token));
+        boolean mustReport = !isNamed && spots.stream().anyMatch(watched::contains);
+        if (!isNamed && !byAll && !mustReport) {
+            TokenOption anywhere = new TokenOption(token, false, List.of(), !byNumber);
+            selections.numbers().keySet().stream()
+                    .filter(group -> isCovered(anywhere, group))
+                    .forEach(group -> anywhere.levels.put(group, 0));
+            options.add(anywhere);
+        }
+        if (isNamed || byAll || byNumber || bySub || mustReport) {
+            addPlaced(token, isNamed, spots, byAll || mustReport, byNumber || bySub, options);
+        }
+    }
+
+    private void addPlaced(
+            PlanToken token,
+            boolean isNamed,
+            List<String> spots,
+            boolean mustBeKnown,
+            boolean mayBeSelected,
+            List<TokenOption> options) {
+        boolean canBeMade = selections.all().stream().anyMatch(s -> possible.makes(s.requirement(), t, token));
+        for (List<String> present : standings(token, spots)) {
+            boolean mattersAbsent = mustBeKnown || mayBeSelected || (isNamed && canBeMade);
+            boolean mattersPresent = isNamed || mustBeKnown || mayBeSelected;
+            if (present.isEmpty() ? !mattersAbsent : !mattersPresent) {
+                continue;
+            }
+            if (!isNamed && present.stream().anyMatch(watched::contains)) {
+                continue; // it has to report
+            }
+            TokenOption option = new TokenOption(token, isNamed, present, true);
+            for (String spot : spots) {
+                int at = places.of(spot, token).getAsInt();
+                if (present.contains(spot)) {
+                    option.arcs.atLeast(at, 1);
+                } else if ((possible.isCopied(token) || present.isEmpty()) && !possible.hasSub(spot)) {
+                    option.arcs.below(at, 1);
+                }
+            }
+            addLevels(option, List.copyOf(selections.numbers().keySet()), 0, options);
+        }
+    }
+
+    /** Where it can stand: nowhere or in one place; in any of them where it can be there several times. */
+    private List<List<String>> standings(PlanToken token, List<String> spots) {
+        List<List<String>> standings = new ArrayList<>(List.of(List.of()));
+        for (String spot : spots) {
+            if (possible.isCopied(token)) {
+                List<List<String>> more = new ArrayList<>();
+                for (List<String> standing : standings) {
+                    List<String> one = new ArrayList<>(standing);
+                    one.add(spot);
+                    more.add(one);
+                }
+                standings.addAll(more);
+            } else {
+                standings.add(List.of(spot));
+            }
+        }
+        return standings;
+    }
+
+    /** Each choice of levels, then of what sub-missions bring back. */
+    private void addLevels(TokenOption option, List<String> groups, int next, List<TokenOption> options) {
+        if (next == groups.size()) {
+            addReturned(option, options);
+            return;
+        }
+        String group = groups.get(next);
+        if (!isCovered(option, group)) {
+            addLevels(option, groups, next + 1, options);
+            return;
+        }
+        int most = option.present.isEmpty() && !group.equals("NAMED")
+                ? 0
+                : selections.numbers().getOrDefault(group, List.of()).size();
+        for (int level = 0; level <= most; level++) {
+            TokenOption one = option.again();
+            one.levels.put(group, level);
+            addLevels(one, groups, next + 1, options);
+        }
+    }
+
+    /** Whether requirements of a group speak of it: those of relevant tokens only where it is named. */
+    private boolean isCovered(TokenOption option, String group) {
+        return selections.all().stream()
+                .filter(s -> s.level() > 0 && Selections.group(s.requirement()).equals(group))
+                .anyMatch(s -> possible.covers(s.requirement(), t, option.token)
+                        && (option.isNamed || !s.isOf(TokenKind.RELEVANT)));
+    }
+
+    private void addReturned(TokenOption option, List<TokenOption> options) {
+        addEffects(option, false, options);
+        boolean canReturn = selections.all().stream()
+                .map(Selections.Selector::requirement)
+                .filter(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS)
+                .anyMatch(
+                        r -> option.present.stream().anyMatch(possible::hasSub) || possible.makes(r, t, option.token));
+        if (canReturn) {
+            addEffects(option, true, options);
+        }
+    }
+
+    private void addEffects(TokenOption option, boolean isReturned, List<TokenOption> options) {
+        boolean removed = false;
+        boolean surely = false;
+        Set<Integer> edges = new TreeSet<>();
+        for (Selections.Selector s : selections.all()) {
+            if (selects(s, option, isReturned)) {
+                removed |= s.removes();
+                surely |= s.removes() && s.requirement().takesAll() && !s.isOf(TokenKind.SUB_MISSION_TOKENS);
+                if (s.adds()) {
+                    edges.add(s.edge());
+                }
+            }
+        }
+        for (List<String> left : leavings(option, removed, surely)) {
+            TokenOption one = option.again();
+            one.edges.addAll(edges);
+            one.left.addAll(left);
+            for (String place : left) {
+                int at = places.of(place, one.token).getAsInt();
+                if (possible.isCopied(one.token)) {
+                    one.arcs.empty(at);
+                } else {
+                    one.arcs.remove(at, 1);
+                    places.counting(place, one.token).forEach(counter -> one.arcs.remove(counter, 1));
+                }
+            }
+            enter(one);
+            options.add(one);
+        }
+    }
+
+    private boolean selects(Selections.Selector s, TokenOption option, boolean isReturned) {
+        OutRequirement r = s.requirement();
+        boolean isHere = !option.present.isEmpty();
+        if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
+            return isReturned;
+        }
+        if (r.kind() == TokenKind.RELEVANT && !s.removes()) {
+            return option.isNamed && (s.level() == 0 || isReached(s, option));
+        }
+        if (!isHere || !possible.covers(r, t, option.token) || (r.kind() == TokenKind.RELEVANT && !option.isNamed)) {
+            return false;
+        }
+        return s.level() == 0 || isReached(s, option);
+    }
+
+    private static boolean isReached(Selections.Selector s, TokenOption option) {
+        int level = option.levels.getOrDefault(Selections.group(s.requirement()), 0);
+        return level > 0 && level <= s.level();
+    }
+
+    /** From which places it goes: of several copies some can stay where only a number of them is taken, or some are in a sub-mission. */
+    private List<List<String>> leavings(TokenOption option, boolean removed, boolean surely) {
+        if (!removed) {
+            return List.of(List.of());
+        }
+        if (!possible.isCopied(option.token)) {
+            return List.of(option.present);
+        }
+        List<List<String>> leavings = new ArrayList<>(List.of(List.of()));
+        for (String spot : option.present) {
+            boolean mustGo = surely && !possible.hasSub(spot);
+            List<List<String>> next = new ArrayList<>(mustGo ? List.of() : leavings);
+            for (List<String> leaving : leavings) {
+                List<String> more = new ArrayList<>(leaving);
+                more.add(spot);
+                next.add(more);
+            }
+            leavings = next;
+        }
+        return leavings;
+    }
+
+    private void enter(TokenOption option) {
+        List<String> from = new ArrayList<>(option.left);
+        for (int edge : option.edges) {
+            String target = selections.target(edge);
+            int at = places.of(target, option.token).getAsInt();
+            if (possible.isCopied(option.token)) {
+                option.arcs.set(at);
+            } else {
+                option.arcs.add(at, 1);
+                places.counting(target, option.token).forEach(counter -> option.arcs.add(counter, 1));
+            }
+            option.moves.add(new PlanNetMove(option.token.label(), from.isEmpty() ? "" : from.remove(0), target));
+        }
+        from.forEach(place -> option.moves.add(new PlanNetMove(option.token.label(), place, "")));
+    }
+
+    /** Whether the named tokens of a case meet a requirement of relevant ones in a place. */
+    static boolean meets(InRequirement r, String place, List<TokenOption> chosen, boolean hasTasks) {
+        int here = 0;
+        int named = 0;
+        for (TokenOption option : chosen) {
+            if (option.isNamed) {
+                named++;
+                here += option.present.contains(place) ? 1 : 0;
+            }
+        }
+        return switch (r.match()) {
+            case ALL -> hasTasks ? named == 0 || here > 0 : here == named;
+            case ZERO -> here == 0;
+            case LESS_THAN -> here < r.n();
+            case EXACTLY -> here <= r.n() && (here == r.n() || here > 0);
+            case AT_LEAST -> here >= Math.min(r.n(), 1) && (here >= r.n() || here > 0);
+        };
+    }
+
+    /**
+     * Whether the levels of a case are what requirements with numbers select: so many, or fewer where there are no more.
+     *
+     * @param generics how many generic tokens each group selects
+     * @param more the groups that leave generic tokens
+     * @param isLoose whether of one token several can be there, so that fewer tokens may be so many
+     */
+    static boolean fits(
+            Map<String, List<Integer>> numbers,
+            List<TokenOption> chosen,
+            Map<String, Integer> generics,
+            Set<String> more,
+            boolean isLoose) {
+        for (Map.Entry<String, List<Integer>> group : numbers.entrySet()) {
+            for (int level = 1; level <= group.getValue().size(); level++) {
+                int most = group.getValue().get(level - 1);
+                int picked = Math.min(generics.getOrDefault(group.getKey(), 0), most);
+                boolean hasMore = more.contains(group.getKey());
+                for (TokenOption option : chosen) {
+                    Integer own = option.levels.get(group.getKey());
+                    if (own != null && own > 0 && own <= level) {
+                        picked++;
+                    } else if (own != null) {
+                        hasMore |= !option.isKnown || !option.present.isEmpty() || own > level;
+                    }
+                }
+                boolean mixes = group.getValue().size() > 1 && group.getKey().equals("ANY_TOKEN");
+                if (picked > most || (picked < most && hasMore && !mixes && !(isLoose && picked > 0))) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,301 @@
+package org.sami.spn.plannet;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.flow.TokenType;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
+import org.sami.spn.vocabulary.EventFlag;
+
+/**
+ * The cases of one transition of a plan: one transition of the net for each set of tokens that may be named, each place in which a token may stand as far as that
+ * matters, and each way to meet the requirements.
+ */
+final class TransitionCases {
+    private final PlanNetWork work;
+    private final Transition t;
+    private final List<InEdge> ins;
+    private final Selections selections;
+    private final List<CaseArcs> conditions;
+    private final Set<String> watched;
+    private final boolean mustHaveRelevant;
+    private final boolean hasTasks;
+    private final Set<String> known = new HashSet<>();
+    private int made;
+
+    TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions) {
+        this.work = work;
+        this.t = t;
+        this.conditions = conditions;
+        ins = work.plan().inEdgesOf(t.id());
+        selections = new Selections(t, work.plan().outEdgesOf(t.id()));
+        watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
+        mustHaveRelevant = requirements().stream()
+                .anyMatch(r -> r.kind() == TokenKind.RELEVANT
+                        && (r.match() == Match.ALL
+                                || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0)));
+        hasTasks = work.team().stream().anyMatch(token -> token.type() == TokenType.TASK);
+    }
+
+    private List<InRequirement> requirements() {
+        return ins.stream().flatMap(edge -> edge.requirements().stream()).toList();
+    }
+
+    /** The places in which every robot must report; those where tasks may stand or a sub-mission runs are left out. */
+    private Set<String> watchedPlaces() {
+        Set<String> all = new LinkedHashSet<>();
+        ins.stream()
+                .filter(edge -> edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT))
+                .forEach(edge -> all.add(edge.place()));
+        if (all.isEmpty()) {
+            ins.forEach(edge -> all.add(edge.place()));
+        }
+        all.removeIf(place -> work.possible().hasSub(place)
+                || work.places().in(place).keySet().stream().anyMatch(token -> token.type() == TokenType.TASK));
+        return all;
+    }
+
+    /** Adds the cases to the net. */
+    void add() throws PlanNetTooLargeException {
+        boolean speaks = requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)
+                || selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT));
+        if (conditions.isEmpty() || (mustHaveRelevant && t.inputs().isEmpty())) {
+            return; // it can never fire
+        }
+        TokenOptions options = new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched);
+        List<List<TokenOption>> perToken = new ArrayList<>();
+        for (PlanToken token : work.team()) {
+            if (token.type() != TokenType.GENERIC) {
+                perToken.add(options.of(token));
+            }
+        }
+        List<GenericOption> generics =
+                new GenericOptions(work.places(), work.possible(), t, selections, work.beyond()).all();
+        choose(perToken, 0, new ArrayList<>(), generics);
+    }
+
+    private void choose(
+            List<List<TokenOption>> perToken, int next, List<TokenOption> chosen, List<GenericOption> generics)
+            throws PlanNetTooLargeException {
+        if (next == perToken.size()) {
+            if (isMet(chosen)) {
+                for (GenericOption generic : generics) {
+                    join(chosen, generic);
+                }
+            }
+            return;
+        }
+        for (TokenOption option : perToken.get(next)) {
+            chosen.add(option);
+            choose(perToken, next + 1, chosen, generics);
+            chosen.remove(chosen.size() - 1);
+        }
+    }
+
+    /** Whether the named tokens are what in edges ask for. */
+    private boolean isMet(List<TokenOption> chosen) {
+        if (mustHaveRelevant && chosen.stream().noneMatch(o -> o.isNamed && !o.present.isEmpty())) {
+            return false;
+        }
+        if (!watched.isEmpty() && chosen.stream().noneMatch(o -> o.isNamed)) {
+            return false;
+        }
+        for (InEdge edge : ins) {
+            for (InRequirement r : edge.requirements()) {
+                if (r.kind() == TokenKind.RELEVANT && !TokenOptions.meets(r, edge.place(), chosen, hasTasks)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private void join(List<TokenOption> chosen, GenericOption generic) throws PlanNetTooLargeException {
+        boolean isLoose = chosen.stream().anyMatch(o -> work.possible().isCopied(o.token));
+        if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
+            return;
+        }
+        CaseArcs arcs = generic.arcs.copy();
+        List<PlanNetMove> moves = new ArrayList<>(generic.moves);
+        Set<Integer> entered = new LinkedHashSet<>(generic.edges);
+        Set<String> left = new LinkedHashSet<>(generic.left);
+        List<String> named = new ArrayList<>();
+        for (TokenOption option : chosen) {
+            arcs.join(option.arcs);
+            moves.addAll(option.moves);
+            entered.addAll(option.edges);
+            left.addAll(option.left);
+            if (option.isNamed) {
+                named.add(option.token.label());
+            }
+        }
+        boolean ends = false;
+        for (int i = 0; i < selections.edges().size(); i++) {
+            OutEdge edge = selections.edges().get(i);
+            boolean isEnd = work.plan().place(edge.place()).filter(Place::end).isPresent();
+            ends |= isEnd;
+            boolean unconditional = edge.requirements().isEmpty()
+                    || edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL);
+            if (!entered.contains(i) && unconditional && !isEnd) {
+                arcs.add(work.places().nobody(edge.place()).getAsInt(), 1);
+                entered.add(i);
+            }
+        }
+        for (CaseArcs ready : InConditions.both(List.of(arcs), conditions)) {
+            for (CaseArcs awake : wakened(ready)) {
+                CaseArcs whole = awake.copy();
+                around(whole, entered, left, ends);
+                put(whole, named, moves, ends);
+            }
+        }
+    }
+
+    /** A transition with input events listens only while one of its in places is marked, or visited by nobody; its answer ends that visit. */
+    private List<CaseArcs> wakened(CaseArcs arcs) {
+        if (t.inputs().isEmpty() || ins.isEmpty()) {
+            return List.of(arcs);
+        }
+        List<CaseArcs> awake = new ArrayList<>();
+        List<String> inPlaces = ins.stream().map(InEdge::place).distinct().toList();
+        boolean isAwake = inPlaces.stream()
+                .anyMatch(place -> work.places().allIn(place).stream().anyMatch(arcs::needs));
+        if (isAwake) {
+            awake.add(arcs);
+        }
+        for (String place : inPlaces) {
+            if (!isAwake) {
+                for (int at : work.places().in(place).values()) {
+                    CaseArcs more = arcs.copy();
+                    more.atLeast(at, 1);
+                    awake.add(more);
+                }
+            }
+            work.places().nobody(place).ifPresent(nobody -> {
+                boolean asks = asks(place);
+                if (!isAwake && !(asks && !mayBeNews())) {
+                    CaseArcs more = arcs.copy();
+                    more.atLeast(nobody, 1);
+                    awake.add(more);
+                }
+                if (asks) {
+                    CaseArcs more = arcs.copy();
+                    more.remove(nobody, 1);
+                    awake.add(more);
+                }
+            });
+        }
+        return awake;
+    }
+
+    /** Whether an event of a place asks for one of its input events. */
+    private boolean asks(String place) {
+        return work.plan().place(place).stream()
+                .flatMap(p -> p.outputs().stream())
+                .flatMap(output -> work.vocabulary().event(output.type()).stream())
+                .anyMatch(type ->
+                        t.inputs().stream().anyMatch(input -> type.answers().contains(input.type())));
+    }
+
+    private boolean mayBeNews() {
+        return t.inputs().stream()
+                .anyMatch(input -> work.vocabulary()
+                        .event(input.type())
+                        .filter(type -> type.flags().contains(EventFlag.NEWS))
+                        .isPresent());
+    }
+
+    /** That the mission runs, the end, visits by nobody that end, and which transitions are to be looked at next. */
+    private void around(CaseArcs arcs, Set<Integer> entered, Set<String> left, boolean ends) {
+        int running = work.places().running();
+        if (ends) {
+            arcs.remove(running, 1);
+        } else {
+            arcs.atLeast(running, 1);
+        }
+        boolean clears = selections.all().stream()
+                .anyMatch(s -> s.isOf(TokenKind.ANY_TOKEN)
+                        && s.removes()
+                        && s.requirement().takesAll());
+        if (t.inputs().isEmpty() || clears) {
+            for (InEdge edge : ins) {
+                if (!work.possible().hasSub(edge.place())) {
+                    work.places().nobody(edge.place()).ifPresent(nobody -> {
+                        if (!arcs.adds(nobody)) {
+                            arcs.empty(nobody);
+                        }
+                    });
+                }
+            }
+        }
+        work.places().occasion(t.id()).ifPresent(mark -> arcs.remove(mark, 1));
+        if (!ends) {
+            entered.forEach(edge -> occasions(selections.target(edge), arcs));
+            left.forEach(place -> occasions(place, arcs));
+        }
+    }
+
+    private void occasions(String place, CaseArcs arcs) {
+        work.plan().inEdges().stream()
+                .filter(edge -> edge.place().equals(place))
+                .forEach(edge -> work.places().occasion(edge.transition()).ifPresent(arcs::set));
+    }
+
+    private void put(CaseArcs arcs, List<String> named, List<PlanNetMove> moves, boolean ends)
+            throws PlanNetTooLargeException {
+        if (arcs.isImpossible() || !known.add(arcs.key())) {
+            return;
+        }
+        work.putFiring(title(), new PlanNetFiring(t.id(), named, moves, ends), arcs, ++made);
+    }
+
+    private String title() {
+        return t.name().isBlank() ? t.id() : t.name();
+    }
+
+    /** Whether a transition without input events is looked at again by itself whenever it could fire: then it needs no mark. */
+    static boolean looksAgain(Plan plan, PossibleTokens possible, Transition t) {
+        List<InEdge> edges = plan.inEdgesOf(t.id());
+        return edges.stream().anyMatch(edge -> possible.hasSub(edge.place()))
+                || edges.stream()
+                        .anyMatch(edge ->
+                                edge.requirements().stream().anyMatch(in -> isTaken(plan.outEdgesOf(t.id()), in)));
+    }
+
+    /** Whether each firing removes a token that the requirement counts. */
+    private static boolean isTaken(List<OutEdge> outs, InRequirement in) {
+        boolean wants = (in.match() == Match.AT_LEAST || in.match() == Match.EXACTLY) && in.n() > 0;
+        return wants
+                && in.kind() != TokenKind.RELEVANT
+                && in.kind() != TokenKind.UNCONDITIONAL
+                && outs.stream()
+                        .flatMap(out -> out.requirements().stream())
+                        .anyMatch(out -> out.action() != Action.ADD
+                                && out.takesAll()
+                                && (out.kind() == in.kind() || out.kind() == TokenKind.ANY_TOKEN)
+                                && out.task().equals(in.task()));
+    }
+
+    /** Whether it takes only some of several tokens. */
+    static Optional<OutRequirement> choosing(Plan plan, Transition t) {
+        return plan.outEdgesOf(t.id()).stream()
+                .flatMap(edge -> edge.requirements().stream())
+                .filter(r -> !r.takesAll()
+                        && r.n() > 0
+                        && r.kind() != TokenKind.GENERIC
+                        && r.kind() != TokenKind.UNCONDITIONAL)
+                .findFirst();
+    }
+}
