@@ -1,11 +1,8 @@
 package org.sami.spn.engine.codec;
 
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import org.sami.spn.engine.state.MissionState;
-import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 
@@ -14,7 +11,6 @@ final class AlikeNames {
     private final Map<Long, MissionState> missions;
     private final Set<String> robots;
     private final LabelledStructure facts;
-    private final Map<Plan, Set<String>> spoken = new HashMap<>();
 
     /**
      * Names of robots and tasks.
@@ -33,18 +29,8 @@ final class AlikeNames {
 
     int task(TaskId id) {
         MissionState m = missions.get(id.mission());
-        boolean made = m != null && !spokenOf(m.plan.plan).contains(id.name());
+        boolean made = m != null && !m.plan.namedTasks.contains(id.name());
         return facts.object(id, made ? "task" : "task " + id.name() + (m == null ? " of another" : ""));
-    }
-
-    private Set<String> spokenOf(Plan plan) {
-        return spoken.computeIfAbsent(plan, p -> {
-            Set<String> names = new HashSet<>();
-            p.tasks().forEach(t -> names.add(t.name()));
-            p.inEdges().forEach(e -> e.requirements().forEach(r -> names.add(r.task())));
-            p.outEdges().forEach(e -> e.requirements().forEach(r -> names.add(r.task())));
-            return names;
-        });
     }
 
     int token(Token token) {

@@ -2,6 +2,7 @@ package org.sami.spn.engine.net;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -39,6 +40,9 @@ public final class CompiledPlan {
     public final int[] inputTypes;
 
     public final boolean hasShared;
+    /** Tasks of which it speaks by name: its own, and those of its requirements. */
+    public final Set<String> namedTasks = new HashSet<>();
+
     private final Map<String, CompiledTransition> transitionsById = new HashMap<>();
     private final Map<Integer, CompiledTransition[]> transitionsByType = new HashMap<>();
     private static final CompiledTransition[] NOBODY = {};
@@ -65,6 +69,9 @@ public final class CompiledPlan {
         plan.variables().forEach(v -> variables.put(v.name(), v));
         collectAsked();
         inputTypes = indexTypes();
+        plan.tasks().forEach(t -> namedTasks.add(t.name()));
+        plan.inEdges().forEach(e -> e.requirements().forEach(r -> namedTasks.add(r.task())));
+        plan.outEdges().forEach(e -> e.requirements().forEach(r -> namedTasks.add(r.task())));
         hasShared = List.of(places).stream().anyMatch(p -> !p.shared.isEmpty());
     }
 
