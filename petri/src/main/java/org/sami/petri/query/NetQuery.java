@@ -1,5 +1,7 @@
 package org.sami.petri.query;
 
+import java.util.List;
+
 /** A question about the reachable markings of a net. Immutable. */
 public sealed interface NetQuery {
     /** Is there a reachable marking that fulfils a condition? */
@@ -16,4 +18,24 @@ public sealed interface NetQuery {
 
     /** How many tokens does a place have at most? */
     record Bound(int place) implements NetQuery {}
+
+    /**
+     * How much is a weighted sum of tokens at most?
+     *
+     * @param text of the sum, for the answer
+     */
+    record BoundOfSum(List<LinearComparison.Term> terms, long constant, String text) implements NetQuery {
+        public BoundOfSum {
+            terms = List.copyOf(terms);
+        }
+
+        /** The sum in a marking. */
+        public long of(int[] marking) {
+            long sum = constant;
+            for (LinearComparison.Term term : terms) {
+                sum += (long) term.factor() * marking[term.place()];
+            }
+            return sum;
+        }
+    }
 }

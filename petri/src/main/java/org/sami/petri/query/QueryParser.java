@@ -3,7 +3,6 @@ package org.sami.petri.query;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import java.util.TreeMap;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.query.LinearComparison.Relation;
@@ -19,7 +18,7 @@ import org.sami.petri.query.MarkingCondition.NothingEnabled;
  *
  * <pre>
  * query     = "reachable" condition | "invariant" condition | "home" condition
- *           | "deadlock" ["unless" condition] | "bound" name
+ *           | "deadlock" ["unless" condition] | "bound" (name | sum)
  * condition = conjunction {"or" conjunction}
  * conjunction = part {"and" part}
  * part      = "not" part | "(" condition ")" | "deadlock" | "enabled" "(" name ")" | "true" | "false" | sum relation sum
@@ -29,7 +28,8 @@ import org.sami.petri.query.MarkingCondition.NothingEnabled;
  * relation  = "=" | "!=" | "&lt;" | "&lt;=" | "&gt;" | "&gt;="
  * </pre>
  *
- * A name is the id of a place or transition, in double quotes where it has other signs than letters, digits and {@code _.:}. For one thread, once.
+ * A name is the id of a place or transition, in double quotes where it has other signs than letters, digits and {@code _.:-}. Where the net has words of its own
+ * ({@link NetNames}), {@code ended} is a condition too. For one thread, once.
  */
 public final class QueryParser {
     private static final Map<String, Relation> RELATIONS = Map.of(
@@ -44,6 +44,7 @@ public final class QueryParser {
     private static final int MOST_DEPTH = 200;
 
     private final PetriNet net;
+    private final NetNames names;
     private final QueryWords words;
     private int depth;
 
@@ -53,8 +54,9 @@ public final class QueryParser {
         private long constant;
     }
 
-    private QueryParser(PetriNet net, QueryWords words) {
+    private QueryParser(PetriNet net, NetNames names, QueryWords words) {
         this.net = net;
+        this.names = names;
         this.words = words;
     }
 
@@ -64,7 +66,16 @@ public final class QueryParser {
      * @throws QueryFaultException with the column at which the text stops making sense, also where the net has no node of a name
      */
     public static NetQuery query(PetriNet net, String text) throws QueryFaultException {
-        QueryParser parser = new QueryParser(net, new QueryWords(text));
+        return query(net, NetNames.of(net), text);
+    }
+
+    /**
+     * Reads a query in which nodes are called by other names.
+     *
+     * @throws QueryFaultException with the column at which the text stops making sense, also where a name means nothing
+     */
+    public static NetQuery query(PetriNet net, NetNames names, String text) throws QueryFaultException {
+        QueryParser parser = new QueryParser(net, names, new QueryWords(text));
         NetQuery query = parser.query();
         parser.end();
         return query;
@@ -72,7 +83,7 @@ public final class QueryParser {
 
     /** Reads a condition alone. */
     public static MarkingCondition condition(PetriNet net, String text) throws QueryFaultException {
-        QueryParser parser = new QueryParser(net, new QueryWords(text));
+        QueryParser parser = new QueryParser(net, NetNames.of(net), new QueryWords(text));
         MarkingCondition condition = parser.condition();
         parser.end();
         return condition;
@@ -91,13 +102,35 @@ public final class QueryParser {
             case "reachable" -> new NetQuery.Reachable(condition());
             case "invariant" -> new NetQuery.Invariant(condition());
             case "home" -> new NetQuery.Home(condition());
-            case "deadlock" -> new NetQuery.Deadlock(words.skip("unless") ? condition() : new Any(List.of()));
-            case "bound" -> new NetQuery.Bound(place(words.next()));
+            case "deadlock" ->
+                new NetQuery.Deadlock(words.skip("unless") ? orEnd(condition()) : orEnd(new Any(List.of())));
+            case "bound" -> bound();
             default ->
                 throw new QueryFaultException(
                         kind.column(),
                         "a query begins with reachable, invariant, home, deadlock or bound, not with " + kind.shown());
         };
+    }
+
+    private MarkingCondition orEnd(MarkingCondition condition) {
+        return names.end()
+                .<MarkingCondition>map(end -> new Any(List.of(condition, end)))
+                .orElse(condition);
+    }
+
+    /** Of a place, or of a sum. */
+    private NetQuery bound() throws QueryFaultException {
+        QueryWords.Word first = words.peek();
+        if (words.isSum()) {
+            Sum sum = sum();
+            return new NetQuery.BoundOfSum(terms(sum, first.column()), sum.constant, words.since(first));
+        }
+        String name = name();
+        List<Integer> places = places(name, first);
+        return places.size() == 1
+                ? new NetQuery.Bound(places.get(0))
+                : new NetQuery.BoundOfSum(
+                        places.stream().map(place -> new Term(place, 1)).toList(), 0, name);
     }
 
     private MarkingCondition condition() throws QueryFaultException {
@@ -129,10 +162,14 @@ public final class QueryParser {
         } else if (words.skip("false")) {
             part = new Any(List.of());
         } else if (words.skip("deadlock")) {
-            part = new NothingEnabled(net);
+            part = names.end()
+                    .<MarkingCondition>map(end -> new All(List.of(new NothingEnabled(net), new Not(end))))
+                    .orElse(new NothingEnabled(net));
+        } else if (names.end().isPresent() && words.skip("ended")) {
+            part = names.end().get();
         } else if (words.skip("enabled")) {
             words.expect("(");
-            part = new Enabled(net, transition(words.next()));
+            part = enabled();
             words.expect(")");
         } else if (words.skip("(")) {
             part = condition();
@@ -142,6 +179,16 @@ public final class QueryParser {
         }
         depth--;
         return part;
+    }
+
+    private MarkingCondition enabled() throws QueryFaultException {
+        QueryWords.Word first = words.peek();
+        String name = name();
+        List<MarkingCondition> any =
+                names.transitions(name).orElseThrow(() -> unknown("transition", name, first)).stream()
+                        .<MarkingCondition>map(transition -> new Enabled(net, transition))
+                        .toList();
+        return any.size() == 1 ? any.get(0) : new Any(any);
     }
 
     private MarkingCondition comparison() throws QueryFaultException {
@@ -155,8 +202,12 @@ public final class QueryParser {
         }
         Sum right = sum();
         right.factors.forEach((place, factor) -> left.factors.merge(place, -factor, Long::sum));
+        return new LinearComparison(terms(left, column), relation, right.constant - left.constant);
+    }
+
+    private static List<Term> terms(Sum sum, int column) throws QueryFaultException {
         List<Term> terms = new ArrayList<>();
-        for (Map.Entry<Integer, Long> entry : left.factors.entrySet()) {
+        for (Map.Entry<Integer, Long> entry : sum.factors.entrySet()) {
             long factor = entry.getValue();
             if (Math.abs(factor) > Integer.MAX_VALUE) {
                 throw new QueryFaultException(column, "the factor " + factor + " is too large");
@@ -165,7 +216,7 @@ public final class QueryParser {
                 terms.add(new Term(entry.getKey(), (int) factor));
             }
         }
-        return new LinearComparison(terms, relation, right.constant - left.constant);
+        return terms;
     }
 
     private Sum sum() throws QueryFaultException {
@@ -184,23 +235,23 @@ public final class QueryParser {
             long number = number(word);
             if (words.skip("*")) {
                 words.expect("m");
-                sum.factors.merge(tokens(), sign * number, Long::sum);
+                tokens(sum, sign * number);
             } else {
                 sum.constant += sign * number;
             }
         } else if (word.is("m")) {
-            sum.factors.merge(tokens(), (long) sign, Long::sum);
+            tokens(sum, sign);
         } else {
             throw new QueryFaultException(
                     word.column(), "expected is a number or the tokens of a place, m(NAME), not " + word.shown());
         }
     }
 
-    private int tokens() throws QueryFaultException {
+    private void tokens(Sum sum, long factor) throws QueryFaultException {
         words.expect("(");
-        int place = place(words.next());
+        QueryWords.Word first = words.peek();
+        places(name(), first).forEach(place -> sum.factors.merge(place, factor, Long::sum));
         words.expect(")");
-        return place;
     }
 
     private static long number(QueryWords.Word word) throws QueryFaultException {
@@ -210,18 +261,32 @@ public final class QueryParser {
         return Long.parseLong(word.text());
     }
 
-    private int place(QueryWords.Word name) throws QueryFaultException {
-        return known(net.place(name.text()), "place", name);
-    }
-
-    private int transition(QueryWords.Word name) throws QueryFaultException {
-        return known(net.transition(name.text()), "transition", name);
-    }
-
-    private static int known(OptionalInt node, String kind, QueryWords.Word name) throws QueryFaultException {
-        if (node.isEmpty()) {
-            throw new QueryFaultException(name.column(), "the net has no " + kind + " with the id " + name.shown());
+    /** A name in brackets or at the end: its signs need no quotes there. */
+    private String name() throws QueryFaultException {
+        QueryWords.Word first = words.next();
+        if (first.is("") || first.is(")")) {
+            throw new QueryFaultException(first.column(), "expected is a name, not " + first.shown());
         }
-        return node.getAsInt();
+        StringBuilder name = new StringBuilder(first.text());
+        boolean isOpen = false; // after a hyphen
+        while (isOpen || words.peek().is("-") || isTail(words.peek())) {
+            QueryWords.Word part = words.next();
+            isOpen = part.is("-");
+            name.append(part.text());
+        }
+        return name.toString();
+    }
+
+    /** Whether a word goes on with a name that ended in quotes. */
+    private static boolean isTail(QueryWords.Word word) {
+        return !word.isQuoted() && word.text().startsWith(".");
+    }
+
+    private List<Integer> places(String name, QueryWords.Word at) throws QueryFaultException {
+        return names.places(name).orElseThrow(() -> unknown("place", name, at));
+    }
+
+    private static QueryFaultException unknown(String kind, String name, QueryWords.Word at) {
+        return new QueryFaultException(at.column(), "the net has no " + kind + " with the id '" + name + "'");
     }
 }

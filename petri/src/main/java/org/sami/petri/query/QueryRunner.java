@@ -55,6 +55,8 @@ public final class QueryRunner {
             return home(home.condition());
         } else if (query instanceof NetQuery.Bound bound) {
             return bound(bound.place());
+        } else if (query instanceof NetQuery.BoundOfSum bound) {
+            return bound(bound);
         }
         throw new IllegalArgumentException("a query of an unknown kind: " + query);
     }
@@ -146,6 +148,30 @@ public final class QueryRunner {
                         + run.transitions().size() + " firings",
                 Optional.of(run),
                 graph);
+    }
+
+    private QueryAnswer bound(NetQuery.BoundOfSum bound) {
+        ReachabilityGraph graph =
+                search(settings(new LinearComparison(bound.terms(), LinearComparison.Relation.AT_LEAST, 0)));
+        int highest = 0;
+        long most = Long.MIN_VALUE;
+        for (int state = 0; state < graph.states(); state++) {
+            long sum = bound.of(graph.marking(state));
+            if (sum > most) {
+                most = sum;
+                highest = state;
+            }
+        }
+        Optional<FiringSequence> run = Optional.of(graph.runTo(highest));
+        return graph.isComplete()
+                ? new QueryAnswer(NetVerdict.YES, bound.text() + " is at most " + most, run, graph)
+                : new QueryAnswer(
+                        NetVerdict.UNKNOWN,
+                        bound.text() + " is up to " + most + " among " + graph.states()
+                                + " states: bounded search only, as "
+                                + graph.end().words(),
+                        run,
+                        graph);
     }
 
     private QueryAnswer bound(int place) {

@@ -8,6 +8,7 @@ final class QueryWords {
     private static final List<String> SIGNS = List.of("<=", ">=", "!=", "<", ">", "=", "(", ")", "+", "-", "*");
 
     private final List<Word> words = new ArrayList<>();
+    private final String text;
     private int at;
 
     /**
@@ -27,6 +28,7 @@ final class QueryWords {
     }
 
     QueryWords(String text) throws QueryFaultException {
+        this.text = text;
         int i = 0;
         while (i < text.length()) {
             int from = i;
@@ -105,5 +107,19 @@ final class QueryWords {
         if (!found.is(word)) {
             throw new QueryFaultException(found.column(), "expected is '" + word + "', not " + found.shown());
         }
+    }
+
+    /** Whether a sum of tokens follows, not a name alone. */
+    boolean isSum() {
+        Word first = peek();
+        boolean opens = at + 1 < words.size() && words.get(at + 1).is("(");
+        return first.is("-")
+                || (first.is("m") && opens)
+                || (!first.isQuoted() && first.text().matches("\\d+"));
+    }
+
+    /** The words from one that was passed to the next. */
+    String since(Word from) {
+        return text.substring(from.column() - 1, peek().column() - 1).strip();
     }
 }

@@ -59,7 +59,7 @@ class QueryParserTest {
         reachable enabled(p) | 19 | the net has no transition with the id 'p'
         reachable m(p) ~ 1 | 16 | '~' has no meaning here; names with such signs stand in "quotes"
         bound "p | 7 | the quotation that begins here has no end
-        bound | 6 | the net has no place with the id the end
+        bound | 6 | expected is a name, not the end
         deadlock if m(p) = 1 | 10 | the query should end before 'if'
         """)
     void faultsSayColumnAndReason(String text, int column, String message) {

@@ -149,4 +149,71 @@ class QueryRunnerTest {
                     .isEqualTo(large.witness().map(run -> run.transitions().size()));
         }
     }
+
+    @Test
+    void mostOfASumIsFoundOnTheGraphWithARunToIt() throws QueryFaultException {
+        PetriNet net = ExampleNets.philosophers(4);
+        QueryRunner runner = new QueryRunner(
+                net,
+                SearchBudget.ofStates(10_000),
+                new QueryMeans(true, Optional.empty()),
+                GraphWatch.NONE,
+                System::nanoTime);
+        NetQuery query = QueryParser.query(net, "bound m(eats0) + m(eats1) + m(eats2) + 2*m(eats3) + 1");
+
+        QueryAnswer answer = runner.answer(query);
+
+        assertThat(answer.verdict()).isEqualTo(QueryAnswer.NetVerdict.YES);
+        assertThat(answer.words()).isEqualTo("m(eats0) + m(eats1) + m(eats2) + 2*m(eats3) + 1 is at most 4");
+        assertThat(((NetQuery.BoundOfSum) query)
+                        .of(answer.witness().orElseThrow().replay(net)))
+                .isEqualTo(4);
+    }
+
+    @Test
+    void namesOfWhoeverMadeTheNetCountPlacesTogetherAndKnowItsEnd() throws QueryFaultException {
+        PetriNet net = ExampleNets.philosophers(2);
+        MarkingCondition left = QueryParser.condition(net, "m(left0) = 1 and m(left1) = 1");
+        NetNames names = new NetNames() {
+            @Override
+            public Optional<List<Integer>> places(String name) {
+                return name.equals("eat-ing.all")
+                        ? Optional.of(List.of(
+                                net.place("eats0").getAsInt(),
+                                net.place("eats1").getAsInt()))
+                        : Optional.empty();
+            }
+
+            @Override
+            public Optional<List<Integer>> transitions(String name) {
+                return NetNames.of(net).transitions(name);
+            }
+
+            @Override
+            public Optional<MarkingCondition> end() {
+                return Optional.of(left);
+            }
+        };
+        QueryRunner runner = new QueryRunner(
+                net,
+                SearchBudget.ofStates(10_000),
+                new QueryMeans(true, Optional.empty()),
+                GraphWatch.NONE,
+                System::nanoTime);
+
+        assertThat(runner.answer(QueryParser.query(net, names, "bound eat-ing.all"))
+                        .words())
+                .isEqualTo("eat-ing.all is at most 1");
+        assertThat(runner.answer(QueryParser.query(net, names, "invariant m(\"eat-ing\".all) <= 1"))
+                        .verdict())
+                .isEqualTo(QueryAnswer.NetVerdict.YES);
+        assertThat(runner.answer(QueryParser.query(net, names, "reachable ended"))
+                        .verdict())
+                .isEqualTo(QueryAnswer.NetVerdict.YES);
+        assertThat(runner.answer(QueryParser.query(net, names, "deadlock"))
+                        .witness()
+                        .orElseThrow()
+                        .ids(net))
+                .containsExactly("takeRight0", "takeRight1");
+    }
 }

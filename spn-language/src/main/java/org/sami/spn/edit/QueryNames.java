@@ -15,9 +15,9 @@ import org.sami.spn.model.PlanQuery;
 final class QueryNames {
     /** A name in quotes or without, then what of its tokens is meant, such as {@code .robots}. */
     private static final Pattern USE = Pattern.compile(
-            "(?<before>\\b(?:m|enabled)\\s*\\(\\s*|^\\s*bound\\s+)(?:\"(?<quoted>(?:[^\"\\\\]|\\\\.)*)\"|(?<plain>[\\p{L}\\p{N}_.:]+))");
+            "(?<before>\\b(?:m|enabled)\\s*\\(\\s*|^\\s*bound\\s+)(?:\"(?<quoted>(?:[^\"\\\\]|\\\\.)*)\"|(?<plain>[\\p{L}\\p{N}_.:-]+))");
 
-    private static final Pattern PLAIN = Pattern.compile("[\\p{L}\\p{N}_:]+");
+    private static final Pattern PLAIN = Pattern.compile("[\\p{L}\\p{N}_:-]+");
 
     private final Plan plan;
     private final Function<NameUse, String> names;

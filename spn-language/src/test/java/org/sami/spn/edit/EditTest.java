@@ -166,9 +166,9 @@ class EditTest {
         assertThat(plan(done, "p").queries())
                 .extracting(PlanQuery::text)
                 .containsExactly(
-                        "reachable m(\"first-one\".robots) >= 1 and m(\"first-one\".generic) = 0",
-                        "bound \"first-one\"",
-                        "invariant m(starting) = 0 or enabled(t) and m( \"first-one\" ) <= 2");
+                        "reachable m(first-one.robots) >= 1 and m(first-one.generic) = 0",
+                        "bound first-one",
+                        "invariant m(starting) = 0 or enabled(t) and m( first-one ) <= 2");
         assertThat(new Usages(done.changed()).ofElement("p", "first-one"))
                 .extracting(Usage::where)
                 .contains("query \"a\"", "query \"b\"", "query \"c\"");
