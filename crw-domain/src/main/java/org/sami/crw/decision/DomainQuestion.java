@@ -12,7 +12,11 @@ public enum DomainQuestion {
     /** Boats are sent far away or onto land: are they to go? */
     DOUBTFUL_WAY("DoubtfulWay", false),
     /** Boats are sent farther than their charge lasts: are they to go? */
-    LONG_WAY("LongWay", true);
+    LONG_WAY("LongWay", true),
+    /** A boat came back twice for a new battery and has visited nothing more: is it to go without coming home first? */
+    FUTILE_WAY("FutileWay", true),
+    /** The same of a boat that would have to be fetched. */
+    ONE_WAY("OneWay", false);
 
     private final String kind;
     private final boolean simulatedAnswer;
@@ -34,7 +38,7 @@ public enum DomainQuestion {
 
     /** Whether it is asked about the ways of boats. */
     public boolean isAboutWays() {
-        return this == DOUBTFUL_WAY || this == LONG_WAY;
+        return this == DOUBTFUL_WAY || this == LONG_WAY || this == FUTILE_WAY || this == ONE_WAY;
     }
 
     /** The question of a kind. */

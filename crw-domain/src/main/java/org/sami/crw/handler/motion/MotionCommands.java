@@ -208,6 +208,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     @Override
     public void accept(FleetEvent event) {
+        questions.accept(event);
         if (event instanceof FleetEvent.Progressed progressed) {
             onProgress(progressed.command(), progressed.visited());
         } else if (event instanceof FleetEvent.PanoramaTaken panorama) {

@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.PlannedSwaps;
@@ -54,6 +55,7 @@ public final class WayQuestions implements HostListener {
     private final MessageSink messages;
     private final Executor fleet;
     private final Set<String> withWayHome;
+    private final FutileReturns returns;
     private final Map<String, Held> held = new LinkedHashMap<>(); // by kind and activation
 
     /** What becomes of moves that were asked about. */
@@ -73,6 +75,10 @@ public final class WayQuestions implements HostListener {
             return AskedActivation.of(activation).subject();
         }
 
+        boolean isFutile() {
+            return question == DomainQuestion.FUTILE_WAY || question == DomainQuestion.ONE_WAY;
+        }
+
         String memory() {
             return "way/" + question.kind() + "/" + activation.id();
         }
@@ -88,6 +94,12 @@ public final class WayQuestions implements HostListener {
         this.messages = messages;
         this.fleet = fleet;
         this.withWayHome = Set.copyOf(withWayHome);
+        returns = new FutileReturns(boats);
+    }
+
+    /** Takes in what happened to a boat. */
+    void accept(FleetEvent event) {
+        returns.accept(event);
     }
 
     /** Keeps the moves that are doubted and asks about them; the others are returned. */
@@ -97,7 +109,8 @@ public final class WayQuestions implements HostListener {
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
         for (Move move : moves) {
             Optional<Way> way = way(move, avoid);
-            Optional<WayDoubt> doubt = move.doubt().or(() -> way.flatMap(WayCheck::doubt));
+            Optional<WayDoubt> futile = returns.doubt(move);
+            Optional<WayDoubt> doubt = move.doubt().or(() -> futile).or(() -> way.flatMap(WayCheck::doubt));
             Optional<WayBack> back = doubt.isPresent() ? Optional.empty() : way.flatMap(this::wayBack);
             if (back.isPresent() && !back.get().isSure() && asksForWayHome(activation, context, move)) {
                 doubt = Optional.of(
@@ -143,7 +156,12 @@ public final class WayQuestions implements HostListener {
     }
 
     private static DomainQuestion question(WayDoubt doubt) {
-        return doubt.kind() == WayDoubt.Kind.PLACE ? DomainQuestion.DOUBTFUL_WAY : DomainQuestion.LONG_WAY;
+        return switch (doubt.kind()) {
+            case PLACE -> DomainQuestion.DOUBTFUL_WAY;
+            case CHARGE -> DomainQuestion.LONG_WAY;
+            case NO_HEADWAY -> DomainQuestion.FUTILE_WAY;
+            case ONE_WAY -> DomainQuestion.ONE_WAY;
+        };
     }
 
     private Optional<Way> way(Move move, List<GeoArea> avoid) {
@@ -183,7 +201,8 @@ public final class WayQuestions implements HostListener {
                 one.question.kind(),
                 one.about(),
                 doubts + (more > 0 ? "; and " + more + " boats more" : "") + ". Send "
-                        + (one.all.size() == 1 ? "it?" : "them?"),
+                        + (one.all.size() == 1 ? "it" : "them")
+                        + (one.isFutile() ? " without coming home first?" : "?"),
                 Priority.HIGH));
     }
 
@@ -209,8 +228,11 @@ public final class WayQuestions implements HostListener {
         return held.values().stream().map(one -> one.activation.mission()).collect(Collectors.toSet());
     }
 
-    private static void settle(Held one, boolean yes) {
+    private void settle(Held one, boolean yes) {
         if (yes) {
+            if (one.isFutile()) {
+                one.all.forEach(doubted -> sendOn(one, doubted));
+            }
             one.sender.send(
                     one.activation,
                     one.context,
@@ -219,6 +241,17 @@ public final class WayQuestions implements HostListener {
             one.all.forEach(doubted -> one.sender.refuse(
                     one.activation, one.context, doubted.move, REJECTED_WAY + ": " + doubted.doubt.words()));
         }
+    }
+
+    private void sendOn(Held one, Doubted doubted) {
+        String boat = doubted.move.addressee().boat();
+        messages.tell(ActivationMessages.of(
+                one.activation,
+                one.context,
+                Priority.MEDIUM,
+                doubted.doubt.words() + ". It goes on without coming home first, as the operator wants",
+                List.of(boat)));
+        returns.excuse(boat, one.activation.mission(), one.context);
     }
 
     /** Takes back what a mission wants of boats; no boats named = of all. A question that is about nobody any longer is withdrawn. */

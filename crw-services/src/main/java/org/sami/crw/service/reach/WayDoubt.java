@@ -13,7 +13,11 @@ public record WayDoubt(Kind kind, String words) {
         /** A point lies far away, or on land. */
         PLACE,
         /** The way is longer than the charge lasts. */
-        CHARGE
+        CHARGE,
+        /** The boat has come back from it twice for a new battery, and may go without coming home first. */
+        NO_HEADWAY,
+        /** The same, and its charge does not last for the way back. */
+        ONE_WAY
     }
 
     public WayDoubt {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.handler.motion.WithoutComingHome;
 import org.sami.crw.report.InterruptResult;
 import org.sami.crw.session.Scheduler;
 import org.sami.crw.sim.run.operator.InterruptPress.State;
@@ -39,6 +40,7 @@ public final class InterruptScheduler implements HostListener {
     private final Scheduler clock;
     private final List<InterruptPress> presses = new ArrayList<>();
     private final Set<String> critical = new LinkedHashSet<>();
+    private final Set<String> excused = new HashSet<>(); // they go on with a critical battery
     private Consumer<Input> door =
             input -> {}; // does nothing while the past of a run is repeated: the presses are in it
     private final Set<Long> missions = new HashSet<>(); // running root missions
@@ -77,6 +79,7 @@ public final class InterruptScheduler implements HostListener {
         if (input instanceof Input.Received received) {
             battery(received.occurrence());
         }
+        WithoutComingHome.of(input).ifPresent(this::excuse);
         boolean changed = false;
         for (Effect effect : effects) {
             changed |= effect instanceof Effect.Fired || effect instanceof Effect.Activated;
@@ -186,7 +189,19 @@ public final class InterruptScheduler implements HostListener {
         }
     }
 
+    /** Boats that the operator has sent on with a critical battery are not pulled out until they have visited one point more. */
+    private void excuse(WithoutComingHome news) {
+        if (news.goes()) {
+            excused.add(news.boat());
+        } else if (excused.remove(news.boat()) && critical.contains(news.boat()) && begun) {
+            turnedCritical(news.boat());
+        }
+    }
+
     private void turnedCritical(String boat) {
+        if (excused.contains(boat)) {
+            return;
+        }
         for (PlannedInterrupt plan : planned) {
             if (plan.isForBattery() && plan.boat().map(boat::equals).orElse(true)) {
                 InterruptPress press = new InterruptPress(plan, List.of(boat));
