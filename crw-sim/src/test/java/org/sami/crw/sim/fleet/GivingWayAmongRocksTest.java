@@ -14,6 +14,8 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.prep.PreparedGeometry;
+import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.SafetyMargin;
@@ -32,7 +34,7 @@ class GivingWayAmongRocksTest {
     private Conditions conditions = Conditions.CALM;
     private SimulatedTestWorld world;
     private Water water;
-    private Geometry forbidden; // on the plane of the hulls
+    private PreparedGeometry forbidden; // on the plane of the hulls; asked for each boat ten times a second
     private double leastM = Double.MAX_VALUE;
     private double deepestM;
     private double announcedM;
@@ -49,17 +51,19 @@ class GivingWayAmongRocksTest {
 
     private void avoid(List<double[]> rocks) {
         List<GeoArea> areas = new ArrayList<>();
-        forbidden = FACTORY.createPolygon();
+        Geometry all = FACTORY.createPolygon();
         for (double[] rock : rocks) {
             areas.add(new GeoArea(world.points(rock), List.of()));
-            forbidden = forbidden.union(polygon(rock));
+            all = all.union(polygon(rock));
         }
+        forbidden = PreparedGeometryFactory.prepare(all);
         water = Water.of(world.boat().position(), areas, Optional.empty()).drivenWith(conditions.crossTrackError());
     }
 
     private void stayWithin(double... outline) {
         GeoArea area = new GeoArea(world.points(outline), List.of());
-        forbidden = FACTORY.toGeometry(new Envelope(-1000, 1000, -1000, 1000)).difference(polygon(outline));
+        forbidden = PreparedGeometryFactory.prepare(
+                FACTORY.toGeometry(new Envelope(-1000, 1000, -1000, 1000)).difference(polygon(outline)));
         water = Water.of(world.boat().position(), List.of(), Optional.of(area))
                 .drivenWith(conditions.crossTrackError());
     }
@@ -117,7 +121,7 @@ class GivingWayAmongRocksTest {
                 leastM = Math.min(leastM, at.distance(place(all.get(j))));
             }
             if (forbidden.intersects(FACTORY.createPoint(at))) {
-                double depthM = forbidden.getBoundary().distance(FACTORY.createPoint(at));
+                double depthM = forbidden.getGeometry().getBoundary().distance(FACTORY.createPoint(at));
                 if (depthM > deepestM) {
                     deepestM = depthM;
                     deepest = all.get(i).id() + " at " + at + " after " + atS + " s";
