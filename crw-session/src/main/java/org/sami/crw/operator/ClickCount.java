@@ -1,5 +1,6 @@
 package org.sami.crw.operator;
 
+import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,11 +27,16 @@ import org.sami.spn.value.Value;
  */
 public final class ClickCount {
     private final Map<Long, Question> open = new HashMap<>();
+    private final Map<ClickKind, Long> byKind = new EnumMap<>(ClickKind.class);
     private long clicks;
 
     /** Counts one input that was taken in, with what followed from it. */
     public void count(Input input, List<Effect> effects) {
-        clicks += wasRefused(input, effects) ? 0 : clicksOf(input);
+        long more = wasRefused(input, effects) ? 0 : clicksOf(input);
+        if (more > 0) {
+            clicks += more;
+            byKind.merge(kindOf(input), more, Long::sum);
+        }
         for (Effect effect : effects) {
             if (effect instanceof Effect.DecisionOpened opened) {
                 open.put(opened.decision().id(), opened.decision().question());
@@ -53,6 +59,21 @@ public final class ClickCount {
     /** Clicks so far. */
     public long clicks() {
         return clicks;
+    }
+
+    /** The same by kind; kinds without clicks are left out. */
+    public Map<ClickKind, Long> byKind() {
+        return Map.copyOf(byKind);
+    }
+
+    private static ClickKind kindOf(Input input) {
+        if (input instanceof Input.StartMission) {
+            return ClickKind.START;
+        }
+        if (input instanceof Input.AbortMission || input instanceof Input.CompleteMission) {
+            return ClickKind.ABORT;
+        }
+        return input instanceof Input.Interrupt ? ClickKind.PRESS : ClickKind.ANSWER;
     }
 
     private long clicksOf(Input input) {

@@ -32,6 +32,7 @@ import org.sami.crw.sim.experiment.ExperimentTable;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.json.DomainLibrary;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,10 +44,13 @@ import picocli.CommandLine.Spec;
 /** {@code crw experiment}: one or several missions with many seeds, in several conditions. */
 @Command(
         name = "experiment",
+        preprocessor = TableArguments.class,
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description = "Runs missions on simulated boats with many seeds and in several conditions, side by side on all"
-                + " cores, and prints a table of the results. Equal experiments give equal tables.",
+            + " cores, and prints a table of the results. Equal experiments give equal tables. The tables of the"
+            + " thesis, and experiments of your own that compare versions of a mission, have other options: see 'crw"
+            + " experiment --table all --help'.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:all missions ended",
@@ -62,7 +66,8 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw experiment clv --boats 5 --locations 20",
             "  crw experiment explore-area --seeds 1..50 --conditions field --out explore.csv",
-            "  crw experiment --runs library.runs --seeds 1..20"
+            "  crw experiment --runs library.runs --seeds 1..20",
+            "  crw experiment --table 7.2 --repetitions 10 --out table-7.2"
         })
 public final class ExperimentCommand implements Callable<Integer> {
     private static final String RUNS = "--runs";
@@ -127,8 +132,27 @@ public final class ExperimentCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private ScenarioOptions options;
 
+    private List<String> tableArguments = List.of();
+
+    /** This call is about a table, with these arguments. */
+    void makeTable(List<String> arguments) {
+        tableArguments = List.copyOf(arguments);
+    }
+
+    private int callTable() {
+        CommandLine line = new CommandLine(new ExperimentTableCommand());
+        line.setOut(spec.commandLine().getOut());
+        line.setErr(spec.commandLine().getErr());
+        line.setParameterExceptionHandler(ErrorMessages::onWrongUsage);
+        line.setExecutionExceptionHandler(ErrorMessages::onException);
+        return line.execute(tableArguments.toArray(new String[0]));
+    }
+
     @Override
     public Integer call() throws IOException {
+        if (!tableArguments.isEmpty()) {
+            return callTable();
+        }
         PrintWriter err = spec.commandLine().getErr();
         int threads = threads();
         Optional<DomainLibrary> words = domain.library(err);

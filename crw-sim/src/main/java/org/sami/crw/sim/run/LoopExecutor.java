@@ -9,7 +9,7 @@ import java.util.concurrent.Executor;
  * Tasks of the run's only thread, shared by engine and handlers; all are done before simulated time advances. First in, first out: what handlers post
  * keeps the order of their activations.
  */
-final class LoopExecutor implements Executor {
+public final class LoopExecutor implements Executor {
     private final Deque<Runnable> waiting = new ArrayDeque<>();
 
     @Override
@@ -18,7 +18,7 @@ final class LoopExecutor implements Executor {
     }
 
     /** Runs all waiting tasks and those that they add. */
-    void drain() {
+    public void drain() {
         for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {
             next.run();
         }

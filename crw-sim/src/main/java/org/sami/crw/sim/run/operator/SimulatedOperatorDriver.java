@@ -41,7 +41,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
 
     private static final Comparator<Asked> IN_TURN = DecisionQueue.order(Asked::decision, Asked::atMillis);
 
-    private final SimulatedOperator operator;
+    private final AnswerSource answers;
     private final Scheduler clock;
     private final long answerAfterMillis;
     private final GeoPoint quay;
@@ -59,7 +59,18 @@ public final class SimulatedOperatorDriver implements SessionOperator {
      * @param quay where they are
      */
     public SimulatedOperatorDriver(SimulatedOperator operator, Scheduler clock, long answerAfterMillis, GeoPoint quay) {
-        this.operator = operator;
+        this((AnswerSource) operator::answer, clock, answerAfterMillis, quay);
+    }
+
+    /**
+     * An operator whose answers come from elsewhere.
+     *
+     * @param answers what is answered, and what delays it further
+     * @param answerAfterMillis delay of each answer, in ms, as above
+     * @param quay where batteries are changed
+     */
+    public SimulatedOperatorDriver(AnswerSource answers, Scheduler clock, long answerAfterMillis, GeoPoint quay) {
+        this.answers = answers;
         this.clock = clock;
         this.answerAfterMillis = answerAfterMillis;
         this.quay = quay;
@@ -93,7 +104,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     }
 
     private void think(Asked asked) {
-        thinkFor(asked, answerAfterMillis + asked.workMillis());
+        thinkFor(asked, answerAfterMillis + asked.workMillis() + answers.furtherMillis(asked));
     }
 
     private void thinkFor(Asked asked, long millis) {
@@ -148,7 +159,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     }
 
     private void answer(Decision decision, String plan) {
-        Reading<Answer> answer = operator.answer(decision, plan);
+        Reading<Answer> answer = answers.answer(decision, plan);
         for (Finding finding : answer.findings()) {
             String text = finding.pointer().isEmpty()
                     ? finding.message()

@@ -23,7 +23,7 @@ public final class RunHash {
     }
 
     /** Adds the effects of one input. */
-    void add(long atMillis, List<Effect> effects) {
+    public void add(long atMillis, List<Effect> effects) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.Fired || effect instanceof Effect.Activated) {
                 line(atMillis + " " + effect);
@@ -32,7 +32,7 @@ public final class RunHash {
     }
 
     /** The hash of everything so far and of these positions; later additions do not change it. */
-    String with(List<BoatState> boats) {
+    public String with(List<BoatState> boats) {
         try {
             MessageDigest end = (MessageDigest) digest.clone();
             boats.forEach(boat ->

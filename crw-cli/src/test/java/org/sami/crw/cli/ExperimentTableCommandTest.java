@@ -1,0 +1,159 @@
+package org.sami.crw.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.sami.crw.cli.CommandResult.crw;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The command {@code crw experiment --table}, and experiments of one's own. */
+class ExperimentTableCommandTest {
+    private static final String CELLS = "table.csv";
+
+    @TempDir
+    Path folder;
+
+    private CommandResult table(String name, String out, String... more) {
+        List<String> arguments = new ArrayList<>(List.of("experiment"));
+        if (!name.isEmpty()) {
+            arguments.addAll(List.of("--table", name));
+        }
+        arguments.addAll(List.of("--boats", "3", "--locations", "8", "--area", "150", "--repetitions", "2"));
+        if (!out.isEmpty()) {
+            arguments.addAll(List.of("--out", folder.resolve(out).toString()));
+        }
+        arguments.addAll(List.of(more));
+        return crw(arguments.toArray(new String[0]));
+    }
+
+    private double mean(String out, String column) throws IOException {
+        return Files.readAllLines(folder.resolve(out).resolve(CELLS)).stream()
+                .map(line -> line.replaceFirst("^\"[^\"]*\"", "").split(",", -1))
+                .filter(cells -> cells[1].equals(column))
+                .mapToDouble(cells -> Double.parseDouble(cells[7]))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** The kept numbers are those of small areas; clicks follow from which locations are unvisited at an incident. */
+    @ParameterizedTest
+    @CsvSource({
+        "7.1, --set swap=10 --range 600 --charge 50..60, 10, 10",
+        "7.2, --set alarms=1 --alarm-length 10, 36, 4",
+        "7.3, --set inside=2 --set side=90, 47, -3"
+    })
+    void cellOfEachTableHasTheGainThatWasKept(String name, String options, double clicks, double time)
+            throws IOException {
+        CommandResult ran = table(name, "kept", options.split(" "));
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(mean("kept", "# interactions")).isCloseTo(clicks, within(6.0));
+        assertThat(mean("kept", "total time")).isCloseTo(time, within(12.0));
+        assertThat(ran.out()).contains("Table " + name).contains("divide locations by auction");
+    }
+
+    @Test
+    void tableIsTheSameWithOneJobAndWithTwoAndGoesOnWhereItWasCut() throws IOException {
+        String[] alarm = {"--set", "alarms=1", "--alarm-length", "10"};
+        List<String> two = new ArrayList<>(List.of(alarm));
+        two.addAll(List.of("--jobs", "2"));
+
+        CommandResult alone = table("7.2", "alone", alarm);
+        Files.createDirectories(folder.resolve("cut"));
+        table("7.2", "cut", two.toArray(new String[0]));
+        Path rows = folder.resolve("cut").resolve("runs.csv");
+        String whole = Files.readString(rows);
+        Files.writeString(rows, whole.substring(0, whole.length() - 90)); // as if it had been killed in its last row
+        CommandResult goneOn = table("7.2", "cut", two.toArray(new String[0]));
+
+        assertThat(goneOn.out()).isEqualTo(alone.out());
+        assertThat(goneOn.err()).contains("3 of them were made earlier");
+        for (String file : List.of("runs.csv", CELLS, "table.txt", "table.html")) {
+            assertThat(folder.resolve("cut").resolve(file))
+                    .as(file)
+                    .hasSameTextualContentAs(folder.resolve("alone").resolve(file));
+        }
+        assertThat(folder.resolve("alone").resolve("table.png")).isNotEmptyFile();
+    }
+
+    @Test
+    void repetitionThatDoesNotEndIsShownAndInNoMean() throws IOException {
+        CommandResult ran = table("7.2", "late", "--set", "alarms=1", "--set", "limit=20");
+
+        assertThat(ran.exitCode()).isEqualTo(6);
+        assertThat(ran.out())
+                .containsPattern("3, 8, 1 +- +- +- +0 +2 +0")
+                .contains("3, 8, 1, repetition 1, standard: running, it did not end within 20 s");
+    }
+
+    @Test
+    void folderOfOtherSettingsIsNotMixedUp() throws IOException {
+        Path out = Files.createDirectories(folder.resolve("other"));
+        Files.writeString(out.resolve("runs.csv"), "configuration\n");
+
+        CommandResult ran = table("7.2", "other");
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("holds runs of another experiment or of other settings");
+        assertThat(out.resolve("runs.csv")).hasContent("configuration");
+    }
+
+    @Test
+    void faultsOfAnExperimentsFileAreNamedWithTheirPlaces() throws IOException {
+        Path file = folder.resolve("mine.json");
+        Files.writeString(file, """
+            {"format": "crw-experiment", "version": 1, "id": "mine",
+             "factors": {"boats": [2]},
+             "versions": [{"name": "a", "start": [{"start": "clw"}, {"press": "alarm", "when": 3}, {"wait": "${pause}"}]}],
+             "columns": [{"gain": "click", "of": "a", "against": "b"}]}
+            """);
+
+        CommandResult ran = crw("experiment", file.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(1);
+        assertThat(ran.err())
+                .contains("mine.json:4")
+                .contains("/columns/0/gain")
+                .contains("A measure is time");
+        Files.writeString(file, Files.readString(file).replace("\"click\"", "\"clicks\""));
+        assertThat(crw("experiment", file.toString()).err())
+                .contains("There is no plan \"clw\"")
+                .contains("\"when\" is not known here")
+                .contains("There is no setting, factor or derived value \"pause\"")
+                .contains("There is no version \"b\"");
+    }
+
+    @Test
+    void experimentOfOnesOwnRunsAndHasItsFactors() throws IOException {
+        Path file = folder.resolve("mine.json");
+        Files.writeString(file, """
+            {"format": "crw-experiment", "version": 1, "id": "mine", "title": "Two boats or three",
+             "settings": {"area": 100, "locations": 3}, "factors": {"boats": [2, 3]}, "configuration": ["boats"],
+             "versions": [{"name": "visit", "start": [{"start": "clv"}]}],
+             "columns": [{"title": "seconds", "mean": "time", "of": "visit"}]}
+            """);
+
+        CommandResult ran = crw("experiment", file.toString(), "--repetitions", "1", "--jobs", "1");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out().lines().toList()).element(2).asString().matches("boats +seconds +n +failed +redrawn");
+        assertThat(ran.out().lines().filter(line -> line.matches("[23] .*1 +0 +0")))
+                .hasSize(2);
+    }
+
+    @Test
+    void tableThatThereIsNotIsRefused() {
+        CommandResult ran = crw("experiment", "--table", "9.9");
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("there is no table '9.9'; there are 7.1, 7.2");
+    }
+}

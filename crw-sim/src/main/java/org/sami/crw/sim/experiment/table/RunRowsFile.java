@@ -1,0 +1,74 @@
+package org.sami.crw.sim.experiment.table;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.crw.report.file.CsvRow;
+
+/** The file {@code runs.csv} of an experiment: a row for each run, added while they are made, in order once all are made. */
+public final class RunRowsFile {
+    private final Path file;
+
+    /** A file that is there, or will be. */
+    public RunRowsFile(Path file) {
+        this.file = file;
+    }
+
+    private static String header() {
+        return CsvRow.of(RunRow.COLUMNS.toArray());
+    }
+
+    /** The rows that it has; lines that are no rows are left out. */
+    public List<RunRow> read() throws IOException {
+        List<RunRow> rows = new ArrayList<>();
+        if (Files.exists(file)) {
+            for (String line : Files.readAllLines(file)) {
+                RunRow.read(cells(line)).ifPresent(rows::add);
+            }
+        }
+        return rows;
+    }
+
+    private static List<String> cells(String line) {
+        List<String> cells = new ArrayList<>();
+        StringBuilder cell = new StringBuilder();
+        boolean quoted = false;
+        for (int i = 0; i < line.length(); i++) {
+            char c = line.charAt(i);
+            if (c == '"' && quoted && i + 1 < line.length() && line.charAt(i + 1) == '"') {
+                cell.append(c);
+                i++;
+            } else if (c == '"') {
+                quoted = !quoted;
+            } else if (c == ',' && !quoted) {
+                cells.add(cell.toString());
+                cell.setLength(0);
+            } else {
+                cell.append(c);
+            }
+        }
+        cells.add(cell.toString());
+        return cells;
+    }
+
+    /** Adds rows at its end. */
+    public void add(List<RunRow> rows) throws IOException {
+        StringBuilder text = new StringBuilder(Files.exists(file) ? "" : header());
+        rows.forEach(row -> text.append(row.csv()));
+        Files.writeString(file, text, StandardCharsets.UTF_8, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+    }
+
+    /** Replaces its content. */
+    public void replace(List<RunRow> rows) throws IOException {
+        StringBuilder text = new StringBuilder(header());
+        rows.forEach(row -> text.append(row.csv()));
+        Path next = file.resolveSibling(file.getFileName() + ".part");
+        Files.writeString(next, text);
+        Files.move(next, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    }
+}
