@@ -14,6 +14,7 @@ import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
@@ -80,7 +81,7 @@ final class Awaiting {
         if (hasNobodyLeft(sent, t)) {
             return Optional.of("those that " + place + " asked are there no longer");
         }
-        if (sent.output.decision != null && sent.decision == null) {
+        if (sent.output.decision != null && sent.decision == Ids.NONE) {
             return Optional.of("what " + place + " asked has been answered");
         }
         boolean isTimer = sent.output.role == EventRole.TIMER || sent.output.role == EventRole.PROXY_TIMER;

@@ -158,14 +158,14 @@ final class EnablingExplainer {
         }
         if (!silent.isEmpty()) {
             reasons.add("It waits for all; not yet reported: " + TokenWords.of(silent) + ".");
-        } else if (t.barrier.isEmpty()) {
+        } else if (t.allReports().isEmpty()) {
             reasons.add("It waits for all, and nobody is there.");
         }
     }
 
     private static boolean hasReported(TransitionState t, Token token) {
         for (CompiledInput input : t.transition.inputs) {
-            if (!t.barrier.hasReported(input.index, token)) {
+            if (!t.allReports().hasReported(input.index, token)) {
                 return false;
             }
         }

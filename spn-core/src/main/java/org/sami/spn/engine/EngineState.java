@@ -1,5 +1,6 @@
 package org.sami.spn.engine;
 
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.rule.Rules;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.StateCopy;
@@ -10,7 +11,7 @@ import org.sami.spn.engine.state.StateCopy;
  */
 public final class EngineState {
     final NetState net;
-    private Rules rules;
+    private @Nullable Rules rules;
 
     EngineState(NetState net) {
         this.net = net;

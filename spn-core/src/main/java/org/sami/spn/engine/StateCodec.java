@@ -50,8 +50,8 @@ public final class StateCodec {
                 .orElseThrow(() -> new IllegalArgumentException(
                         "The state speaks of the loaded project " + sha256 + ", which is not there"));
         try {
-            StateDecoder reader = new StateDecoder(bytes);
-            EngineState state = new EngineState(reader.read(engine.compiled(), loaded));
+            StateDecoder reader = new StateDecoder(bytes, engine.compiled());
+            EngineState state = new EngineState(reader.read(loaded));
             if (reader.omitsUsedReturns()) {
                 state.rules().pendings.tellUnused();
             }

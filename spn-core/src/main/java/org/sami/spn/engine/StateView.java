@@ -210,7 +210,10 @@ final class StateView implements EngineView {
         }
         TaskState owned = found.owned();
         List<TaskId> names = new ArrayList<>(List.of(owned.id));
-        addNames(state.missions.get(owned.id.mission()), owned, names);
+        MissionState owner = state.missions.get(owned.id.mission());
+        if (owner != null) {
+            addNames(owner, owned, names);
+        }
         return names;
     }
 

@@ -9,4 +9,7 @@
  *
  * <p>Read {@code Engine.step} first, then the packages in the order {@code net}, {@code state}, {@code rule}.
  */
+@NullMarked
 package org.sami.spn.engine;
+
+import org.jspecify.annotations.NullMarked;

@@ -22,6 +22,7 @@ import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
@@ -99,8 +100,8 @@ public final class AlikeState {
         int mission = number(m);
         facts.fact(m.status + " " + m.asked + " " + m.returnValue + " " + m.plan.project.version, mission);
         if (m.parent != null) {
-            facts.fact("runs for", mission, number(m.instance));
-            instance(m.parent, m.instance);
+            facts.fact("runs for", mission, number(m.asInstance()));
+            instance(m.parent, m.asInstance());
         }
         values.all("variable", m.variables, mission);
         values.all("memory", m.memory, mission);
@@ -173,8 +174,8 @@ public final class AlikeState {
         s.activation
                 .allocation()
                 .forEach((task, robot) -> facts.fact("asked with", sent, names.task(task), names.robot(robot)));
-        if (s.decision != null) {
-            decision(sent, s.decision.decision);
+        if (s.decision != Ids.NONE) {
+            decision(sent, state.decision(s.decision).decision);
         }
     }
 
@@ -218,9 +219,9 @@ public final class AlikeState {
         for (RunningTimer t : state.timers) {
             turn += t.due() > due ? 1 : 0;
             due = t.due();
-            SentActivation sent = t.decision() == null ? t.sent() : t.decision().sent;
-            String what = "timer " + turn + (t.decision() != null);
-            if (t.token() == null) {
+            SentActivation sent = state.activationOf(t);
+            String what = "timer " + turn + t.isDeadline();
+            if (t.isDeadline()) {
                 facts.fact(what, number(sent));
             } else {
                 facts.fact(what, number(sent), names.token(t.token()));

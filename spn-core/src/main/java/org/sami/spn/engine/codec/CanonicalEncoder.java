@@ -10,7 +10,6 @@ import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.RunningTimer;
-import org.sami.spn.protocol.Token;
 
 /**
  * Writes what a state means and nothing of how it came about: ids are renumbered, times are counted from now, counters and the
@@ -46,11 +45,12 @@ public final class CanonicalEncoder {
         Map<MissionState, List<MissionState>> byRoot = new HashMap<>();
         List<List<MissionState>> trees = new ArrayList<>();
         for (MissionState m : state.missions.values()) {
-            if (m.root == m) {
-                byRoot.put(m, new ArrayList<>());
-                trees.add(byRoot.get(m));
-            }
-            byRoot.get(m.root).add(m);
+            byRoot.computeIfAbsent(m.root, root -> {
+                        List<MissionState> tree = new ArrayList<>();
+                        trees.add(tree);
+                        return tree;
+                    })
+                    .add(m);
         }
         if (trees.size() > 1 && nothingDeclaresGlobals()) {
             Map<List<MissionState>, byte[]> contents = new HashMap<>();
@@ -74,21 +74,21 @@ public final class CanonicalEncoder {
     private void tree(List<MissionState> tree, CanonicalNumbers numbers, ProtocolEncoder out) {
         out.integer(tree.size());
         out.text(tree.get(0).plan.project.sha256);
-        CanonicalMission mission = new CanonicalMission(numbers, out);
+        CanonicalMission mission = new CanonicalMission(state, numbers, out);
         tree.forEach(mission::write);
         List<RunningTimer> timers =
                 state.timers.stream().filter(t -> rootOf(t) == tree.get(0)).toList();
         out.integer(timers.size());
         for (RunningTimer t : timers) {
             out.number(t.due() - state.now);
-            out.flag(t.decision() != null);
-            out.number(numbers.activation((t.decision() == null ? t.sent() : t.decision().sent).activation.id()));
-            out.token(t.token() == null ? Token.GENERIC : t.token());
+            out.flag(t.isDeadline());
+            out.number(numbers.activation(state.activationOf(t).activation.id()));
+            out.token(t.token());
         }
     }
 
-    private static MissionState rootOf(RunningTimer t) {
-        return (t.decision() == null ? t.sent().mission() : t.decision().mission).root;
+    private MissionState rootOf(RunningTimer t) {
+        return state.activationOf(t).mission().root;
     }
 
     /** What the domain asks; there is one question of a kind about each. */

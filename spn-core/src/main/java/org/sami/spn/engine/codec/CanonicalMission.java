@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NamedToken;
+import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
@@ -17,16 +18,19 @@ import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.EventRole;
 
 /** Writes what one mission means; its parent was written before it. */
 final class CanonicalMission {
+    private final NetState state;
     private final CanonicalNumbers numbers;
     private final ProtocolEncoder out;
 
-    CanonicalMission(CanonicalNumbers numbers, ProtocolEncoder out) {
+    CanonicalMission(NetState state, CanonicalNumbers numbers, ProtocolEncoder out) {
+        this.state = state;
         this.numbers = numbers;
         this.out = out;
     }
@@ -37,7 +41,7 @@ final class CanonicalMission {
         out.flag(m.parent != null);
         if (m.parent != null) {
             out.number(numbers.mission(m.parent.id));
-            reference(m.instance);
+            reference(m.asInstance());
         }
         out.text(m.status.name());
         out.text(m.asked == null ? "" : m.asked.name());
@@ -126,9 +130,9 @@ final class CanonicalMission {
             out.number(numbers.activation(s.activation.id()));
             out.text(s.activation.event());
             out.content(s.activation);
-            out.flag(s.decision != null);
-            if (s.decision != null) {
-                out.content(s.decision.decision);
+            out.flag(s.decision != Ids.NONE);
+            if (s.decision != Ids.NONE) {
+                out.content(state.decision(s.decision).decision);
             }
         }
     }
@@ -220,7 +224,7 @@ final class CanonicalMission {
 
     /** Decisions that no activation asks; several of one interrupt in the order in which it was pressed. */
     private void decisions(MissionState m) {
-        List<OpenDecision> open = m.decisions.values().stream()
+        List<OpenDecision> open = state.decisionsOf(m).stream()
                 .filter(d -> d.purpose != OpenDecision.Purpose.ACTIVATION)
                 .sorted(Comparator.comparing((OpenDecision d) -> d.purpose)
                         .thenComparing(d -> d.subject)

@@ -3,6 +3,7 @@ package org.sami.spn.engine.codec;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Ids;
@@ -46,7 +47,7 @@ final class CanonicalNumbers {
         return id == Ids.NONE ? Ids.NONE : activations.computeIfAbsent(id, i -> activations.size() + 1L);
     }
 
-    long visit(Visit visit) {
+    long visit(@Nullable Visit visit) {
         return visit == null ? Ids.NONE : visits.computeIfAbsent(visit, v -> visits.size() + 1L);
     }
 }

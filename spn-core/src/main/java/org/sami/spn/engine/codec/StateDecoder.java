@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.net.CompiledPlace;
@@ -43,20 +44,26 @@ public final class StateDecoder {
     private final Map<Long, SentActivation> sent = new HashMap<>();
     private final Map<Instance, Return> returnsOfVisits = new HashMap<>();
     private final Map<Integer, CompiledProject> projects = new HashMap<>();
-    private NetState state;
+    private final NetState state;
     private int version;
 
-    public StateDecoder(byte[] bytes) {
+    /**
+     * Bytes of a state.
+     *
+     * @param first the project of the engine
+     */
+    public StateDecoder(byte[] bytes, CompiledProject first) {
         this.in = new ProtocolDecoder(bytes);
+        this.state = new NetState(first);
+        projects.put(first.version, first);
     }
 
     /**
      * Reads the state.
      *
-     * @param first the project of the engine
      * @param loaded finds the projects that the session loaded
      */
-    public NetState read(CompiledProject first, LoadedProjects loaded) {
+    public NetState read(LoadedProjects loaded) {
         if (in.integer() != StateEncoder.MAGIC) {
             throw new IllegalArgumentException("This is not an engine's state");
         }
@@ -65,8 +72,6 @@ public final class StateDecoder {
             throw new IllegalArgumentException(
                     "The state is of version " + version + ", not of 1 to " + StateEncoder.VERSION);
         }
-        state = new NetState(first);
-        projects.put(first.version, first);
         for (int i = hasLoaded() ? in.integer() : 0; i > 0; i--) {
             CompiledProject project = loaded.compiled(state.newest(), in.integer(), in.text());
             projects.put(project.version, project);
@@ -99,7 +104,7 @@ public final class StateDecoder {
             timer();
         }
         for (int i = version > 2 ? in.integer() : 0; i > 0; i--) {
-            state.missions.get(in.number()).asked = Outcome.valueOf(in.text());
+            there(state.missions.get(in.number()), "mission").asked = Outcome.valueOf(in.text());
         }
         if (version >= StateEncoder.WITH_TIMES) {
             for (MissionState m : state.missions.values()) {
@@ -173,10 +178,10 @@ public final class StateDecoder {
         int spec = in.integer();
         return visit == Ids.NONE
                 ? place.shared[spec].instance
-                : visits.get(visit).instances.get(spec);
+                : there(visits.get(visit), "visit").instances.get(spec);
     }
 
-    private Instance instance(Visit visit, PlaceState place, int spec) {
+    private Instance instance(@Nullable Visit visit, PlaceState place, int spec) {
         Instance.Status status = Instance.Status.valueOf(in.text());
         Instance i = new Instance(visit, place, spec, in.tokens());
         i.status = status;
@@ -209,11 +214,11 @@ public final class StateDecoder {
         for (int p = 0; p < m.places.length; p++) {
             int size = in.integer();
             if (size > 0) {
-                m.place(p).lastVisits = new LinkedHashMap<>();
-            }
-            for (int i = 0; i < size; i++) {
-                Token token = in.token();
-                m.place(p).lastVisits.put(token, visits.get(in.number()));
+                Map<Token, Visit> last = new LinkedHashMap<>();
+                for (int i = 0; i < size; i++) {
+                    last.put(in.token(), there(visits.get(in.number()), "visit"));
+                }
+                m.place(p).lastVisits = last;
             }
         }
     }
@@ -263,7 +268,7 @@ public final class StateDecoder {
             for (int i = in.integer(); i > 0; i--) {
                 Token token = in.token();
                 long order = in.number();
-                visits.get(in.number()).enter(token, order);
+                there(visits.get(in.number()), "visit").enter(token, order);
             }
         }
     }
@@ -287,7 +292,7 @@ public final class StateDecoder {
                 : new PendingOccurrence(occurrence, input, told);
         p.names = new NamedToken[in.integer()];
         for (int i = 0; i < p.names.length; i++) {
-            NamedToken n = new NamedToken(p, in.token());
+            NamedToken n = new NamedToken(in.token());
             n.tokens = in.tokens().toArray(Token[]::new);
             n.struck = in.flag();
             n.stood = in.flag();
@@ -299,7 +304,7 @@ public final class StateDecoder {
         }
     }
 
-    private Return told(MissionState m) {
+    private @Nullable Return told(MissionState m) {
         if (!in.flag()) {
             return null;
         }
@@ -315,7 +320,7 @@ public final class StateDecoder {
     }
 
     /** Before version 3 an occurrence with the value of a visit's instance named only the visit. */
-    private Return toldBefore(CompiledInput input, Visit bound) {
+    private @Nullable Return toldBefore(CompiledInput input, @Nullable Visit bound) {
         return bound == null
                 ? null
                 : bound.instances.stream()
@@ -330,15 +335,23 @@ public final class StateDecoder {
         OpenDecision.Purpose purpose = OpenDecision.Purpose.valueOf(in.text());
         MissionState m = state.missions.get(in.number());
         SentActivation asking = sent.get(in.number());
-        Instance instance = in.flag() ? instanceReference(m) : null;
+        Instance instance = in.flag() ? instanceReference(there(m, "mission")) : null;
         OpenDecision d = new OpenDecision(decision, purpose, m, asking, instance, in.text());
         state.decisions.put(decision.id(), d);
         if (purpose != OpenDecision.Purpose.DOMAIN) {
-            m.addDecision(d);
+            there(m, "mission").addDecision(decision.id());
         }
         if (asking != null && purpose == OpenDecision.Purpose.ACTIVATION) {
-            asking.decision = d;
+            asking.decision = decision.id();
         }
+    }
+
+    /** What the state refers to, which stands before it in the bytes. */
+    private static <T> T there(@Nullable T found, String what) {
+        if (found == null) {
+            throw new IllegalArgumentException("The state names a " + what + " that is not there");
+        }
+        return found;
     }
 
     private void timer() {
@@ -347,7 +360,12 @@ public final class StateDecoder {
         SentActivation asking = sent.get(in.number());
         Token token = in.token();
         OpenDecision decision = state.decisions.get(in.number());
-        RunningTimer timer = new RunningTimer(due, id, asking, token, decision);
+        RunningTimer timer = new RunningTimer(
+                due,
+                id,
+                asking == null ? Ids.NONE : asking.activation.id(),
+                token,
+                decision == null ? Ids.NONE : decision.decision.id());
         state.timers.add(timer);
         if (asking != null) {
             asking.add(timer);

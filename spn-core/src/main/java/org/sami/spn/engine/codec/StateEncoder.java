@@ -3,6 +3,7 @@ package org.sami.spn.engine.codec;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.sami.spn.engine.net.CompiledPlace;
@@ -69,16 +70,16 @@ public final class StateEncoder {
         for (RunningTimer t : s.timers) {
             out.number(t.due());
             out.number(t.id());
-            out.number(t.sent() == null ? Ids.NONE : t.sent().activation.id());
-            out.token(t.token() == null ? Token.GENERIC : t.token());
-            out.number(t.decision() == null ? Ids.NONE : t.decision().decision.id());
+            out.number(t.activation());
+            out.token(t.token());
+            out.number(t.decision());
         }
         List<MissionState> asked =
                 s.missions.values().stream().filter(m -> m.asked != null).toList();
         out.integer(asked.size());
         for (MissionState m : asked) {
             out.number(m.id);
-            out.text(m.asked.name());
+            out.text(Objects.requireNonNull(m.asked).name());
         }
         for (MissionState m : s.missions.values()) {
             out.number(m.startedAt);
@@ -96,7 +97,7 @@ public final class StateEncoder {
         out.text(m.name);
         out.number(m.parent == null ? Ids.NONE : m.parent.id);
         if (m.parent != null) {
-            instanceReference(m.instance);
+            instanceReference(m.asInstance());
         }
         out.text(m.status.name());
         out.values(m.variables);

@@ -6,4 +6,7 @@
  *
  * <p>Begin with {@link org.sami.spn.engine.codec.StateEncoder}; {@link org.sami.spn.engine.codec.StateDecoder} reads what it writes.
  */
+@NullMarked
 package org.sami.spn.engine.codec;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,6 +3,7 @@ package org.sami.spn.engine.net;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.TextValue;
@@ -18,9 +19,9 @@ public final class CompiledInput {
     public final EventRole role;
     public final List<Map.Entry<String, String>> writes;
     /** The interrupt's name or the compared return value; null where the specification gives none. */
-    public final String selector;
+    public final @Nullable String selector;
     /** The plan whose sub-missions' returns are checked; null where those of any are. */
-    private final String checkedPlan;
+    private final @Nullable String checkedPlan;
 
     CompiledInput(int index, InputEventSpec spec, int typeId, EventRole role) {
         this.index = index;

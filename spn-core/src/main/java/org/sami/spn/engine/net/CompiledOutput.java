@@ -3,8 +3,10 @@ package org.sami.spn.engine.net;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
@@ -33,7 +35,7 @@ public final class CompiledOutput {
     public final String typeName;
     public final Optional<EventType> type;
     public final EventRole role;
-    public final DecisionType decision;
+    public final @Nullable DecisionType decision;
     public final Priority priority;
     public final Trigger trigger;
     public final long timeoutMillis;
@@ -78,6 +80,11 @@ public final class CompiledOutput {
                         .map(CompiledOutput::constant)
                         .filter(Reserved.EXCLUDE::equals)
                         .isPresent());
+    }
+
+    /** What the operator is asked; only where the event asks. */
+    public DecisionType decision() {
+        return Objects.requireNonNull(decision, "the question of an event that asks nothing");
     }
 
     public Optional<FieldType> field(String name) {

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -32,7 +33,7 @@ public final class CompiledPlan {
 
     public final CompiledPlace[] places;
     public final CompiledTransition[] transitions;
-    public final CompiledPlace start;
+    public final @Nullable CompiledPlace start;
     // in the plan's order: the operator is offered them
     public final Map<String, VariableSpec> variables = new LinkedHashMap<>();
     public final List<AskedField> asked = new ArrayList<>();
@@ -76,7 +77,7 @@ public final class CompiledPlan {
     }
 
     /** The transition of that id, or null. */
-    public CompiledTransition transition(String id) {
+    public @Nullable CompiledTransition transition(String id) {
         return transitionsById.get(id);
     }
 

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
@@ -77,7 +78,7 @@ public final class CompiledProject {
     }
 
     /** The plan of that id, or null. */
-    public CompiledPlan plan(String id) {
+    public @Nullable CompiledPlan plan(String id) {
         return plans.get(id);
     }
 

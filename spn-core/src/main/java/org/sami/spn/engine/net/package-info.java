@@ -6,4 +6,7 @@
  *
  * <p>Read {@code CompiledProject}, {@code CompiledPlan}, {@code CompiledPlace}, {@code CompiledTransition}.
  */
+@NullMarked
 package org.sami.spn.engine.net;
+
+import org.jspecify.annotations.NullMarked;

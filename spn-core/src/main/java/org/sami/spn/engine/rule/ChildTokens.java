@@ -1,5 +1,6 @@
 package org.sami.spn.engine.rule;
 
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.protocol.Token;
@@ -25,7 +26,7 @@ final class ChildTokens {
     }
 
     /** A child's token as its parent names it; null for a task of the child's own. */
-    static Token toParent(MissionState child, Token token) {
+    static @Nullable Token toParent(MissionState child, Token token) {
         if (token instanceof Token.Task task && task.task().mission() == child.id) {
             TaskState own = child.tasks.get(task.task().name());
             return own == null || own.original == null ? null : new Token.Task(own.original.id);

@@ -2,7 +2,9 @@ package org.sami.spn.engine.rule;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.Reach;
+import org.sami.spn.engine.state.Barrier;
 import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.TransitionState;
@@ -23,7 +25,7 @@ public final class Combinations {
     }
 
     /** The earliest combination that enables a transition; null where there is none. */
-    public Found find(TransitionState t) {
+    public @Nullable Found find(TransitionState t) {
         for (TransitionState.Queue q : t.queues) {
             if (q.size == 0) {
                 return null;
@@ -34,7 +36,7 @@ public final class Combinations {
             return null;
         }
         if (t.barrier != null) {
-            return all(t, reach);
+            return all(t, t.barrier, reach);
         }
         if (t.queues.length == 1) {
             for (PendingOccurrence p = t.queues[0].first; p != null; p = p.next) {
@@ -53,7 +55,7 @@ public final class Combinations {
         return enabling.isReady(t, scope) && enabling.meetsPlain(t, scope);
     }
 
-    private Found search(TransitionState t, List<PendingOccurrence> chosen, Reach reach) {
+    private @Nullable Found search(TransitionState t, List<PendingOccurrence> chosen, Reach reach) {
         if (chosen.size() == t.queues.length) {
             return attempt(t, List.copyOf(chosen), reach);
         }
@@ -99,20 +101,20 @@ public final class Combinations {
     }
 
     /** Waits until every robot or task in the watched places has reported, then uses all reports. */
-    private Found all(TransitionState t, Reach reach) {
-        if (t.barrier.isEmpty()) {
+    private @Nullable Found all(TransitionState t, Barrier barrier, Reach reach) {
+        if (barrier.isEmpty()) {
             return null;
         }
         List<PendingOccurrence> used = new ArrayList<>();
-        for (TransitionState.Queue q : t.queues) {
-            if (q.naming > 0 && t.barrier.missing(q.first.input.index) > 0) {
+        for (int input = 0; input < t.queues.length; input++) {
+            if (t.queues[input].naming > 0 && barrier.missing(input) > 0) {
                 return null;
             }
         }
         boolean somebody = false;
         for (TransitionState.Queue q : t.queues) {
             for (PendingOccurrence p = q.first; p != null; p = p.next) {
-                if ((p.names.length == 0 || stands(t, p)) && !excluded(used, p)) {
+                if ((p.names.length == 0 || stands(barrier, p)) && !excluded(used, p)) {
                     used.add(p);
                     somebody |= p.names.length > 0;
                 }
@@ -121,10 +123,10 @@ public final class Combinations {
         return somebody ? attempt(t, used, reach) : null;
     }
 
-    private static boolean stands(TransitionState t, PendingOccurrence p) {
+    private static boolean stands(Barrier barrier, PendingOccurrence p) {
         for (NamedToken n : p.names) {
             for (int i = 0; i < n.tokens.length && !n.struck; i++) {
-                if (t.barrier.stands(n.tokens[i])) {
+                if (barrier.stands(n.tokens[i])) {
                     return true;
                 }
             }
@@ -132,7 +134,7 @@ public final class Combinations {
         return false;
     }
 
-    private Found attempt(TransitionState t, List<PendingOccurrence> used, Reach reach) {
+    private @Nullable Found attempt(TransitionState t, List<PendingOccurrence> used, Reach reach) {
         RelevantTokens relevant = RelevantTokens.of(used);
         FiringScope scope = FiringScope.of(reach, used);
         return enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;

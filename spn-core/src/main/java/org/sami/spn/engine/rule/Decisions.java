@@ -3,7 +3,9 @@ package org.sami.spn.engine.rule;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
@@ -46,7 +48,7 @@ public final class Decisions {
         if (namesNobody(open, input.answer())) {
             step.note(
                     NoteKind.NAMES_NOBODY,
-                    open.mission.id,
+                    open.asker().id,
                     "The answer to '" + open.decision.prompt() + "' names nobody; the question stays open");
             return Optional.empty();
         }
@@ -98,14 +100,14 @@ public final class Decisions {
         if (open.purpose != OpenDecision.Purpose.ACTIVATION
                 || !rules.routing.namesOnlyGone(
                         occurrence(open, answer, Map.of()),
-                        open.sent,
+                        open.activation(),
                         offered(open),
                         typeOf(open).names() == AnswerNames.CHOSEN)) {
             return false;
         }
         step.note(
                 NoteKind.NAMES_NOBODY,
-                open.mission.id,
+                open.asker().id,
                 "Whom the answer to '" + open.decision.prompt() + "' names is gone; the question stays open");
         return true;
     }
@@ -119,7 +121,7 @@ public final class Decisions {
     }
 
     private static DecisionType typeOf(OpenDecision open) {
-        return open.sent.output.decision;
+        return open.activation().output.decision();
     }
 
     public void deadline(OpenDecision open) {
@@ -136,7 +138,7 @@ public final class Decisions {
         if (automatic.isEmpty()) {
             step.note(
                     NoteKind.NO_AUTOMATIC_ANSWER,
-                    open.mission.id,
+                    open.asker().id,
                     "Autonomy has no answer to '" + open.decision.prompt() + "'; the operator must decide");
             return;
         }
@@ -151,18 +153,20 @@ public final class Decisions {
         switch (open.purpose) {
             case ACTIVATION -> occur(open, answer);
             case PARAMETERS -> {
-                Map<String, Value> values = new LinkedHashMap<>(open.mission.parameters);
+                MissionState starting = open.asker();
+                Map<String, Value> values = new LinkedHashMap<>(starting.parameters);
                 values.putAll(AnswerCheck.values((Question.FillIn) open.decision.question(), (Answer.Fields) answer));
-                open.mission.parameters = values;
-                rules.missionStart.begin(open.mission);
+                starting.parameters = values;
+                rules.missionStart.begin(starting);
             }
             case INTERRUPT_CHOICE -> {
                 if (answer instanceof Answer.Proxies chosen) { // else the press is withdrawn
-                    rules.interrupts.chosen(open.mission, open.subject, chosen.proxies());
+                    rules.interrupts.chosen(open.asker(), open.subject, chosen.proxies());
                 }
             }
             case DOMAIN -> step.emit(answered(open, answer));
-            case ABORTED_CHILD -> rules.subMissions.decided(open.instance, ((Answer.YesNo) answer).yes());
+            case ABORTED_CHILD ->
+                rules.subMissions.decided(Objects.requireNonNull(open.instance), ((Answer.YesNo) answer).yes());
         }
     }
 
@@ -190,7 +194,7 @@ public final class Decisions {
     /** The answer as an occurrence; of no type where the question's type has none for it. */
     private static Occurrence occurrence(OpenDecision open, Answer answer, Map<String, Value> values) {
         DecisionType type = typeOf(open);
-        Activation asked = open.sent.activation;
+        Activation asked = open.activation().activation;
         boolean no = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
         List<String> proxies = List.of();
         List<TaskId> tasks = List.of();

@@ -52,11 +52,11 @@ public final class DueTimers {
     }
 
     private void expire(RunningTimer timer) {
-        if (timer.decision() != null) {
-            decisions.deadline(timer.decision());
+        if (timer.isDeadline()) {
+            decisions.deadline(step.state.decision(timer.decision()));
             return;
         }
-        SentActivation sent = timer.sent();
+        SentActivation sent = step.state.activationOf(timer);
         sent.timers.remove(timer);
         boolean perRobot = sent.output.role == EventRole.PROXY_TIMER;
         String type = step.project()

@@ -2,6 +2,7 @@ package org.sami.spn.engine.rule;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.Reach;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.PendingOccurrence;
@@ -51,7 +52,7 @@ public final class FiringScope {
     }
 
     /** The only visit that it may speak of in a place; null where it is bound to none. */
-    public Visit visitIn(PlaceState place) {
+    public @Nullable Visit visitIn(PlaceState place) {
         for (Return r : checked) {
             if (r.place() == place && r.visit() != null) {
                 return r.visit();
@@ -71,6 +72,7 @@ public final class FiringScope {
     }
 
     /** The return of a static instance whose value it checks; null where it checks none. */
+    @Nullable
     Return checkedOf(SharedRun run) {
         for (Return r : checked) {
             if (r.instance == run.instance) {

@@ -62,7 +62,7 @@ final class MissionEnd {
     }
 
     private void tellParent(MissionState m, Outcome outcome) {
-        if (m.instance != null && !m.parent.ended) {
+        if (m.instance != null && m.parent != null && !m.parent.ended) {
             if (outcome == Outcome.ABORTED) {
                 rules.subMissions.aborted(m.instance);
             } else {
@@ -80,7 +80,7 @@ final class MissionEnd {
             endTree(child, outcome, true);
         }
         m.ended = true;
-        for (OpenDecision d : List.copyOf(m.decisions.values())) {
+        for (OpenDecision d : rules.state.decisionsOf(m)) {
             rules.questions.close(d);
         }
         for (Visit v = m.firstVisit(); v != null; v = v.next) {

@@ -1,6 +1,7 @@
 package org.sami.spn.engine.rule;
 
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
@@ -75,6 +76,7 @@ final class MissionRules {
         return step.project();
     }
 
+    @Nullable
     TaskState task(TaskId id) {
         return step.task(id);
     }

@@ -5,7 +5,9 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledPlan;
@@ -91,7 +93,8 @@ public final class MissionStart {
     }
 
     /** Makes a mission with its tasks and variables; nothing stands in its places yet. */
-    public MissionState make(CompiledPlan plan, String name, MissionState parent, Instance instance) {
+    public MissionState make(
+            CompiledPlan plan, String name, @Nullable MissionState parent, @Nullable Instance instance) {
         MissionState m = new MissionState(++rules.state.lastMission, plan, name, parent, instance);
         for (VariableSpec v : plan.plan.variables()) {
             v.initial().ifPresent(value -> m.setVariable(v.name(), value));
@@ -148,7 +151,7 @@ public final class MissionStart {
 
     /** Tokens, or nobody, enter the start place. */
     public void enter(MissionState m, List<Token> tokens) {
-        enter(m, m.plan.start, tokens);
+        enter(m, Objects.requireNonNull(m.plan.start, "a plan without a start place does not start"), tokens);
     }
 
     private void enter(MissionState m, CompiledPlace place, List<Token> tokens) {
@@ -180,7 +183,7 @@ public final class MissionStart {
         }
     }
 
-    private static Value constant(MissionState m, CompiledOutput output, String field) {
+    private static @Nullable Value constant(MissionState m, CompiledOutput output, String field) {
         FieldSource source = output.resolved.get(field);
         if (source == null) {
             return output.fixed.get(field);

@@ -68,7 +68,7 @@ public final class OpenQuestions {
                 question instanceof Question.ChooseProxies && questions.offersStanding(sent)
                         ? OpenDecision.STANDING
                         : "");
-        sent.decision = open;
+        sent.decision = decision.id();
         add(open);
         if (output.trigger == CompiledOutput.Trigger.TIMER) {
             open.deadline = timers.deadline(open, output.timeoutMillis);
@@ -173,7 +173,7 @@ public final class OpenQuestions {
     void add(OpenDecision open) {
         step.state.decisions.put(open.decision.id(), open);
         if (open.mission != null) {
-            open.mission.addDecision(open);
+            open.mission.addDecision(open.decision.id());
         }
         step.emit(new Effect.DecisionOpened(open.decision));
     }
@@ -195,8 +195,8 @@ public final class OpenQuestions {
         if (open.deadline != null) {
             timers.cancel(open.deadline);
         }
-        if (open.sent != null && open.sent.decision == open) {
-            open.sent.decision = null;
+        if (open.sent != null && open.sent.decision == open.decision.id()) {
+            open.sent.decision = Ids.NONE;
         }
     }
 }

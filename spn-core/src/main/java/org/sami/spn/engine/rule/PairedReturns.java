@@ -2,6 +2,7 @@ package org.sami.spn.engine.rule;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
@@ -34,7 +35,7 @@ final class PairedReturns {
     }
 
     /** The earliest pairing of a place for a firing, older returns of earlier instances first; null where it must wait. */
-    static PairedReturns in(PlaceState place, FiringScope scope) {
+    static @Nullable PairedReturns in(PlaceState place, FiringScope scope) {
         List<List<Return>> choices = new ArrayList<>(place.shared.length);
         for (SharedRun run : place.shared) {
             if (scope.needsReturn(run)) {
@@ -49,9 +50,12 @@ final class PairedReturns {
         return choices.isEmpty() ? UNLIMITED : pair(choices, new ArrayList<>(choices.size()), null);
     }
 
-    private static PairedReturns pair(List<List<Return>> choices, List<Return> chosen, List<Token> common) {
+    private static @Nullable PairedReturns pair(
+            List<List<Return>> choices, List<Return> chosen, @Nullable List<Token> common) {
         if (chosen.size() == choices.size()) {
-            return goTogether(chosen, common) ? new PairedReturns(List.copyOf(chosen), List.copyOf(common)) : null;
+            return common != null && goTogether(chosen, common)
+                    ? new PairedReturns(List.copyOf(chosen), List.copyOf(common))
+                    : null;
         }
         for (Return next : choices.get(chosen.size())) {
             chosen.add(next);

@@ -3,6 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
@@ -69,15 +70,15 @@ public final class PendingOccurrences {
             CompiledInput input,
             Occurrence o,
             List<Token> names,
-            SentActivation answered,
-            Visit bound) {
+            @Nullable SentActivation answered,
+            @Nullable Visit bound) {
         PendingOccurrence p = new PendingOccurrence(o, input, answered, bound);
         p.names = names.isEmpty() ? NOBODY : new NamedToken[names.size()];
         p.namesLeft = p.names.length;
         for (int i = 0; i < p.names.length; i++) {
-            NamedToken n = new NamedToken(p, names.get(i));
+            NamedToken n = new NamedToken(names.get(i));
             n.tokens = tokensOf(n.token, answered);
-            n.stood = stands(n, t);
+            n.stood = stands(n, t, p.visit());
             p.names[i] = n;
         }
         return p;
@@ -89,9 +90,13 @@ public final class PendingOccurrences {
      * @param offered robots that the question offered because they stood in its place; it named them too
      */
     public List<Token> strikeGone(TransitionState t, PendingOccurrence p, List<String> offered) {
+        SentActivation asked = p.answered;
+        if (asked == null) {
+            return List.of(); // news answers no question
+        }
         List<Token> gone = List.of();
         for (NamedToken n : p.names) {
-            if (!n.stood && wasNamed(n, p.answered, offered) && !isIn(p.answered.visit, n)) {
+            if (!n.stood && wasNamed(n, asked, offered) && !isIn(asked.visit, n)) {
                 gone = gone.isEmpty() ? new ArrayList<>() : gone;
                 gone.add(n.token);
             }
@@ -190,7 +195,7 @@ public final class PendingOccurrences {
     }
 
     /** The tokens that a name speaks of. */
-    public Token[] tokensOf(Token name, SentActivation answered) {
+    public Token[] tokensOf(Token name, @Nullable SentActivation answered) {
         if (answered != null && name instanceof Token.Proxy proxy && answered.hasTasks) {
             List<Token> result = new ArrayList<>();
             result.add(name);
@@ -216,7 +221,7 @@ public final class PendingOccurrences {
         for (CompiledTransition ct : place.place.outTransitions) {
             TransitionState t = place.mission.transitions[ct.index];
             if (t != null && t.pending > 0) {
-                List<NamedToken> speaking = t.speakingOf(token);
+                List<TransitionState.Speaking> speaking = t.speakingOf(token);
                 for (int i = speaking.size() - 1; i >= 0; i--) {
                     if (i < speaking.size()) {
                         strikeIfGone(t, speaking.get(i), place, before);
@@ -229,9 +234,9 @@ public final class PendingOccurrences {
     /** Strikes a name from a transition's pending occurrences, news too (a robot was dropped); whether one spoke of it. */
     public boolean strikeAll(TransitionState t, Token token) {
         boolean spoken = false;
-        for (NamedToken n : List.copyOf(t.speakingOf(token))) {
-            if (n.token.equals(token) && !n.struck) {
-                strike(t, n);
+        for (TransitionState.Speaking speaking : List.copyOf(t.speakingOf(token))) {
+            if (speaking.name().token.equals(token) && !speaking.name().struck) {
+                strike(t, speaking);
                 spoken = true;
             }
         }
@@ -266,7 +271,7 @@ public final class PendingOccurrences {
                 if (p.answered != null && p.answered.hasTasks) {
                     for (NamedToken n : p.names) {
                         if (!n.struck) {
-                            t.renew(n, tokensOf(n.token, p.answered));
+                            t.renew(p, n, tokensOf(n.token, p.answered));
                         }
                     }
                 }
@@ -274,12 +279,14 @@ public final class PendingOccurrences {
         }
     }
 
-    private void strikeIfGone(TransitionState t, NamedToken n, PlaceState left, long before) {
-        boolean gone = n.pending.isNews()
+    private void strikeIfGone(TransitionState t, TransitionState.Speaking speaking, PlaceState left, long before) {
+        NamedToken n = speaking.name();
+        Visit visit = speaking.pending().visit();
+        boolean gone = speaking.pending().isNews()
                 ? watches(t, left) && !standsOn(n, t, left, before)
-                : n.stood && !stands(n, t) && (n.pending.visit() == null || !isIn(n.pending.visit(), n));
+                : n.stood && !stands(n, t, visit) && (visit == null || !isIn(visit, n));
         if (gone) {
-            strike(t, n);
+            strike(t, speaking);
         }
     }
 
@@ -306,17 +313,17 @@ public final class PendingOccurrences {
         return false;
     }
 
-    private void strike(TransitionState t, NamedToken n) {
-        t.strike(n);
-        if (n.pending.namesLeft == 0) {
-            t.remove(n.pending);
-            discarded(t, n.pending);
+    private void strike(TransitionState t, TransitionState.Speaking speaking) {
+        PendingOccurrence p = speaking.pending();
+        t.strike(p, speaking.name());
+        if (p.namesLeft == 0) {
+            t.remove(p);
+            discarded(t, p);
         }
     }
 
     /** Whether a token of a name is in the answered visit or in another in place of the transition. */
-    private boolean stands(NamedToken n, TransitionState t) {
-        Visit visit = n.pending.visit();
+    private boolean stands(NamedToken n, TransitionState t, @Nullable Visit visit) {
         for (Token token : n.tokens) {
             if (visit != null && enabling.wantsAbsence(t.transition, visit.place.place, token, true)) {
                 continue;
@@ -348,9 +355,10 @@ public final class PendingOccurrences {
             }
             return;
         }
-        for (NamedToken n : List.copyOf(t.speakingOf(p.names[0].token))) {
-            if (n.pending.isNews() && n.pending.input == p.input && namesSame(n.pending, p)) {
-                t.remove(n.pending);
+        for (TransitionState.Speaking speaking : List.copyOf(t.speakingOf(p.names[0].token))) {
+            PendingOccurrence old = speaking.pending();
+            if (old.isNews() && old.input == p.input && namesSame(old, p)) {
+                t.remove(old);
             }
         }
     }

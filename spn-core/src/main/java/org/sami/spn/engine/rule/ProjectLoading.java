@@ -4,6 +4,7 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.finding.Finding;
@@ -90,7 +91,7 @@ public final class ProjectLoading {
     }
 
     /** Gives a global that has no value its initial one; reports another initial value that does not count. */
-    private void begin(VariableSpec declared, VariableSpec before) {
+    private void begin(VariableSpec declared, @Nullable VariableSpec before) {
         if (declared.initial().isEmpty()) {
             return;
         }

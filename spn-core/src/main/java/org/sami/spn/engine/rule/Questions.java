@@ -55,7 +55,7 @@ final class Questions {
     }
 
     Question of(SentActivation sent) {
-        DecisionType type = sent.output.decision;
+        DecisionType type = sent.output.decision();
         return switch (type.form()) {
             case APPROVE -> new Question.Approve();
             case CHOOSE_PROXIES ->
@@ -113,7 +113,7 @@ final class Questions {
     /** The robots that an open choice would offer now without its filters, among those for which it was asked. */
     List<String> all(OpenDecision open, Set<String> without) {
         SentActivation sent = open.sent;
-        if (open.purpose != OpenDecision.Purpose.ACTIVATION) {
+        if (sent == null || open.purpose != OpenDecision.Purpose.ACTIVATION) {
             return List.of();
         }
         List<String> all = List.copyOf(step.state.proxies);
@@ -138,7 +138,7 @@ final class Questions {
     }
 
     private List<Value> options(SentActivation sent) {
-        String field = sent.output.decision.optionsField();
+        String field = sent.output.decision().optionsField();
         Value options = sent.activation.values().get(field);
         if (options instanceof ListValue list) {
             return list.items();
@@ -200,7 +200,7 @@ final class Questions {
 
     /** What autonomy would answer to a question; empty where it has no sensible answer. */
     static Optional<Answer> automatic(CompiledOutput output, Question question) {
-        return switch (output.decision.autonomy()) {
+        return switch (output.decision().autonomy()) {
             case NONE -> Optional.empty();
             case YES -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(true)) : Optional.empty();
             case NO -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(false)) : Optional.empty();

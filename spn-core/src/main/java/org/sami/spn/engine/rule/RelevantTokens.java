@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.protocol.Token;
@@ -18,7 +19,7 @@ public final class RelevantTokens {
 
     public final NamedToken[] names;
     public final Token[] tokens;
-    private Set<Token> set;
+    private @Nullable Set<Token> set;
 
     private RelevantTokens(NamedToken[] names, Token[] tokens) {
         this.names = names;

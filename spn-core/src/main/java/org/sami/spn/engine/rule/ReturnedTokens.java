@@ -3,6 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.state.Instance;
@@ -60,7 +61,7 @@ final class ReturnedTokens {
             if (state != null) {
                 PairedReturns paired = PairedReturns.in(state, scope);
                 List<PlacedToken> returned = pool.returned(state, scope, paired);
-                if (paired != null && paired.limit()) {
+                if (paired != null && paired.limit() && returned != null) {
                     selectReturned(paired, returned);
                 }
                 Visit bound = scope.visitIn(state);
@@ -90,7 +91,7 @@ final class ReturnedTokens {
         }
     }
 
-    private void selectVisit(Visit v, List<PlacedToken> free) {
+    private void selectVisit(Visit v, @Nullable List<PlacedToken> free) {
         for (Instance instance : v.instances) {
             for (Token token : instance.returned) {
                 use(instance, token, standing(v, token, free));
@@ -98,7 +99,7 @@ final class ReturnedTokens {
         }
     }
 
-    private PlacedToken standing(Visit v, Token token, List<PlacedToken> free) {
+    private @Nullable PlacedToken standing(Visit v, Token token, @Nullable List<PlacedToken> free) {
         for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
             if (e.pickedBy != pick && e.token.equals(token) && (free == null || free.contains(e))) {
                 return e;
@@ -107,7 +108,7 @@ final class ReturnedTokens {
         return null;
     }
 
-    private void use(Instance instance, Token token, PlacedToken standing) {
+    private void use(Instance instance, Token token, @Nullable PlacedToken standing) {
         if (left == 0) {
             return;
         }

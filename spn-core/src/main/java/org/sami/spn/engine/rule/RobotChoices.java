@@ -65,7 +65,7 @@ public final class RobotChoices {
                     asked.close(open);
                     step.note(
                             NoteKind.INTERRUPT_REFUSED,
-                            open.mission.id,
+                            open.asker().id,
                             "Nobody is left for the interrupt '" + open.subject + "': " + who);
                 } else {
                     askAgain(open, new Question.ChooseProxies(left, choice.min(), choice.max()), who);
@@ -76,7 +76,7 @@ public final class RobotChoices {
 
     /** Tokens left places of a mission: a filter that keeps nobody who is there any longer is given up. */
     void left(MissionState m) {
-        for (OpenDecision open : List.copyOf(m.decisions.values())) {
+        for (OpenDecision open : step.state.decisionsOf(m)) {
             if (filtered(open) && open.decision.question() instanceof Question.ChooseProxies choice) {
                 List<String> all = questions.all(open, Set.of());
                 List<String> left =
@@ -95,7 +95,8 @@ public final class RobotChoices {
     }
 
     private static boolean filtered(OpenDecision open) {
-        return open.purpose == OpenDecision.Purpose.ACTIVATION && !open.sent.output.filters.isEmpty();
+        return open.purpose == OpenDecision.Purpose.ACTIVATION
+                && !open.activation().output.filters.isEmpty();
     }
 
     private static boolean tooFew(List<String> left, Question.ChooseProxies choice) {
@@ -107,7 +108,7 @@ public final class RobotChoices {
         askAgain(open, new Question.ChooseProxies(all, choice.min(), choice.max()), why);
         step.note(
                 NoteKind.GONE,
-                open.mission.id,
+                open.asker().id,
                 "The filter of '" + open.decision.prompt() + "' leaves too few (" + why + "): all are offered again");
     }
 
@@ -129,14 +130,14 @@ public final class RobotChoices {
         OpenDecision again =
                 new OpenDecision(decision, open.purpose, open.mission, open.sent, open.instance, open.subject);
         if (open.sent != null) {
-            open.sent.decision = again;
+            open.sent.decision = decision.id();
         }
         asked.add(again);
         deadline.ifPresent(at -> again.deadline = timers.deadline(again, at - step.state.now));
         if (question.proxies().isEmpty()) {
             step.note(
                     NoteKind.NAMES_NOBODY,
-                    open.mission.id,
+                    open.asker().id,
                     "Nobody is left to choose for '" + before.prompt() + "': " + why);
         } else if (open.sent != null
                 && open.sent.output.trigger == CompiledOutput.Trigger.IMMEDIATELY

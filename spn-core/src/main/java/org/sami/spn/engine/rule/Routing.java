@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
@@ -92,7 +93,7 @@ public final class Routing {
         }
         if (!fate.received) {
             discarded(o, sent, fate);
-        } else if (!fate.gone.isEmpty()) {
+        } else if (sent != null && !fate.gone.isEmpty()) {
             step.note(
                     NoteKind.GONE,
                     sent.activation.mission(),
@@ -142,7 +143,7 @@ public final class Routing {
     }
 
     /** News to one mission or to all, in order of their ids; an answer in the mission that asked. */
-    private void news(Occurrence o, int type, SentActivation asked, Fate fate) {
+    private void news(Occurrence o, int type, @Nullable SentActivation asked, Fate fate) {
         if (o.mission() != Ids.NONE) {
             MissionState m = step.state.missions.get(o.mission());
             if (m != null) {
@@ -174,7 +175,12 @@ public final class Routing {
 
     /** Offers an occurrence to one input event of one transition. */
     private void offer(
-            MissionState m, CompiledTransition t, CompiledInput input, Occurrence o, SentActivation sent, Fate fate) {
+            MissionState m,
+            CompiledTransition t,
+            CompiledInput input,
+            Occurrence o,
+            @Nullable SentActivation sent,
+            Fate fate) {
         if (!fits(input, o) || !isAttentive(m, t)) {
             return;
         }
@@ -288,7 +294,7 @@ public final class Routing {
         return false;
     }
 
-    private void discarded(Occurrence o, SentActivation sent, Fate fate) {
+    private void discarded(Occurrence o, @Nullable SentActivation sent, Fate fate) {
         EventType type = step.project().vocabulary.event(o.type()).orElse(null);
         if (type != null && type.flags().contains(EventFlag.COALESCE)) {
             step.state.discardedNews.merge(type.name(), 1L, Long::sum);

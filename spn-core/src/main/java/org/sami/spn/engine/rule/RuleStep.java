@@ -2,6 +2,7 @@ package org.sami.spn.engine.rule;
 
 import java.util.ArrayDeque;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.TaskState;
@@ -44,6 +45,7 @@ public final class RuleStep {
     }
 
     /** The next input of the engine to itself; null where there is none. */
+    @Nullable
     Runnable nextOwnInput() {
         return ownInputs.poll();
     }
@@ -53,6 +55,8 @@ public final class RuleStep {
         return state.newest();
     }
 
+    /** A task of a running mission; null where it has ended. */
+    @Nullable
     TaskState task(TaskId id) {
         return state.task(id);
     }

@@ -102,7 +102,7 @@ final class SharedInstances {
             }
         }
         rules.visits.end(v);
-        give(child.instance, tokens, child.returnValue);
+        give(child.asInstance(), tokens, child.returnValue);
     }
 
     private void give(Instance instance, List<Token> tokens, String value) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledPlan;
@@ -80,7 +81,7 @@ public final class SubMissions {
     }
 
     /** Makes the mission of an instance; null, with a note, where its plan cannot run. */
-    public MissionState make(Instance instance, SubMissionSpec spec) {
+    public @Nullable MissionState make(Instance instance, SubMissionSpec spec) {
         MissionState parent = instance.place.mission;
         CompiledPlan plan = parent.plan.project.plan(spec.plan());
         if (plan == null || plan.start == null) {
@@ -107,7 +108,7 @@ public final class SubMissions {
         return child;
     }
 
-    private static TaskState findTask(MissionState mission, String name) {
+    private static @Nullable TaskState findTask(MissionState mission, String name) {
         for (MissionState m = mission; m != null; m = m.parent) {
             TaskState task = m.tasks.get(name);
             if (task != null) {
@@ -118,18 +119,20 @@ public final class SubMissions {
     }
 
     private static boolean isMapped(MissionState child, TaskState task) {
-        return child.subMission().tasks().containsValue(task.id.name());
+        SubMissionSpec spec = child.subMission();
+        return spec != null && spec.tasks().containsValue(task.id.name());
     }
 
     /** Takes what stands in the end places of a mission that ends as its returned tokens, and its return value. */
     public void collect(MissionState m) {
-        m.instance.returnValue = m.returnValue;
+        Instance instance = m.asInstance();
+        instance.returnValue = m.returnValue;
         for (PlaceState place : m.places) {
             if (place != null && place.place.isEnd()) {
                 for (PlacedToken e : place.inOrder()) {
                     Token token = ChildTokens.toParent(m, e.token);
                     if (token != null) {
-                        m.instance.returned.add(token);
+                        instance.returned.add(token);
                     }
                 }
             }
@@ -152,7 +155,7 @@ public final class SubMissions {
                     "From the sub-mission on '" + instance.place.place + "' did not come back: "
                             + TokenWords.of(missing));
         }
-        complete(instance.visit);
+        complete(instance.startedBy());
     }
 
     /** Looks at the place again if the visit is complete now. */
@@ -236,7 +239,7 @@ public final class SubMissions {
         }
         instance.status = Instance.Status.COMPLETE;
         instance.returned.addAll(instance.starting);
-        complete(instance.visit);
+        complete(instance.startedBy());
     }
 
     /**
@@ -247,7 +250,8 @@ public final class SubMissions {
         if (!instance.starting.remove(token) || instance.child == null) {
             return;
         }
-        if (PlacedToken.kindOf(token) != PlacedToken.GENERIC && !instance.visit.has(token)) {
+        if (PlacedToken.kindOf(token) != PlacedToken.GENERIC
+                && !instance.startedBy().has(token)) {
             rules.robotRemoval.takeOut(instance.child, ChildTokens.toChild(instance.child, token));
         }
         if (instance.starting.isEmpty()) {
@@ -262,7 +266,7 @@ public final class SubMissions {
             instance.status = Instance.Status.ABORTED;
             rules.missionEnd.stopSilently(instance.child, Outcome.ABORTED);
         }
-        for (OpenDecision d : List.copyOf(instance.place.mission.decisions.values())) {
+        for (OpenDecision d : rules.state.decisionsOf(instance.place.mission)) {
             if (d.instance == instance) {
                 rules.questions.close(d);
             }

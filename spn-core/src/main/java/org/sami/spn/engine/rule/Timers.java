@@ -6,6 +6,7 @@ import org.sami.spn.engine.state.RunningTimer;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.DurationValue;
@@ -39,12 +40,12 @@ public final class Timers {
             return;
         }
         if (sent.output.role == EventRole.TIMER) {
-            add(millis, sent, Token.GENERIC, null);
+            add(millis, sent, Token.GENERIC);
             return;
         }
         for (Token token : sent.activation.tokens()) {
             if (!robot(token).isEmpty() && !hasTimer(sent, token)) {
-                add(millis, sent, token, null);
+                add(millis, sent, token);
             }
         }
     }
@@ -53,16 +54,18 @@ public final class Timers {
         return sent.timers.stream().anyMatch(t -> t.token().equals(token));
     }
 
-    public RunningTimer deadline(OpenDecision decision, long millis) {
-        return add(millis, null, null, decision);
+    public RunningTimer deadline(OpenDecision open, long millis) {
+        return add(millis, Ids.NONE, Token.GENERIC, open.decision.id());
     }
 
-    private RunningTimer add(long millis, SentActivation sent, Token token, OpenDecision decision) {
-        RunningTimer timer = new RunningTimer(step.state.now + millis, ++step.state.lastTimer, sent, token, decision);
+    private void add(long millis, SentActivation sent, Token token) {
+        sent.add(add(millis, sent.activation.id(), token, Ids.NONE));
+    }
+
+    private RunningTimer add(long millis, long activation, Token token, long decision) {
+        RunningTimer timer =
+                new RunningTimer(step.state.now + millis, ++step.state.lastTimer, activation, token, decision);
         step.state.timers.add(timer);
-        if (sent != null) {
-            sent.add(timer);
-        }
         return timer;
     }
 

@@ -3,6 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.Reach;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
@@ -58,7 +59,12 @@ public final class TokenPool {
 
     /** Adds the oldest tokens of a kind that fit, at most so many; says how many were added. */
     public int collect(
-            PlaceState place, int kind, int limit, FiringScope scope, Predicate<Token> fits, List<PlacedToken> into) {
+            PlaceState place,
+            int kind,
+            int limit,
+            FiringScope scope,
+            @Nullable Predicate<Token> fits,
+            List<PlacedToken> into) {
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
         for (PlacedToken e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
@@ -118,7 +124,7 @@ public final class TokenPool {
      * The tokens of a place that the returns used by a firing brought back, in order of entry; null where no static instance
      * limits the firing. A token is free when every static instance on the place has brought it back.
      */
-    public List<PlacedToken> returned(PlaceState place, FiringScope scope) {
+    public @Nullable List<PlacedToken> returned(PlaceState place, FiringScope scope) {
         return place.shared.length == 0 ? null : returned(place, scope, PairedReturns.in(place, scope));
     }
 
@@ -127,7 +133,8 @@ public final class TokenPool {
      *
      * @param paired null where it must wait for some
      */
-    List<PlacedToken> returned(PlaceState place, FiringScope scope, PairedReturns paired) {
+    @Nullable
+    List<PlacedToken> returned(PlaceState place, FiringScope scope, @Nullable PairedReturns paired) {
         if (paired == null) {
             return List.of();
         }
@@ -141,7 +148,7 @@ public final class TokenPool {
         return result;
     }
 
-    private static boolean usable(PlacedToken e, FiringScope scope, List<PlacedToken> returned) {
+    private static boolean usable(PlacedToken e, FiringScope scope, @Nullable List<PlacedToken> returned) {
         return returned == null ? standsFree(e, scope) : returned.contains(e);
     }
 

@@ -40,7 +40,7 @@ final class TokenRemoval {
         e.place.remove(e);
         if (e.kind != PlacedToken.GENERIC) {
             for (CompiledTransition t : e.place.place.barriers) {
-                e.place.mission.transition(t.index).barrier.left(e.token);
+                e.place.mission.transition(t.index).allReports().left(e.token);
             }
         }
     }

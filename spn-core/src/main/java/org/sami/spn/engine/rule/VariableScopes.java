@@ -3,6 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.model.SubMissionSpec;
@@ -21,7 +22,10 @@ import org.sami.spn.value.ValueType;
  */
 public final class VariableScopes {
     /** Where a name leads: a mission, or the globals where it is null, and the name there. */
-    private record Place(MissionState owner, String name, VariableSpec declaration) {}
+    private record Place(
+            @Nullable MissionState owner,
+            String name,
+            @Nullable VariableSpec declaration) {}
 
     private final RuleStep step;
 
@@ -30,7 +34,7 @@ public final class VariableScopes {
     }
 
     /** A variable as a mission reads it, null mission = globals; null where it has no value. */
-    public Value read(MissionState mission, String variable) {
+    public @Nullable Value read(@Nullable MissionState mission, String variable) {
         String name = variable;
         for (MissionState m = mission; m != null; m = m.parent) {
             String mapped = mapping(m).get(name);
@@ -47,12 +51,12 @@ public final class VariableScopes {
     }
 
     /** The declaration that a write of a mission would meet, or null. */
-    public VariableSpec declaration(MissionState mission, String variable) {
+    public @Nullable VariableSpec declaration(@Nullable MissionState mission, String variable) {
         return place(mission, variable).declaration;
     }
 
     /** Writes a variable where the nearest enclosing plan declares it, else in the own plan; says whether it fits. */
-    public boolean write(MissionState mission, String variable, Value value) {
+    public boolean write(@Nullable MissionState mission, String variable, Value value) {
         Place place = place(mission, variable);
         if (!fits(place.declaration, value)) {
             step.note(
@@ -71,7 +75,7 @@ public final class VariableScopes {
     }
 
     /** The declared variables of a type that a mission can read, its own first, the globals last. */
-    public List<String> namesInScope(MissionState mission, ValueType type) {
+    public List<String> namesInScope(@Nullable MissionState mission, ValueType type) {
         return declaredInScope(mission).entrySet().stream()
                 .filter(e -> e.getValue().type().equals(type))
                 .map(Map.Entry::getKey)
@@ -79,7 +83,7 @@ public final class VariableScopes {
     }
 
     /** The values of a type that variables hold which a mission can read, its own first, the globals last. */
-    public List<Value> valuesInScope(MissionState mission, ValueType type) {
+    public List<Value> valuesInScope(@Nullable MissionState mission, ValueType type) {
         return declaredInScope(mission).keySet().stream()
                 .map(name -> read(mission, name))
                 .filter(value -> value != null
@@ -89,7 +93,7 @@ public final class VariableScopes {
                 .toList();
     }
 
-    private Map<String, VariableSpec> declaredInScope(MissionState mission) {
+    private Map<String, VariableSpec> declaredInScope(@Nullable MissionState mission) {
         Map<String, VariableSpec> declared = new LinkedHashMap<>();
         for (MissionState m = mission; m != null; m = m.parent) {
             m.plan.variables.forEach(declared::putIfAbsent);
@@ -98,13 +102,13 @@ public final class VariableScopes {
         return declared;
     }
 
-    public boolean fits(VariableSpec declaration, Value value) {
+    public boolean fits(@Nullable VariableSpec declaration, Value value) {
         return declaration == null
                 || TypeCheck.accepts(
                         declaration.type(), value, step.project().vocabulary.types());
     }
 
-    private Place place(MissionState mission, String variable) {
+    private Place place(@Nullable MissionState mission, String variable) {
         String name = variable;
         MissionState own = mission;
         String ownName = variable;
@@ -126,7 +130,7 @@ public final class VariableScopes {
     }
 
     /** Whose globals a mission reads and writes: those of the project that it started with; with no mission, of the newest. */
-    private CompiledProject projectOf(MissionState mission) {
+    private CompiledProject projectOf(@Nullable MissionState mission) {
         return mission == null ? step.project() : mission.plan.project;
     }
 

@@ -9,6 +9,7 @@ import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -51,7 +52,7 @@ final class Visits {
             rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, List.of()));
         }
         if (v.hasInstances()) {
-            place.instanceVisits.remove(v.id);
+            place.removeInstanceVisit(v);
             for (Instance i : v.instances) {
                 rules.subMissions.visitEnded(i);
             }
@@ -72,8 +73,8 @@ final class Visits {
         for (SentActivation sent : v.sent) {
             sent.open = false;
             rules.timers.cancelAll(sent);
-            if (sent.decision != null) {
-                rules.questions.close(sent.decision);
+            if (sent.decision != Ids.NONE) {
+                rules.questions.close(rules.state.decision(sent.decision));
             }
             rules.emit(new Effect.ActivationEnded(sent.activation.id()));
         }

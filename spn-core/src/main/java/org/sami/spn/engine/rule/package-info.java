@@ -8,4 +8,7 @@
  * any order. A rule gets those that it uses; only the rules of {@code MissionRules} know all of one another, as one ends what another
  * began.
  */
+@NullMarked
 package org.sami.spn.engine.rule;
+
+import org.jspecify.annotations.NullMarked;

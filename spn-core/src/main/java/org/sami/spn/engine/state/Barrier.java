@@ -2,6 +2,7 @@ package org.sami.spn.engine.state;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -44,7 +45,7 @@ public final class Barrier {
 
     /** One copy left; says whether it was the last. */
     public boolean left(Token token) {
-        Count c = counts.get(token);
+        Count c = counted(token);
         if (--c.copies > 0) {
             return false;
         }
@@ -66,7 +67,7 @@ public final class Barrier {
     }
 
     public void withdrawn(int input, Token token) {
-        Count c = counts.get(token);
+        Count c = counted(token);
         if (--c.reports[input] == 0 && c.copies > 0) {
             missing[input]++;
         }
@@ -90,6 +91,11 @@ public final class Barrier {
     public boolean hasReported(int input, Token token) {
         Count c = counts.get(token);
         return c != null && c.reports[input] > 0;
+    }
+
+    /** The count of a token that entered or reported before. */
+    private Count counted(Token token) {
+        return Objects.requireNonNull(counts.get(token), "a token that was counted");
     }
 
     private Count count(Token token) {

@@ -2,6 +2,8 @@ package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -16,14 +18,14 @@ public final class Instance {
     }
 
     /** The visit of the parent that started it; null for a static instance. */
-    public final Visit visit;
+    public final @Nullable Visit visit;
     /** The place of the parent. */
     public final PlaceState place;
 
     public final int specIndex;
     public Status status = Status.RUNNING;
     /** The mission while it runs, else null. */
-    public MissionState child;
+    public @Nullable MissionState child;
     /** Starting tokens that were not withdrawn; for a static instance those that have not returned. */
     public final List<Token> starting;
     /** Tokens in the end places when it completed, that no firing has used. */
@@ -31,7 +33,7 @@ public final class Instance {
 
     public String returnValue = "";
 
-    public Instance(Visit visit, PlaceState place, int specIndex, List<Token> starting) {
+    public Instance(@Nullable Visit visit, PlaceState place, int specIndex, List<Token> starting) {
         this.visit = visit;
         this.place = place;
         this.specIndex = specIndex;
@@ -43,6 +45,11 @@ public final class Instance {
         return (isShared() ? place.place.shared : place.place.dynamic)
                 .get(specIndex)
                 .plan();
+    }
+
+    /** The visit of the parent that started it; not for a static instance. */
+    public Visit startedBy() {
+        return Objects.requireNonNull(visit, "the visit of a static instance");
     }
 
     public boolean isShared() {

@@ -2,8 +2,12 @@ package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledPlan;
 import org.sami.spn.model.SubMissionSpec;
@@ -22,15 +26,15 @@ public final class MissionState {
     public final CompiledPlan plan;
     public final String name;
     /** The instance of the parent that this mission is; null for a root. */
-    public final Instance instance;
+    public final @Nullable Instance instance;
 
-    public final MissionState parent;
+    public final @Nullable MissionState parent;
     public final MissionState root;
     public final int depth;
     public MissionStatus status = MissionStatus.WAITING;
     public boolean ended;
     /** What was asked of it and is its outcome, however it ends: aborted or completed; null while neither was. */
-    public Outcome asked;
+    public @Nullable Outcome asked;
 
     public final PlaceState[] places;
     public final TransitionState[] transitions;
@@ -39,7 +43,9 @@ public final class MissionState {
     public Map<String, Value> memory = Map.of();
     public Map<String, Value> parameters = Map.of();
     public Map<Long, MissionState> children = Map.of();
-    public Map<Long, OpenDecision> decisions = Map.of();
+    /** Ids of its open decisions, in the order in which they were asked. */
+    public Set<Long> decisions = Set.of();
+
     /** Visits that wait for the parameters: tokens that entered, in order; for a root none. */
     public List<List<Token>> waiting = List.of();
 
@@ -53,10 +59,11 @@ public final class MissionState {
     public long startedAt = UNKNOWN;
 
     public long firings;
-    private Visit firstVisit;
-    private Visit lastVisit;
+    private @Nullable Visit firstVisit;
+    private @Nullable Visit lastVisit;
 
-    public MissionState(long id, CompiledPlan plan, String name, MissionState parent, Instance instance) {
+    public MissionState(
+            long id, CompiledPlan plan, String name, @Nullable MissionState parent, @Nullable Instance instance) {
         this.id = id;
         this.plan = plan;
         this.name = name;
@@ -66,6 +73,11 @@ public final class MissionState {
         this.depth = parent == null ? 0 : parent.depth + 1;
         this.places = new PlaceState[plan.places.length];
         this.transitions = new TransitionState[plan.transitions.length];
+    }
+
+    /** The instance of the parent that this mission is; not for a root. */
+    public Instance asInstance() {
+        return Objects.requireNonNull(instance, "the instance of a root mission");
     }
 
     public boolean runs() {
@@ -116,7 +128,7 @@ public final class MissionState {
     }
 
     /** The visit that began first of those that have not ended, or null. */
-    public Visit firstVisit() {
+    public @Nullable Visit firstVisit() {
         return firstVisit;
     }
 
@@ -134,11 +146,11 @@ public final class MissionState {
         children.put(child.id, child);
     }
 
-    public void addDecision(OpenDecision decision) {
+    public void addDecision(long decision) {
         if (decisions.isEmpty()) {
-            decisions = new LinkedHashMap<>();
+            decisions = new LinkedHashSet<>();
         }
-        decisions.put(decision.decision.id(), decision);
+        decisions.add(decision);
     }
 
     public void addTask(TaskState task) {
@@ -167,7 +179,7 @@ public final class MissionState {
     }
 
     /** The specification by which it runs in its parent, null for a root. */
-    public SubMissionSpec subMission() {
+    public @Nullable SubMissionSpec subMission() {
         if (instance == null) {
             return null;
         }

@@ -7,22 +7,20 @@ import org.sami.spn.protocol.Token;
  * allocated to it among those of the answered activation (R-REL-3).
  */
 public final class NamedToken {
-    public final PendingOccurrence pending;
     public final Token token;
     public Token[] tokens;
     public boolean struck;
     /** Whether one of its tokens stood in the answered visit or an in place when it arrived. */
     public boolean stood;
 
-    public NamedToken(PendingOccurrence pending, Token token) {
-        this.pending = pending;
+    public NamedToken(Token token) {
         this.token = token;
         this.tokens = new Token[] {token};
     }
 
     /** The same name in the copy of a state. */
-    NamedToken copy(PendingOccurrence pending) {
-        NamedToken n = new NamedToken(pending, token);
+    NamedToken copy() {
+        NamedToken n = new NamedToken(token);
         n.tokens = tokens; // replaced, never changed
         n.struck = struck;
         n.stood = stood;

@@ -7,8 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
@@ -112,8 +114,30 @@ public final class NetState {
         return typeId < 0 ? Map.of() : attentive.get(typeId);
     }
 
+    /** The open decisions of a mission, in the order in which they were asked; what is closed meanwhile stays in the list. */
+    public List<OpenDecision> decisionsOf(MissionState mission) {
+        if (mission.decisions.isEmpty()) {
+            return List.of();
+        }
+        List<OpenDecision> open = new ArrayList<>(mission.decisions.size());
+        mission.decisions.forEach(id -> open.add(decision(id)));
+        return open;
+    }
+
+    /** An open decision. */
+    public OpenDecision decision(long id) {
+        return Objects.requireNonNull(decisions.get(id), "an open decision");
+    }
+
+    /** The activation that a timer runs for, or whose question must be answered until then. */
+    public SentActivation activationOf(RunningTimer timer) {
+        return Objects.requireNonNull(
+                timer.isDeadline() ? decision(timer.decision()).sent : sent.get(timer.activation()),
+                "a timer's activation");
+    }
+
     /** A task of a running mission, or null. */
-    public TaskState task(TaskId id) {
+    public @Nullable TaskState task(TaskId id) {
         MissionState mission = missions.get(id.mission());
         return mission == null ? null : mission.tasks.get(id.name());
     }

@@ -1,5 +1,7 @@
 package org.sami.spn.engine.state;
 
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.protocol.Decision;
 
 /** A decision that waits for its answer, with what the answer is for. */
@@ -21,22 +23,22 @@ public final class OpenDecision {
 
     public final Purpose purpose;
     /** The mission that asks; null where the domain does. */
-    public final MissionState mission;
+    public final @Nullable MissionState mission;
     /** The asking activation; for an interrupt's choice the first that offers it; else null. */
-    public final SentActivation sent;
+    public final @Nullable SentActivation sent;
     /** The aborted child, else null. */
-    public final Instance instance;
+    public final @Nullable Instance instance;
     /** The interrupt whose robots are chosen, or the subject of the domain's question, or {@link #STANDING}; else empty text. */
     public final String subject;
 
-    public RunningTimer deadline;
+    public @Nullable RunningTimer deadline;
 
     public OpenDecision(
             Decision decision,
             Purpose purpose,
-            MissionState mission,
-            SentActivation sent,
-            Instance instance,
+            @Nullable MissionState mission,
+            @Nullable SentActivation sent,
+            @Nullable Instance instance,
             String subject) {
         this.decision = decision;
         this.purpose = purpose;
@@ -44,5 +46,15 @@ public final class OpenDecision {
         this.sent = sent;
         this.instance = instance;
         this.subject = subject;
+    }
+
+    /** The mission that asks; not for a question of the domain's. */
+    public MissionState asker() {
+        return Objects.requireNonNull(mission, "the mission of the domain's question");
+    }
+
+    /** The asking activation; only where an activation asks. */
+    public SentActivation activation() {
+        return Objects.requireNonNull(sent, "the activation of a question that none asks");
     }
 }

@@ -1,5 +1,6 @@
 package org.sami.spn.engine.state;
 
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.protocol.Occurrence;
 
@@ -8,19 +9,20 @@ public final class PendingOccurrence {
     public final Occurrence occurrence;
     public final CompiledInput input;
     /** The answered activation; null for news. */
-    public final SentActivation answered;
+    public final @Nullable SentActivation answered;
     /** A visit with whose end it goes, though it answers no activation; else null. */
-    public final Visit bound;
+    public final @Nullable Visit bound;
     /** The return whose value it carries; else null. */
-    public final Return told;
+    public final @Nullable Return told;
 
     public NamedToken[] names = {};
     public int namesLeft;
-    public PendingOccurrence previous;
-    public PendingOccurrence next;
+    public @Nullable PendingOccurrence previous;
+    public @Nullable PendingOccurrence next;
     public boolean removed;
 
-    public PendingOccurrence(Occurrence occurrence, CompiledInput input, SentActivation answered, Visit bound) {
+    public PendingOccurrence(
+            Occurrence occurrence, CompiledInput input, @Nullable SentActivation answered, @Nullable Visit bound) {
         this.occurrence = occurrence;
         this.input = input;
         this.answered = answered;
@@ -42,7 +44,7 @@ public final class PendingOccurrence {
     }
 
     /** The visit with whose end it goes where it names nobody, or null. */
-    public Visit visit() {
+    public @Nullable Visit visit() {
         return answered == null ? bound : answered.visit;
     }
 }

@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.protocol.Token;
 
@@ -19,17 +21,17 @@ public final class PlaceState {
     /** How many of them are held by running instances. */
     public final int[] held = new int[PlacedToken.KINDS];
 
-    public final PlacedToken[] first = new PlacedToken[PlacedToken.KINDS];
-    private final PlacedToken[] last = new PlacedToken[PlacedToken.KINDS];
+    public final @Nullable PlacedToken[] first = new PlacedToken[PlacedToken.KINDS];
+    private final @Nullable PlacedToken[] last = new PlacedToken[PlacedToken.KINDS];
     private final Map<Token, PlacedToken> named = new HashMap<>(4);
     /** Visits by nobody that have not ended. */
     public final List<Visit> nobody = new ArrayList<>(0);
     /** Visits with sub-mission instances that have not ended, by id; created when needed. */
-    public Map<Long, Visit> instanceVisits;
+    public @Nullable Map<Long, Visit> instanceVisits;
     /** Static instances, in the order of the place's specifications; empty where it has none. */
     public SharedRun[] shared = {};
     /** The last ended visit of each token, where answers outlive visits. */
-    public Map<Token, Visit> lastVisits;
+    public @Nullable Map<Token, Visit> lastVisits;
 
     public PlaceState(MissionState mission, CompiledPlace place) {
         this.mission = mission;
@@ -45,7 +47,7 @@ public final class PlaceState {
     }
 
     /** The oldest copy of a proxy or task token, or null. */
-    public PlacedToken find(Token token) {
+    public @Nullable PlacedToken find(Token token) {
         return named.get(token);
     }
 
@@ -58,6 +60,12 @@ public final class PlaceState {
             instanceVisits = new LinkedHashMap<>();
         }
         instanceVisits.put(visit.id, visit);
+    }
+
+    public void removeInstanceVisit(Visit visit) {
+        if (instanceVisits != null) {
+            instanceVisits.remove(visit.id);
+        }
     }
 
     public void add(PlacedToken e) {
@@ -118,16 +126,16 @@ public final class PlaceState {
             }
             return;
         }
-        while (copy.nextCopy != e) {
+        while (copy != null && copy.nextCopy != e) {
             copy = copy.nextCopy;
         }
-        copy.nextCopy = e.nextCopy;
+        Objects.requireNonNull(copy, "a token that stands here").nextCopy = e.nextCopy;
     }
 
     /** Tokens in order of entry. */
     public List<PlacedToken> inOrder() {
         List<PlacedToken> result = new ArrayList<>(total());
-        PlacedToken[] next = first.clone();
+        @Nullable PlacedToken[] next = first.clone();
         for (int i = total(); i > 0; i--) {
             int oldest = -1;
             for (int k = 0; k < PlacedToken.KINDS; k++) {

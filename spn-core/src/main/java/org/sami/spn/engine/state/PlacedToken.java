@@ -1,5 +1,6 @@
 package org.sami.spn.engine.state;
 
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -17,11 +18,11 @@ public final class PlacedToken {
     public final long order;
     public final PlaceState place;
     public final Visit visit;
-    public PlacedToken previousOfKind;
-    public PlacedToken nextOfKind;
-    public PlacedToken previousOfVisit;
-    public PlacedToken nextOfVisit;
-    public PlacedToken nextCopy;
+    public @Nullable PlacedToken previousOfKind;
+    public @Nullable PlacedToken nextOfKind;
+    public @Nullable PlacedToken previousOfVisit;
+    public @Nullable PlacedToken nextOfVisit;
+    public @Nullable PlacedToken nextCopy;
     /** Number of the firing that removes it; marks need no clearing. */
     public long removedBy;
     /** Number of the last requirement that picked it as a returned token. */

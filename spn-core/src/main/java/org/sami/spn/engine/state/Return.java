@@ -2,6 +2,7 @@ package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -24,7 +25,7 @@ public final class Return {
     }
 
     /** The visit that it completes; null for a static instance. */
-    public Visit visit() {
+    public @Nullable Visit visit() {
         return instance.visit;
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Token;
 
 /** An activation as the engine remembers it: with its visit and what the engine itself does for it. */
@@ -15,7 +16,9 @@ public final class SentActivation {
     public final boolean hasTasks;
 
     public boolean open = true;
-    public OpenDecision decision;
+    /** The id of the open decision that asks for it; {@link Ids#NONE} where none does. */
+    public long decision = Ids.NONE;
+
     public List<RunningTimer> timers = List.of();
 
     public SentActivation(Activation activation, Visit visit, CompiledOutput output) {

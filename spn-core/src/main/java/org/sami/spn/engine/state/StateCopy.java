@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.value.Value;
 
 /**
@@ -51,7 +53,7 @@ public final class StateCopy {
         to.discardedNews.putAll(from.discardedNews);
         from.missions.values().forEach(this::copy); // a parent stands before its children
         from.decisions.values().forEach(this::copy);
-        from.timers.forEach(this::copy);
+        from.timers.forEach(this::add);
         return to;
     }
 
@@ -120,8 +122,8 @@ public final class StateCopy {
     }
 
     private Visit copy(Visit old) {
-        MissionState m = to.missions.get(old.place.mission.id);
-        PlaceState place = m.place(old.place.place.index);
+        PlaceState place = place(old.place);
+        MissionState m = place.mission;
         Visit v = new Visit(old.id, place, old.entered);
         v.ended = old.ended;
         v.held = old.held;
@@ -156,7 +158,7 @@ public final class StateCopy {
         return v;
     }
 
-    private static Instance copy(Instance old, Visit visit, PlaceState place) {
+    private static Instance copy(Instance old, @Nullable Visit visit, PlaceState place) {
         Instance i = new Instance(visit, place, old.specIndex, old.starting);
         i.status = old.status;
         i.returned.addAll(old.returned);
@@ -195,7 +197,7 @@ public final class StateCopy {
                         old.occurrence, old.input, sent(old.answered), old.bound == null ? null : visit(old.bound));
         p.names = new NamedToken[old.names.length];
         for (int i = 0; i < p.names.length; i++) {
-            p.names[i] = old.names[i].copy(p);
+            p.names[i] = old.names[i].copy();
         }
         p.namesLeft = old.namesLeft;
         return p;
@@ -212,11 +214,16 @@ public final class StateCopy {
 
     private Instance instance(Instance old) {
         return old.isShared()
-                ? to.missions.get(old.place.mission.id).place(old.place.place.index).shared[old.specIndex].instance
-                : visit(old.visit).instances.get(old.specIndex);
+                ? place(old.place).shared[old.specIndex].instance
+                : visit(old.startedBy()).instances.get(old.specIndex);
     }
 
-    private SentActivation sent(SentActivation old) {
+    private PlaceState place(PlaceState old) {
+        return Objects.requireNonNull(to.missions.get(old.mission.id), "a mission that was copied")
+                .place(old.place.index);
+    }
+
+    private @Nullable SentActivation sent(@Nullable SentActivation old) {
         return old == null ? null : visit(old.visit).sent.get(old.visit.sent.indexOf(old));
     }
 
@@ -227,25 +234,19 @@ public final class StateCopy {
         OpenDecision d = new OpenDecision(old.decision, old.purpose, m, sent, instance, old.subject);
         to.decisions.put(d.decision.id(), d);
         if (m != null) {
-            m.addDecision(d);
+            m.addDecision(d.decision.id());
         }
         if (sent != null && d.purpose == OpenDecision.Purpose.ACTIVATION) {
-            sent.decision = d;
+            sent.decision = d.decision.id();
         }
     }
 
-    private void copy(RunningTimer old) {
-        SentActivation sent = sent(old.sent());
-        OpenDecision decision = old.decision() == null
-                ? null
-                : to.decisions.get(old.decision().decision.id());
-        RunningTimer timer = new RunningTimer(old.due(), old.id(), sent, old.token(), decision);
+    private void add(RunningTimer timer) {
         to.timers.add(timer);
-        if (sent != null) {
-            sent.add(timer);
-        }
-        if (decision != null) {
-            decision.deadline = timer;
+        if (timer.isDeadline()) {
+            to.decision(timer.decision()).deadline = timer;
+        } else {
+            to.activationOf(timer).add(timer);
         }
     }
 }

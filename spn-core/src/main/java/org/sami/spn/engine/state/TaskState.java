@@ -2,6 +2,7 @@ package org.sami.spn.engine.state;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -11,18 +12,18 @@ public final class TaskState {
     public final String taskClass;
     public final Map<String, Value> fields;
     /** The parent's task that it stands for, or null. */
-    public final TaskState original;
+    public final @Nullable TaskState original;
 
     private String proxy = "";
 
-    public TaskState(TaskId id, String taskClass, Map<String, Value> fields, TaskState original) {
+    public TaskState(TaskId id, String taskClass, Map<String, Value> fields, @Nullable TaskState original) {
         this.id = id;
         this.taskClass = taskClass;
         this.fields = new LinkedHashMap<>(fields);
         this.original = original;
     }
 
-    private TaskState(TaskState old, TaskState original) {
+    private TaskState(TaskState old, @Nullable TaskState original) {
         this.id = old.id;
         this.taskClass = old.taskClass;
         this.fields = old.fields;
@@ -31,7 +32,7 @@ public final class TaskState {
     }
 
     /** The same task in the copy of a state; its fields never change. */
-    TaskState copy(TaskState original) {
+    TaskState copy(@Nullable TaskState original) {
         return new TaskState(this, original);
     }
 
@@ -54,7 +55,7 @@ public final class TaskState {
     }
 
     /** The value of a field: of the task that it stands for, else its own; null where neither has it. */
-    public Value field(String name) {
+    public @Nullable Value field(String name) {
         Value value = original == null ? null : original.field(name);
         return value == null ? fields.get(name) : value;
     }

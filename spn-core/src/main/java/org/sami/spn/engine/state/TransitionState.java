@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.protocol.Token;
 
@@ -11,12 +13,15 @@ import org.sami.spn.protocol.Token;
 public final class TransitionState {
     /** Pending occurrences of one input event in order of arrival. */
     public static final class Queue {
-        public PendingOccurrence first;
-        private PendingOccurrence last;
+        public @Nullable PendingOccurrence first;
+        private @Nullable PendingOccurrence last;
         public int size;
         /** How many of them name somebody. */
         public int naming;
     }
+
+    /** A name of a pending occurrence, as it is found by the tokens that it speaks of. */
+    public record Speaking(PendingOccurrence pending, NamedToken name) {}
 
     public final MissionState mission;
     public final CompiledTransition transition;
@@ -28,9 +33,9 @@ public final class TransitionState {
     /** How many of them name nobody. */
     public int nameless;
     /** Counts who has reported, where the transition waits for all; else null. */
-    public final Barrier barrier;
+    public final @Nullable Barrier barrier;
 
-    private final Map<Token, List<NamedToken>> index = new HashMap<>(4);
+    private final Map<Token, List<Speaking>> index = new HashMap<>(4);
 
     public TransitionState(MissionState mission, CompiledTransition transition) {
         this.mission = mission;
@@ -40,6 +45,11 @@ public final class TransitionState {
             queues[i] = new Queue();
         }
         this.barrier = transition.waitsForAll ? new Barrier(queues.length) : null;
+    }
+
+    /** Counts who has reported; only where the transition waits for all. */
+    public Barrier allReports() {
+        return Objects.requireNonNull(barrier, "the barrier of a transition that waits for one");
     }
 
     public void add(PendingOccurrence p) {
@@ -59,7 +69,7 @@ public final class TransitionState {
             q.naming++;
             for (NamedToken n : p.names) {
                 if (!n.struck) {
-                    index(n);
+                    index(p, n);
                 }
             }
         }
@@ -86,63 +96,64 @@ public final class TransitionState {
             q.naming--;
             for (NamedToken n : p.names) {
                 if (!n.struck) {
-                    unindex(n);
+                    unindex(p, n);
                 }
             }
         }
     }
 
-    public void strike(NamedToken n) {
-        unindex(n);
+    public void strike(PendingOccurrence p, NamedToken n) {
+        unindex(p, n);
         n.struck = true;
-        n.pending.namesLeft--;
+        p.namesLeft--;
     }
 
     /** Replaces the tokens that a name speaks of, after an allocation changed. */
-    public void renew(NamedToken n, Token[] tokens) {
-        unindex(n);
+    public void renew(PendingOccurrence p, NamedToken n, Token[] tokens) {
+        unindex(p, n);
         n.tokens = tokens;
-        index(n);
+        index(p, n);
     }
 
     /** Names that speak of a token and are not struck. */
-    public List<NamedToken> speakingOf(Token token) {
+    public List<Speaking> speakingOf(Token token) {
         return index.getOrDefault(token, List.of());
     }
 
-    private void index(NamedToken n) {
+    private void index(PendingOccurrence p, NamedToken n) {
+        Speaking speaking = new Speaking(p, n);
         for (Token token : n.tokens) {
-            List<NamedToken> list = index.get(token);
+            List<Speaking> list = index.get(token);
             if (list == null) {
                 list = new ArrayList<>(2);
                 index.put(token, list);
             }
-            list.add(placeIn(list, n), n);
+            list.add(placeIn(list, p.input.index), speaking);
             if (barrier != null) {
-                barrier.reported(n.pending.input.index, token);
+                barrier.reported(p.input.index, token);
             }
         }
     }
 
     /** By input event, then by arrival: the order in which a state is written and read, so that both strike in the same order. */
-    private static int placeIn(List<NamedToken> list, NamedToken n) {
+    private static int placeIn(List<Speaking> list, int input) {
         int at = list.size();
-        while (at > 0 && list.get(at - 1).pending.input.index > n.pending.input.index) {
+        while (at > 0 && list.get(at - 1).pending.input.index > input) {
             at--;
         }
         return at;
     }
 
-    private void unindex(NamedToken n) {
+    private void unindex(PendingOccurrence p, NamedToken n) {
         for (Token token : n.tokens) {
-            List<NamedToken> list = index.get(token);
+            List<Speaking> list = speakingOf(token);
             if (list.size() == 1) {
                 index.remove(token);
             } else {
-                list.remove(n);
+                list.removeIf(speaking -> speaking.name == n);
             }
             if (barrier != null) {
-                barrier.withdrawn(n.pending.input.index, token);
+                barrier.withdrawn(p.input.index, token);
             }
         }
     }

@@ -2,6 +2,7 @@ package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.protocol.Token;
 
@@ -15,8 +16,8 @@ public final class Visit {
     /** How many of its tokens have not left. */
     public int live;
 
-    public PlacedToken first;
-    private PlacedToken last;
+    public @Nullable PlacedToken first;
+    private @Nullable PlacedToken last;
     public boolean ended;
     public final List<SentActivation> sent = new ArrayList<>(1);
     /** Dynamic instances, none for most places. */
@@ -28,8 +29,8 @@ public final class Visit {
     /** For how many of its tokens it is the last ended visit of the place. */
     public int remembered;
 
-    public Visit previous;
-    public Visit next;
+    public @Nullable Visit previous;
+    public @Nullable Visit next;
 
     public Visit(long id, PlaceState place, List<Token> entered) {
         this.id = id;
@@ -44,7 +45,7 @@ public final class Visit {
         place.add(e);
         if (e.kind != PlacedToken.GENERIC) {
             for (CompiledTransition t : place.place.barriers) {
-                place.mission.transition(t.index).barrier.entered(token);
+                place.mission.transition(t.index).allReports().entered(token);
             }
         }
     }

@@ -6,4 +6,7 @@
  *
  * <p>Read {@code NetState}, {@code Mission}, {@code PlaceState}, {@code Visit}, then {@code TransitionState}.
  */
+@NullMarked
 package org.sami.spn.engine.state;
+
+import org.jspecify.annotations.NullMarked;
