@@ -6,11 +6,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.DomainOption;
+import org.sami.crw.cli.option.PlanOption;
+import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.ProgressDisplay;
 import org.sami.crw.cli.output.StopOnInterrupt;
 import org.sami.crw.cli.output.Terminal;
@@ -20,6 +25,7 @@ import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchSettings;
+import org.sami.petri.model.ExampleNetNames;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.pnml.PnmlReading;
 import org.sami.petri.symmetry.NetSymmetry;
@@ -27,7 +33,14 @@ import org.sami.picture.states.StateGraphPicture;
 import org.sami.spn.drawing.states.StateGraph;
 import org.sami.spn.drawing.states.StateGraphDot;
 import org.sami.spn.drawing.states.StateGraphLayout;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.planspace.StateGraphs;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -37,8 +50,9 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "graph",
         mixinStandardHelpOptions = true,
-        description = "Draws the reachability graph of a Petri net in layers: a box for each state with its marked"
-                + " places, an arrow for each firing.",
+        description =
+                "Draws what a plan with its boats, or a Petri net, can reach, in layers: a box for each state with"
+                        + " its marked places, an arrow for each firing.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:the whole graph was drawn",
@@ -48,19 +62,38 @@ import picocli.CommandLine.Spec;
         },
         footerHeading = "%nExamples:%n",
         footer = {
+            "  crw graph clv --boats 2 --symmetry --svg clv-states.svg",
+            "  crw graph my-plan.json --plan search --dot search.dot",
             "  crw graph line.pnml --svg line.svg",
             "  crw graph shared-memory-5 --symmetry --svg shared-memory.svg",
             "  crw graph philosophers-5 --states 1000 --dot philosophers.dot"
         })
 public final class GraphCommand implements Callable<Integer> {
+    private static final int MOST_BOATS = 25;
     private static final int MOST_DOT_STATES = 1_000_000;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "FILE|NET", description = "A PNML file, or an example net by its name, such as kanban-1.")
+    @Parameters(
+            paramLabel = "FILE|PLAN|NET",
+            description = "A project's file or folder, a plan of the library by its id, a PNML file, or an example net"
+                    + " by its name, such as kanban-1.")
     private String name = "";
+
+    @Mixin
+    private DomainOption domain = new DomainOption();
+
+    @Mixin
+    private PlanOption planOption = new PlanOption();
+
+    @Option(
+            names = "--boats",
+            paramLabel = "N",
+            defaultValue = "2",
+            description = "With a plan: how many boats there are at the start. Default: ${DEFAULT-VALUE}.")
+    private int boats;
 
     @Option(names = "--svg", paramLabel = "FILE", description = "Write the picture as SVG.")
     private @Nullable Path svg;
@@ -92,19 +125,17 @@ public final class GraphCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         SearchBudget budget = budget();
-        PnmlReading reading = NetArgument.read(name);
-        NetArgument.print(spec.commandLine().getErr(), name, reading.findings());
-        Optional<PetriNet> net = reading.net();
-        if (net.isEmpty()) {
+        Optional<DrawnNet> drawnNet = isNet() ? net() : plan();
+        if (drawnNet.isEmpty()) {
             return ExitCode.FINDINGS;
         }
-        ReachabilityGraph graph = search(net.get(), budget);
-        String remark = remark(graph);
-        StateGraph drawn = NetStateGraph.of(
-                graph, net.get().name().isEmpty() ? name : net.get().name(), remark);
+        DrawnNet net = drawnNet.get();
+        ReachabilityGraph graph = search(net.net(), budget);
+        StateGraph drawn = StateGraphs.of(graph, net.title(), isSymmetric, net.words());
         PrintWriter out = spec.commandLine().getOut();
-        out.println(net.get());
-        out.println(remark);
+        out.println(net.net());
+        net.remarks().forEach(remark -> out.println("  " + remark));
+        out.println(drawn.remark());
         if (svg != null) {
             write(svg, StateGraphPicture.svg(drawn));
         }
@@ -115,6 +146,43 @@ public final class GraphCommand implements Callable<Integer> {
         return graph.isComplete() ? ExitCode.OK : ExitCode.RUNNING;
     }
 
+    /** Whether the name is that of a PNML file or an example; a file of a plan ends in .json, or is a folder. */
+    private boolean isNet() {
+        Path file = Path.of(name);
+        return Files.exists(file)
+                ? !Files.isDirectory(file) && !name.endsWith(".json")
+                : ExampleNetNames.find(name).isPresent();
+    }
+
+    private Optional<DrawnNet> net() throws IOException {
+        PnmlReading reading = NetArgument.read(name);
+        NetArgument.print(spec.commandLine().getErr(), name, reading.findings());
+        return reading.net().map(net -> DrawnNet.of(net, name));
+    }
+
+    private Optional<DrawnNet> plan() {
+        PrintWriter err = spec.commandLine().getErr();
+        Reading<DomainLibrary> words = domain.read();
+        if (words.result().isEmpty()) {
+            FindingsText.print(err, domain.name(), words.findings());
+            return Optional.empty();
+        }
+        DomainLibrary library = words.result().get();
+        PlanSource source = domain.find(name, library);
+        Optional<Project> project = source.project();
+        if (project.isEmpty()) {
+            FindingsText.print(err, name, source.findings());
+            return Optional.empty();
+        }
+        Plan plan = source.choose(planOption.name());
+        List<Finding> findings = source.concerning(List.of(plan));
+        if (findings.stream().anyMatch(Finding::isError)) {
+            FindingsText.print(err, name, findings);
+            return Optional.empty();
+        }
+        return Optional.of(DrawnNet.of(project.get(), plan, library.vocabulary(), boats));
+    }
+
     private SearchBudget budget() {
         if (svg == null && dot == null) {
             throw new UsageFault("where to? --svg FILE, --dot FILE or both");
@@ -122,6 +190,9 @@ public final class GraphCommand implements Callable<Integer> {
         int most = svg == null ? MOST_DOT_STATES : StateGraphLayout.MOST_STATES;
         if (states < 1 || states > most) {
             throw new UsageFault("--states is 1 to " + most + (svg == null ? "" : " with --svg") + ", not " + states);
+        }
+        if (boats < 0 || boats > MOST_BOATS) {
+            throw new UsageFault("--boats is 0 to " + MOST_BOATS + ", not " + boats);
         }
         if (millis == 0) {
             throw new UsageFault("--time is more than 0");
@@ -140,15 +211,6 @@ public final class GraphCommand implements Callable<Integer> {
             progress.end();
             return graph;
         }
-    }
-
-    private String remark(ReachabilityGraph graph) {
-        String alike = isSymmetric ? " up to symmetry" : "";
-        return graph.isComplete()
-                ? "all " + graph.states() + " states" + alike
-                : "the nearest " + graph.states() + " states" + alike + ", " + (graph.states() - graph.looked())
-                        + " of them not followed (dashed): bounded search only, as "
-                        + graph.end().words();
     }
 
     private void write(Path file, String text) throws IOException {

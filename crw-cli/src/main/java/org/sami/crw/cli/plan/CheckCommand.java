@@ -3,6 +3,7 @@ package org.sami.crw.cli.plan;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.legacy.ImportedFindings;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.ProgressDisplay;
@@ -92,8 +94,20 @@ public final class CheckCommand implements Callable<Integer> {
             description = "With --deep: how many states of each plan are looked at. Default: ${DEFAULT-VALUE}.")
     private int states;
 
+    @Option(
+            names = "--budget",
+            paramLabel = "SECONDS",
+            defaultValue = "60",
+            converter = SecondsConverter.class,
+            description = "With --deep: how long each search for the answer to a saved query may take. "
+                    + "Default: ${DEFAULT-VALUE}.")
+    private long queryMillis;
+
     @Override
     public Integer call() {
+        if (queryMillis == 0) {
+            throw new UsageFault("--budget is more than 0");
+        }
         if (name == null && !domain.isGiven()) {
             throw new UsageFault(
                     "nothing to check: name FILE|PLAN, a file or a plan of the library, or --domain NAME|FOLDER");
@@ -136,8 +150,14 @@ public final class CheckCommand implements Callable<Integer> {
                     new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
             try (StopOnInterrupt stop = new StopOnInterrupt()) {
                 source.project()
-                        .ifPresent(
-                                project -> searches.run(project, library.vocabulary(), boats, states, progress, stop));
+                        .ifPresent(project -> searches.run(
+                                project,
+                                library.vocabulary(),
+                                boats,
+                                states,
+                                Duration.ofMillis(queryMillis),
+                                progress,
+                                stop));
             }
         }
         return searches;

@@ -3,6 +3,7 @@ package org.sami.crw.cli.plan;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -28,12 +29,14 @@ final class PlanSearches {
     private static final DeepCheck EVERYTHING = DeepChecks.ALL.get(0);
 
     private final List<Search> done = new ArrayList<>();
+    private final SavedQueries queries = new SavedQueries();
 
     private record Search(Plan plan, DeepResult result, StepText words) {}
 
     /**
      * Searches one plan after the other; those with errors are left out.
      *
+     * @param queryTime how long each search for an answer to a saved query may take
      * @param isStopped asked now and then whether to stop; what was found until then is kept
      */
     void run(
@@ -41,6 +44,7 @@ final class PlanSearches {
             Vocabulary vocabulary,
             int robots,
             int mostStates,
+            Duration queryTime,
             ProgressDisplay progress,
             BooleanSupplier isStopped) {
         List<String> names =
@@ -55,6 +59,7 @@ final class PlanSearches {
                         EVERYTHING.run(request, watch(plan, progress, isStopped)),
                         StepText.of(project, plan.id(), vocabulary)));
                 progress.end();
+                queries.run(project, vocabulary, plan, names, queryTime, progress, isStopped);
             }
         }
     }
@@ -75,9 +80,10 @@ final class PlanSearches {
 
     /** Whether something was found that is more than a note. */
     boolean haveFound() {
-        return done.stream()
-                .flatMap(search -> search.result().findings().stream())
-                .anyMatch(found -> found.finding().severity() != Severity.NOTE);
+        return queries.haveFound()
+                || done.stream()
+                        .flatMap(search -> search.result().findings().stream())
+                        .anyMatch(found -> found.finding().severity() != Severity.NOTE);
     }
 
     /** Findings as those of other checks, each with the run that shows it, and a line for each plan. */
@@ -89,10 +95,12 @@ final class PlanSearches {
             }
             out.printf("%s: %s%n", search.plan().id(), search.result().summary());
         }
+        queries.print(out);
     }
 
-    /** Puts an array {@code deep} into an object, with one object for each plan. */
+    /** Puts an array {@code deep} into an object, with one object for each plan, and an array {@code queries}. */
     void put(ObjectNode object, String source) {
+        queries.put(object);
         ArrayNode plans = object.putArray("deep");
         for (Search search : done) {
             List<DeepFinding> findings = search.result().findings();

@@ -64,4 +64,16 @@ class GraphCommandTest {
         assertThat(CommandResult.crw("graph", "nothing-such", "--dot", "a").exitCode())
                 .isEqualTo(2);
     }
+
+    @Test
+    void graphOfAPlanNamesItsPlacesBoatsAndEnds() throws IOException {
+        Path dot = folder.resolve("clv.dot");
+
+        CommandResult ran =
+                CommandResult.crw("graph", "clv", "--boats", "1", "--states", "500", "--dot", dot.toString());
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out()).contains("Cooperative Location Visit").containsPattern("all \\d+ states");
+        assertThat(Files.readString(dot)).contains("1 boat", "robot-1", "Boats chosen", "· end", "peripheries=2");
+    }
 }

@@ -1,0 +1,129 @@
+package org.sami.crw.cli.plan;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import org.sami.crw.cli.output.ProgressDisplay;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.Project;
+import org.sami.spn.plannet.PlanNet;
+import org.sami.spn.plannet.PlanNetFiring;
+import org.sami.spn.plannet.PlanNetRequest;
+import org.sami.spn.plannet.PlanNetTooLargeException;
+import org.sami.spn.planspace.PlanQueries;
+import org.sami.spn.planspace.PlanQueryAnswer;
+import org.sami.spn.planspace.PlanQueryAnswer.Result;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Answers the queries that are saved with the plans of a project, by searches of their nets, and says what came of each. */
+final class SavedQueries {
+    private final List<Answered> answers = new ArrayList<>();
+
+    private record Answered(Plan plan, PlanQueryAnswer answer) {}
+
+    /** Answers the queries of a plan. Where its net is too large, each of them stays open. */
+    void run(
+            Project project,
+            Vocabulary vocabulary,
+            Plan plan,
+            List<String> robots,
+            Duration time,
+            ProgressDisplay progress,
+            BooleanSupplier isStopped) {
+        if (plan.queries().isEmpty()) {
+            return;
+        }
+        SearchBudget budget =
+                new SearchBudget(SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, time);
+        try {
+            PlanNet net = PlanNet.of(new PlanNetRequest(project, vocabulary, plan.id(), robots));
+            PlanQueries queries = new PlanQueries(net, budget, watch(plan, progress, isStopped));
+            plan.queries().forEach(query -> answers.add(new Answered(plan, queries.answer(query))));
+        } catch (PlanNetTooLargeException tooLarge) {
+            plan.queries().forEach(query -> answers.add(new Answered(plan, open(query, tooLarge))));
+        }
+        progress.end();
+    }
+
+    private static PlanQueryAnswer open(PlanQuery query, PlanNetTooLargeException tooLarge) {
+        return new PlanQueryAnswer(query, Result.OPEN, "unknown: " + tooLarge.getMessage(), List.of(), List.of());
+    }
+
+    private static GraphWatch watch(Plan plan, ProgressDisplay progress, BooleanSupplier isStopped) {
+        return new GraphWatch() {
+            @Override
+            public void looked(int states, int waiting) {
+                progress.show(() ->
+                        plan.id() + ": " + states + " states of its net looked at, " + waiting + " known and waiting");
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return isStopped.getAsBoolean();
+            }
+        };
+    }
+
+    /** Whether a query means nothing, or has another answer than the author expects. */
+    boolean haveFound() {
+        return answers.stream()
+                .map(each -> each.answer().result())
+                .anyMatch(result -> result == Result.FAULT || result == Result.UNEXPECTED);
+    }
+
+    /** A line for each query; below an answer that is not the expected one, the run that shows it. */
+    void print(PrintWriter out) {
+        for (Answered each : answers) {
+            PlanQueryAnswer answer = each.answer();
+            out.printf(
+                    "%s: query \"%s\" %s: %s%n",
+                    each.plan().id(), answer.query().name(), word(answer), answer.words());
+            if (answer.result() == Result.UNEXPECTED) {
+                answer.run().stream().map(PlanNetFiring::words).forEach(firing -> out.println("    " + firing));
+                answer.markings().stream()
+                        .reduce((first, last) -> last)
+                        .ifPresent(end -> out.println("    then " + end.words()));
+            }
+        }
+    }
+
+    private static String word(PlanQueryAnswer answer) {
+        return switch (answer.result()) {
+            case EXPECTED -> "as expected";
+            case UNEXPECTED ->
+                "NOT AS EXPECTED (" + answer.query().expected().name().toLowerCase(Locale.ROOT) + ")";
+            case OPEN -> "open";
+            case FAULT -> "has a fault";
+        };
+    }
+
+    /** Puts an array {@code queries} into an object, with one object for each query. */
+    void put(ObjectNode object) {
+        ArrayNode list = object.putArray("queries");
+        for (Answered each : answers) {
+            PlanQueryAnswer answer = each.answer();
+            ObjectNode node = list.addObject()
+                    .put("plan", each.plan().id())
+                    .put("name", answer.query().name())
+                    .put("query", answer.query().text())
+                    .put("expect", answer.query().expected().name().toLowerCase(Locale.ROOT))
+                    .put("result", answer.result().name().toLowerCase(Locale.ROOT))
+                    .put("answer", answer.words());
+            if (answer.isShown()) {
+                ArrayNode run = node.putArray("run");
+                answer.run().forEach(firing -> run.add(firing.words()));
+                node.put(
+                        "marking",
+                        answer.markings().get(answer.markings().size() - 1).words());
+            }
+        }
+    }
+}
