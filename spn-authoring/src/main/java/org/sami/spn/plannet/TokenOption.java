@@ -22,6 +22,8 @@ final class TokenOption {
     final List<PlanNetMove> moves = new ArrayList<>();
     /** The out edges along which it goes. */
     final Set<Integer> edges = new TreeSet<>();
+    /** The in places from which it is removed; of several copies some may stay there. */
+    final Set<String> removed = new TreeSet<>();
     /** The in places that it leaves. */
     final Set<String> left = new TreeSet<>();
 

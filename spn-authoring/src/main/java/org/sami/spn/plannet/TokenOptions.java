@@ -200,6 +200,7 @@ final class TokenOptions {
             TokenOption one = option.again();
             one.edges.addAll(edges);
             one.left.addAll(left);
+            one.removed.addAll(removed ? option.present : List.of());
             for (String place : left) {
                 int at = places.of(place, one.token).getAsInt();
                 if (possible.isCopied(one.token)) {

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -19,6 +20,8 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.EventFlag;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
 
 /**
  * The cases of one transition of a plan: one transition of the net for each set of tokens that may be named, each place in which a token may stand as far as that
@@ -43,11 +46,29 @@ final class TransitionCases {
         ins = work.plan().inEdgesOf(t.id());
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
-        mustHaveRelevant = requirements().stream()
+        mustHaveRelevant = isToldNames() && requirements().stream()
                 .anyMatch(r -> r.kind() == TokenKind.RELEVANT
                         && (r.match() == Match.ALL
                                 || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0)));
         hasTasks = work.team().stream().anyMatch(token -> token.type() == TokenType.TASK);
+    }
+
+    /** Whether its only input event reaches it as an answer or as news: where it must have somebody who is named, one of them is there. */
+    private boolean isToldNames() {
+        return t.inputs().size() == 1
+                && !waitsFor(EventRole.SUB_MISSION_ABORTED, EventRole.CHECK_RETURN)
+                && roles().noneMatch(EventRole::isPress);
+    }
+
+    private Stream<EventRole> roles() {
+        return t.inputs().stream()
+                .flatMap(input -> work.vocabulary().event(input.type()).stream())
+                .map(EventType::role);
+    }
+
+    /** Whether one of its input events is of these roles: those come to it directly, wherever tokens are. */
+    private boolean waitsFor(EventRole one, EventRole other) {
+        return roles().anyMatch(role -> role == one || role == other);
     }
 
     private List<InRequirement> requirements() {
@@ -72,7 +93,7 @@ final class TransitionCases {
     void add() throws PlanNetTooLargeException {
         boolean speaks = requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)
                 || selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT));
-        if (conditions.isEmpty() || (mustHaveRelevant && t.inputs().isEmpty())) {
+        if (conditions.isEmpty()) {
             return; // it can never fire
         }
         TokenOptions options = new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched);
@@ -137,7 +158,7 @@ final class TransitionCases {
             arcs.join(option.arcs);
             moves.addAll(option.moves);
             entered.addAll(option.edges);
-            left.addAll(option.left);
+            left.addAll(option.removed);
             if (option.isNamed) {
                 named.add(option.token.label());
             }
@@ -165,7 +186,7 @@ final class TransitionCases {
 
     /** A transition with input events listens only while one of its in places is marked, or visited by nobody; its answer ends that visit. */
     private List<CaseArcs> wakened(CaseArcs arcs) {
-        if (t.inputs().isEmpty() || ins.isEmpty()) {
+        if (t.inputs().isEmpty() || ins.isEmpty() || waitsFor(EventRole.SUB_MISSION_ABORTED, EventRole.CHECK_RETURN)) {
             return List.of(arcs);
         }
         List<CaseArcs> awake = new ArrayList<>();

@@ -1,0 +1,111 @@
+package org.sami.spn.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.model.Project;
+import org.sami.spn.plannet.Abstraction;
+import org.sami.spn.plannet.PlanNet;
+import org.sami.spn.plannet.PlanNetRequest;
+import org.sami.spn.plannet.PlanNetTooLargeException;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.testing.TestVocabulary;
+
+/**
+ * What the engine does, the nets of plans can do: random sessions on random plans, each firing held to the net. More seeds: {@code ./gradlew :spn-core:test --tests
+ * '*PlanNetDifferentialTest' -Pseeds=20000}.
+ */
+class PlanNetDifferentialTest {
+    private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
+    private static final long SEEDS = Long.getLong("spn.seeds", 1000);
+    private static final int MOST_TRANSITIONS = 400;
+    private static final int LENGTH = 50;
+    private static final List<String> BOATS = List.of("A", "B", "C", "D");
+
+    @Test
+    void netsOfRandomPlansDoWhatTheEngineDoes() {
+        AtomicLong firings = new AtomicLong();
+        AtomicLong sessions = new AtomicLong();
+
+        List<String> differences = LongStream.range(FIRST_SEED, FIRST_SEED + SEEDS)
+                .parallel()
+                .mapToObj(seed -> difference(seed, firings, sessions))
+                .flatMap(Optional::stream)
+                .limit(5)
+                .toList();
+
+        assertThat(differences).isEmpty();
+        assertThat(firings.get()).isGreaterThan(SEEDS * 3);
+    }
+
+    private static Optional<String> difference(long seed, AtomicLong firings, AtomicLong sessions) {
+        Project project = RandomPlans.project(seed);
+        RandomInputs world = new RandomInputs(project, seed);
+        Subject engine = new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
+        List<String> joined = new ArrayList<>();
+        FollowedNet followed = null;
+        for (int i = 0; i < LENGTH; i++) {
+            Scenario.Timed timed = world.next(engine);
+            Input input = timed.input();
+            boolean starts = input instanceof Input.StartMission start && start.plan().equals("main");
+            if (starts && followed == null) {
+                Optional<PlanNet> net = net(project, joined);
+                if (net.isEmpty()) {
+                    return Optional.empty();
+                }
+                followed = new FollowedNet(net.get(), 1);
+            } else if (input instanceof Input.ProxyJoined join && followed == null) {
+                joined.add(join.proxy());
+            } else if (isLeftOut(input) || starts) {
+                continue;
+            }
+            List<Effect> effects = engine.step(timed.nowMillis(), input);
+            world.saw(effects);
+            for (Effect effect : effects) {
+                if (followed != null) {
+                    String difference = followed.saw(effect);
+                    if (!difference.isEmpty()) {
+                        return Optional.of("seed " + seed + ", input " + i + " " + input + ": " + difference);
+                    }
+                }
+            }
+            if (followed != null) {
+                String difference = followed.settle();
+                if (!difference.isEmpty()) {
+                    return Optional.of("seed " + seed + ", input " + i + " " + input + ": " + difference);
+                }
+            }
+        }
+        if (followed != null) {
+            firings.addAndGet(followed.firings());
+            sessions.incrementAndGet();
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<PlanNet> net(Project project, List<String> robots) {
+        try {
+            PlanNet net = PlanNet.of(
+                    new PlanNetRequest(project, TestVocabulary.TEST, "main", robots, 2, MOST_TRANSITIONS));
+            boolean isPartial = net.abstractions().stream().anyMatch(a -> a.kind() == Abstraction.Kind.PARTIAL);
+            return isPartial ? Optional.empty() : Optional.of(net);
+        } catch (PlanNetTooLargeException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** The team stays as it is, tasks are those of the plan, news is what may be news. */
+    private static boolean isLeftOut(Input input) {
+        return input instanceof Input.ProxyJoined
+                || input instanceof Input.ProxyDropped
+                || input instanceof Input.AddTasks
+                || (input instanceof Input.Received received && received.occurrence().activation() == Ids.NONE);
+    }
+}
