@@ -67,8 +67,7 @@ public final class Detour {
         if (water.clearanceM(end) > 0) {
             return Optional.empty();
         }
-        VisibilityGraph graph =
-                new VisibilityGraph(water.forbidden(), water.error().steeringM());
+        VisibilityGraph graph = VisibilityGraph.of(water, water.error().steeringM());
         return Optional.of(Areas.point(graph.nearestFree(Areas.coordinate(end, water.plane())), water.plane()));
     }
 }

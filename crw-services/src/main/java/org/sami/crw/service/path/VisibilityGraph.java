@@ -20,6 +20,7 @@ import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.distance.DistanceOp;
 import org.sami.crw.service.Interruption;
+import org.sami.crw.service.water.Water;
 
 /**
  * Shortest ways around polygons: a shortest way is straight but for turns at their convex corners (T. Lozano-Pérez, M. A. Wesley, An
@@ -51,9 +52,9 @@ public final class VisibilityGraph {
     private final Geometry blocked;
     private final Geometry around;
     private final PreparedGeometry prepared;
-    private final List<Coordinate> corners = new ArrayList<>();
+    private final List<Coordinate> corners;
     /** The corners before and after each on its ring. */
-    private final List<Coordinate[]> neighbours = new ArrayList<>();
+    private final List<Coordinate[]> neighbours;
 
     private long tested;
 
@@ -67,6 +68,38 @@ public final class VisibilityGraph {
         this(around(forbidden, clearanceM), corners(forbidden, clearanceM));
     }
 
+    /**
+     * The graph of the ways around what is forbidden in a water; its parts are computed once for each water and clearance.
+     *
+     * @param clearanceM least distance that ways keep
+     */
+    static VisibilityGraph of(Water water, double clearanceM) {
+        return new VisibilityGraph(water.derived(
+                new Clearance(clearanceM, clearanceM),
+                VisibilityGraph.class,
+                () -> new VisibilityGraph(water.forbidden(), clearanceM)));
+    }
+
+    /** The same with gaps, as in {@link #withGaps(Geometry, double, double)}. */
+    static VisibilityGraph withGaps(Water water, double clearanceM, double gapM) {
+        return new VisibilityGraph(water.derived(
+                new Clearance(clearanceM, gapM),
+                VisibilityGraph.class,
+                () -> withGaps(water.forbidden(), clearanceM, gapM)));
+    }
+
+    /** By what a water's graphs differ. */
+    private record Clearance(double clearanceM, double gapM) {}
+
+    /** The same graph, which counts its own tests: threads may share the parts. */
+    private VisibilityGraph(VisibilityGraph other) {
+        blocked = other.blocked;
+        around = other.around;
+        prepared = other.prepared;
+        corners = other.corners;
+        neighbours = other.neighbours;
+    }
+
     /** What ways turn at: corners of what is blocked where it is near, circles about them where ways keep far off. */
     private static Geometry corners(Geometry forbidden, double clearanceM) {
         return clearanceM <= MOST_CORNER_M
@@ -77,6 +110,8 @@ public final class VisibilityGraph {
     private VisibilityGraph(Geometry blocked, Geometry around) {
         this.blocked = blocked;
         this.around = around;
+        corners = new ArrayList<>();
+        neighbours = new ArrayList<>();
         prepared = PreparedGeometryFactory.prepare(blocked);
         for (int i = 0; i < around.getNumGeometries(); i++) {
             Polygon polygon = (Polygon) around.getGeometryN(i);

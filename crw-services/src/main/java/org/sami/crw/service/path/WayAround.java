@@ -41,16 +41,16 @@ final class WayAround {
         }
         double leastM = water.error().steeringM();
         wantedM = leastM;
-        PathAnswer shortest = find(new VisibilityGraph(water.forbidden(), leastM));
+        PathAnswer shortest = find(VisibilityGraph.of(water, leastM));
         if (clearanceM <= leastM || !(shortest instanceof PathAnswer.Way tight)) {
             return shortest;
         }
         wantedM = clearanceM;
         double longestM = problem.detour() * tight.lengthM();
-        PathAnswer kept = find(new VisibilityGraph(water.forbidden(), clearanceM));
+        PathAnswer kept = find(VisibilityGraph.of(water, clearanceM));
         for (int i = 0; !isWorth(kept, longestM) && i < PARTS.length; i++) {
             double gapM = Math.max(leastM, PARTS[i] * clearanceM);
-            kept = find(VisibilityGraph.withGaps(water.forbidden(), clearanceM, gapM));
+            kept = find(VisibilityGraph.withGaps(water, clearanceM, gapM));
         }
         return isWorth(kept, longestM) ? ((PathAnswer.Way) kept).than(tight.lengthM()) : shortest;
     }

@@ -71,8 +71,8 @@ public final class WayLengths {
         }
         double leastM = water.error().steeringM();
         double marginM = Math.max(water.margin().pathM(), leastM);
-        VisibilityGraph tight = new VisibilityGraph(water.forbidden(), leastM);
-        VisibilityGraph wide = marginM > leastM ? new VisibilityGraph(water.forbidden(), marginM) : tight;
+        VisibilityGraph tight = VisibilityGraph.of(water, leastM);
+        VisibilityGraph wide = marginM > leastM ? VisibilityGraph.of(water, marginM) : tight;
         int corners = Math.max(tight.corners().size(), wide.corners().size());
         if (corners > MOST_CORNERS) {
             return straight(Optional.of("distances are straight, through no-go areas: these have " + corners

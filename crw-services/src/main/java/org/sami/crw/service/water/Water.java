@@ -2,7 +2,10 @@ package org.sami.crw.service.water;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
 import org.locationtech.jts.algorithm.construct.MaximumInscribedCircle;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
@@ -41,8 +44,20 @@ public final class Water {
     private final Geometry outside; // of the area to stay in
     private final Geometry forbidden; // both
     private final CrossTrackError error;
+    private final Map<Object, Object> derived; // what is computed from the forbidden areas alone, by its key
 
     private Water(LocalPlane plane, Geometry noGo, Geometry outside, Geometry forbidden, CrossTrackError error) {
+        this(plane, noGo, outside, forbidden, error, new ConcurrentHashMap<>());
+    }
+
+    private Water(
+            LocalPlane plane,
+            Geometry noGo,
+            Geometry outside,
+            Geometry forbidden,
+            CrossTrackError error,
+            Map<Object, Object> derived) {
+        this.derived = derived;
         this.plane = plane;
         this.noGo = noGo;
         this.outside = outside;
@@ -98,7 +113,23 @@ public final class Water {
 
     /** The same water, for boats with this cross-track error. */
     public Water drivenWith(CrossTrackError other) {
-        return new Water(plane, noGo, outside, forbidden, other);
+        return new Water(plane, noGo, outside, forbidden, other, derived);
+    }
+
+    /**
+     * What is computed from the forbidden areas alone, such as a graph of ways around them: computed once for this water and those that differ from it
+     * in the cross-track error only.
+     *
+     * @param key names it, with equality
+     * @param compute called where it is not known yet; may be called by two threads at a time, and then must return equals
+     */
+    public <T> T derived(Object key, Class<T> type, Supplier<T> compute) {
+        Object known = derived.get(key);
+        if (known == null) {
+            known = compute.get();
+            derived.put(key, known);
+        }
+        return type.cast(known);
     }
 
     /** The same water for a boat that is to go to a point: one outside of the area to stay in is not kept in. */
