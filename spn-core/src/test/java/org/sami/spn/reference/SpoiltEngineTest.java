@@ -24,6 +24,7 @@ class SpoiltEngineTest {
             "a robot that is pulled stays in grandchildren", 627L,
             "a child's own tasks return", 160L,
             "a return value is told to nobody", 976L,
+            "a declared variable without value is read from the parent", 1655L,
             "what stays a return stands behind the later ones", 1576L,
             "a deadline that has passed is set again", 498L);
 
