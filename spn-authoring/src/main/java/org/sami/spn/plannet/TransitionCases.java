@@ -46,10 +46,11 @@ final class TransitionCases {
         ins = work.plan().inEdgesOf(t.id());
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
-        mustHaveRelevant = isToldNames() && requirements().stream()
-                .anyMatch(r -> r.kind() == TokenKind.RELEVANT
-                        && (r.match() == Match.ALL
-                                || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0)));
+        mustHaveRelevant = isToldNames()
+                && requirements().stream()
+                        .anyMatch(r -> r.kind() == TokenKind.RELEVANT
+                                && (r.match() == Match.ALL
+                                        || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0)));
         hasTasks = work.team().stream().anyMatch(token -> token.type() == TokenType.TASK);
     }
 

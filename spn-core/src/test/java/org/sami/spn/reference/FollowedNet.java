@@ -33,7 +33,8 @@ final class FollowedNet {
         this.mission = mission;
         fitting = List.of(plan.net().initialMarking());
         for (int t = 0; t < plan.net().transitionCount(); t++) {
-            cases.computeIfAbsent(plan.firing(t).transition(), id -> new ArrayList<>()).add(t);
+            cases.computeIfAbsent(plan.firing(t).transition(), id -> new ArrayList<>())
+                    .add(t);
         }
     }
 
@@ -83,7 +84,8 @@ final class FollowedNet {
         if (next.isEmpty()) {
             isLost = true;
             return fired.transition() + " came to " + seen + ", the net not from "
-                    + plan.marking(fitting.get(0)).tokens() + " " + plan.marking(fitting.get(0)).nobody() + " moves "
+                    + plan.marking(fitting.get(0)).tokens() + " "
+                    + plan.marking(fitting.get(0)).nobody() + " moves "
                     + fired;
         }
         fitting = List.copyOf(next.values());
@@ -95,11 +97,12 @@ final class FollowedNet {
     /** Only that a named token is there counts, not how many copies are. */
     private SortedMap<String, SortedMap<String, Integer>> seen() {
         SortedMap<String, SortedMap<String, Integer>> seen = new TreeMap<>();
-        marking.marking(mission).forEach((place, tokens) -> tokens.forEach(token -> {
-            String label = label(token);
-            seen.computeIfAbsent(place, p -> new TreeMap<>())
-                    .merge(label, 1, label.equals("generic") ? Integer::sum : Math::max);
-        }));
+        marking.marking(mission)
+                .forEach((place, tokens) -> tokens.forEach(token -> {
+                    String label = label(token);
+                    seen.computeIfAbsent(place, p -> new TreeMap<>())
+                            .merge(label, 1, label.equals("generic") ? Integer::sum : Math::max);
+                }));
         return seen;
     }
 

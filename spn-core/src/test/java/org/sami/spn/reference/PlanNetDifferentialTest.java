@@ -27,7 +27,6 @@ class PlanNetDifferentialTest {
     private static final long SEEDS = Long.getLong("spn.seeds", 1000);
     private static final int MOST_TRANSITIONS = 400;
     private static final int LENGTH = 50;
-    private static final List<String> BOATS = List.of("A", "B", "C", "D");
 
     @Test
     void netsOfRandomPlansDoWhatTheEngineDoes() {
@@ -54,7 +53,8 @@ class PlanNetDifferentialTest {
         for (int i = 0; i < LENGTH; i++) {
             Scenario.Timed timed = world.next(engine);
             Input input = timed.input();
-            boolean starts = input instanceof Input.StartMission start && start.plan().equals("main");
+            boolean starts =
+                    input instanceof Input.StartMission start && start.plan().equals("main");
             if (starts && followed == null) {
                 Optional<PlanNet> net = net(project, joined);
                 if (net.isEmpty()) {
@@ -92,8 +92,8 @@ class PlanNetDifferentialTest {
 
     private static Optional<PlanNet> net(Project project, List<String> robots) {
         try {
-            PlanNet net = PlanNet.of(
-                    new PlanNetRequest(project, TestVocabulary.TEST, "main", robots, 2, MOST_TRANSITIONS));
+            PlanNet net =
+                    PlanNet.of(new PlanNetRequest(project, TestVocabulary.TEST, "main", robots, 2, MOST_TRANSITIONS));
             boolean isPartial = net.abstractions().stream().anyMatch(a -> a.kind() == Abstraction.Kind.PARTIAL);
             return isPartial ? Optional.empty() : Optional.of(net);
         } catch (PlanNetTooLargeException e) {
@@ -106,6 +106,7 @@ class PlanNetDifferentialTest {
         return input instanceof Input.ProxyJoined
                 || input instanceof Input.ProxyDropped
                 || input instanceof Input.AddTasks
-                || (input instanceof Input.Received received && received.occurrence().activation() == Ids.NONE);
+                || (input instanceof Input.Received received
+                        && received.occurrence().activation() == Ids.NONE);
     }
 }

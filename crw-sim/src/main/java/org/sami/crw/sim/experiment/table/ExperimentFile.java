@@ -119,7 +119,8 @@ public record ExperimentFile(
         return published.stream()
                 .filter(row -> factors.keySet().stream()
                         .filter(row::containsKey)
-                        .allMatch(name -> row.get(name).equals(one.factors().get(name))))
+                        .allMatch(name ->
+                                Objects.equals(row.get(name), one.factors().get(name))))
                 .filter(row -> one.factors().entrySet().stream()
                         .allMatch(factor -> row.containsKey(factor.getKey())
                                 || factor.getValue().equals(usual(factor.getKey()))))

@@ -30,17 +30,12 @@ public enum Measure {
 
     /** Its value in a run; empty where the run has none. */
     OptionalDouble of(RunRow row) {
-        switch (this) {
-            case TIME:
-                return OptionalDouble.of(row.seconds());
-            case CLICKS:
-                return OptionalDouble.of(row.clicks());
-            case RECHARGES:
-                return OptionalDouble.of(row.recharges());
-            case RESOLUTION:
-                return row.resolution();
-            default:
-                return OptionalDouble.of(row.measurements());
-        }
+        return switch (this) {
+            case TIME -> OptionalDouble.of(row.seconds());
+            case CLICKS -> OptionalDouble.of((double) row.clicks());
+            case RECHARGES -> OptionalDouble.of(row.recharges());
+            case RESOLUTION -> row.resolution();
+            case MEASUREMENTS -> OptionalDouble.of(row.measurements());
+        };
     }
 }

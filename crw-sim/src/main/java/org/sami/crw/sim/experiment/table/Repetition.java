@@ -3,6 +3,7 @@ package org.sami.crw.sim.experiment.table;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
@@ -56,7 +57,7 @@ final class Repetition {
         seed = firstSeed + number - 1;
         this.vocabulary = vocabulary;
         this.project = AllocationCriterion.inAll(
-                project, AllocationCriterion.constant(configuration.variables().get("allocation")));
+                project, AllocationCriterion.constant(ScenarioVariables.text(configuration.variables(), "allocation")));
         scripts = ScriptsReader.read(file, configuration.variables(), vocabulary, this.project)
                 .orThrow();
     }
@@ -98,8 +99,8 @@ final class Repetition {
         boolean isDisturbed = !row.at().version().equals(UNDISTURBED);
         return isDisturbed
                 && (row.notPlaced() > 0
-                        || scripts.incidents().kind() == Incidents.Kind.INSIDE
-                                && row.incidents().isEmpty());
+                        || (scripts.incidents().kind() == Incidents.Kind.INSIDE
+                                && row.incidents().isEmpty()));
     }
 
     private Optional<List<RunRow>> attempt(int attempt, BooleanSupplier stop) {
@@ -109,7 +110,8 @@ final class Repetition {
         List<RunRow> rows = new ArrayList<>();
         IncidentKind kind = kind();
         if (isAtTimes()) {
-            IncidentScript script = scripts.versions().get(file.undisturbed());
+            IncidentScript script =
+                    Objects.requireNonNull(scripts.versions().get(file.undisturbed()), file.undisturbed());
             Optional<RunRow> undisturbed = row(UNDISTURBED, attempt, fleet, script, new IncidentKind.None(), stop);
             if (undisturbed.isEmpty()) {
                 return Optional.empty();
@@ -132,14 +134,11 @@ final class Repetition {
 
     private IncidentKind kind() {
         Incidents incidents = scripts.incidents();
-        switch (incidents.kind()) {
-            case BATTERY:
-                return new IncidentKind.CriticalBattery();
-            case INSIDE:
-                return new IncidentKind.BoatsInside(incidents.inside(), incidents.area());
-            default:
-                return new IncidentKind.None();
-        }
+        return switch (incidents.kind()) {
+            case BATTERY -> new IncidentKind.CriticalBattery();
+            case INSIDE -> new IncidentKind.BoatsInside(incidents.inside(), incidents.area());
+            case NONE, TIMES -> new IncidentKind.None();
+        };
     }
 
     /** Times drawn uniformly over the undisturbed mission, in order, and boats where they concern one. */

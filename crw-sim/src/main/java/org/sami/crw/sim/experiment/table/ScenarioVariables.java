@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
@@ -42,13 +43,18 @@ public final class ScenarioVariables {
         return usual;
     }
 
+    /** The value of a variable that has a usual value, so that it is never missing. */
+    static String text(Map<String, String> variables, String name) {
+        return Objects.requireNonNull(variables.get(name), name);
+    }
+
     /** What is wrong with their values. */
     static List<Finding> check(Map<String, String> variables) {
         try {
             fleet(variables, 1);
             answerAfterMillis(variables);
             limitMillis(variables);
-            AllocationCriterion.constant(variables.get("allocation"));
+            AllocationCriterion.constant(text(variables, "allocation"));
             return List.of();
         } catch (IllegalArgumentException unfit) {
             return List.of(Finding.error("E-BAD-VALUE", "/settings", String.valueOf(unfit.getMessage())));
@@ -72,7 +78,7 @@ public final class ScenarioVariables {
     }
 
     private static Conditions conditions(Map<String, String> variables) {
-        Optional<NamedConditions> named = NamedConditions.named(variables.get("conditions"));
+        Optional<NamedConditions> named = NamedConditions.named(text(variables, "conditions"));
         if (named.isEmpty()) {
             throw new IllegalArgumentException(
                     "conditions are calm, field or rough, not '" + variables.get("conditions") + "'");
@@ -91,7 +97,7 @@ public final class ScenarioVariables {
 
     /** The charges at the start, drawn between two limits; the same for equal seeds. */
     private static InitialCharges charges(Map<String, String> variables, int boats, long seed) {
-        String text = variables.get("charge");
+        String text = text(variables, "charge");
         String[] ends = text.split("\\.\\.", -1);
         if (ends.length > 2) {
             throw new IllegalArgumentException("charge is MIN..MAX in percent, not '" + text + "'");
@@ -115,7 +121,7 @@ public final class ScenarioVariables {
     }
 
     private static double number(Map<String, String> variables, String name, double least, double most) {
-        return number(name, variables.get(name), least, most);
+        return number(name, text(variables, name), least, most);
     }
 
     private static double number(String name, String text, double least, double most) {

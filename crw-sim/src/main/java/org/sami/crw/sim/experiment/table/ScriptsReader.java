@@ -100,28 +100,30 @@ final class ScriptsReader {
             return new Incidents(Incidents.Kind.NONE, 0, false, 0, none);
         }
         String word = faults.text(node.path("kind"), at + "/kind").orElse("");
-        switch (word) {
-            case "times":
+        return switch (word) {
+            case "times" -> {
                 String boats = faults.text(node, "boats", at, "all");
                 if (!List.of("all", "one").contains(boats)) {
                     faults.add("E-BAD-VALUE", at + "/boats", "An incident concerns all boats or one, not " + boats);
                 }
                 int count = (int) faults.number(node.path("count"), at + "/count", 1, MOST_INCIDENTS);
-                return new Incidents(Incidents.Kind.TIMES, count, boats.equals("one"), 0, none);
-            case "inside":
+                yield new Incidents(Incidents.Kind.TIMES, count, boats.equals("one"), 0, none);
+            }
+            case "inside" -> {
                 int inside = (int) faults.number(node.path("boats"), at + "/boats", 1, 250);
-                return new Incidents(Incidents.Kind.INSIDE, 0, false, inside, place(node.path("area"), at + "/area"));
-            case "battery":
-                return new Incidents(Incidents.Kind.BATTERY, 0, true, 0, none);
-            default:
+                yield new Incidents(Incidents.Kind.INSIDE, 0, false, inside, place(node.path("area"), at + "/area"));
+            }
+            case "battery" -> new Incidents(Incidents.Kind.BATTERY, 0, true, 0, none);
+            default -> {
                 if (!word.equals("none")) {
                     faults.add(
                             "E-BAD-VALUE",
                             at + "/kind",
                             "Incidents come at times, of a battery, with boats inside, or none; not \"" + word + "\"");
                 }
-                return new Incidents(Incidents.Kind.NONE, 0, false, 0, none);
-        }
+                yield new Incidents(Incidents.Kind.NONE, 0, false, 0, none);
+            }
+        };
     }
 
     private Map<String, PlaceOnWater> places(JsonNode given) {

@@ -57,23 +57,19 @@ final class StepReader {
                     "A step is a start, abort, press, await or wait, not " + DocumentFaults.shown(node));
             return Optional.empty();
         }
-        if (!faults.isObject(node, at, MEMBERS.get(verb.get()))) {
+        if (!faults.isObject(node, at, MEMBERS.getOrDefault(verb.get(), List.of()))) {
             return Optional.empty();
         }
         JsonNode what = node.get(verb.get());
         String there = at + "/" + verb.get();
-        switch (verb.get()) {
-            case "start":
-                return Optional.of(start(node, plan(what, there), at));
-            case "abort":
-                return Optional.of(new ScriptStep.Abort(plan(what, there)));
-            case "press":
-                return Optional.of(new ScriptStep.Press(interrupt(what, there), boats(node, at) != BoatChoice.ALL));
-            case "await":
-                return Optional.of(new ScriptStep.Await(plan(what, there)));
-            default:
-                return Optional.of(new ScriptStep.Pause(Math.round(faults.number(what, there, 0, 86_400) * 1000)));
-        }
+        return Optional.of(
+                switch (verb.get()) {
+                    case "start" -> start(node, plan(what, there), at);
+                    case "abort" -> new ScriptStep.Abort(plan(what, there));
+                    case "press" -> new ScriptStep.Press(interrupt(what, there), boats(node, at) != BoatChoice.ALL);
+                    case "await" -> new ScriptStep.Await(plan(what, there));
+                    default -> new ScriptStep.Pause(Math.round(faults.number(what, there, 0, 86_400) * 1000));
+                });
     }
 
     private ScriptStep start(JsonNode node, String plan, String at) {

@@ -35,7 +35,7 @@ public record TableCell(
     static TableCell of(TableColumn column, List<Map<String, RunRow>> repetitions) {
         if (column.kind() == TableColumn.Kind.MEAN) {
             List<Double> values = repetitions.stream()
-                    .map(rows -> column.measure().of(rows.get(column.of())))
+                    .map(rows -> value(column, rows, column.of()))
                     .filter(OptionalDouble::isPresent)
                     .map(OptionalDouble::getAsDouble)
                     .collect(Collectors.toList());
@@ -45,8 +45,8 @@ public record TableCell(
         List<Double> against = new ArrayList<>();
         List<Double> gains = new ArrayList<>();
         for (Map<String, RunRow> rows : repetitions) {
-            OptionalDouble one = column.measure().of(rows.get(column.of()));
-            OptionalDouble other = column.measure().of(rows.get(column.against()));
+            OptionalDouble one = value(column, rows, column.of());
+            OptionalDouble other = value(column, rows, column.against());
             if (one.isPresent() && other.isPresent()) {
                 of.add(one.getAsDouble());
                 against.add(other.getAsDouble());
@@ -57,6 +57,10 @@ public record TableCell(
         Sample second = new Sample(against);
         return new TableCell(
                 column, new Sample(gains), StudentTest.twoSample(first, second), StudentTest.paired(first, second));
+    }
+
+    private static OptionalDouble value(TableColumn column, Map<String, RunRow> rows, String version) {
+        return column.measure().of(Objects.requireNonNull(rows.get(version), version));
     }
 
     /** Its text: mean and standard error, in brackets where the two-sample test finds no difference, with a star where only the paired one does. */
