@@ -18,11 +18,11 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Classes that depend on each other in a ring cannot be read, tested or moved one by one. The limits here stand just above what was counted last (46 in
- * 8 rings): they may only fall. Nested classes count with their outermost class.
+ * 9 rings): they may only fall. Nested classes count with their outermost class.
  */
 class ClassCyclesTest {
-    private static final int MOST_CLASSES_IN_RINGS = 47;
-    private static final int LARGEST_RING = 13;
+    private static final int MOST_CLASSES_IN_RINGS = 46;
+    private static final int LARGEST_RING = 10;
 
     private static final int LEAST_CLASSES = 1900;
 

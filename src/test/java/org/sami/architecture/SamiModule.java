@@ -57,13 +57,14 @@ enum SamiModule {
     /** What helps to write plans. */
     SPN_AUTHORING(
             "spn-authoring",
-            160,
+            185,
             List.of(
                     "org.sami.spn.drawing..",
                     "org.sami.spn.geotext..",
                     "org.sami.spn.legacy..",
                     "org.sami.spn.pattern..",
                     "org.sami.spn.plannet..",
+                    "org.sami.spn.planspace..",
                     "org.sami.spn.statespace..",
                     "org.sami.spn.wiring..",
                     "org.sami.spn.wizard.."),
@@ -122,7 +123,7 @@ enum SamiModule {
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
-            162,
+            220,
             List.of("org.sami.crw.sim.."),
             List.of(
                     CRW_REPORT,

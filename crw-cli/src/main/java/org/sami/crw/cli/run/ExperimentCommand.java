@@ -69,7 +69,7 @@ import picocli.CommandLine.Spec;
             "  crw experiment --runs library.runs --seeds 1..20",
             "  crw experiment --table 7.2 --repetitions 10 --out table-7.2"
         })
-public final class ExperimentCommand implements Callable<Integer> {
+public final class ExperimentCommand implements Callable<Integer>, TableArguments.Receiver {
     private static final String RUNS = "--runs";
     private static final Set<String> OF_THE_EXPERIMENT =
             Set.of(RUNS, "--seeds", "--conditions", "--jobs", "--out", "--overwrite");
@@ -134,8 +134,8 @@ public final class ExperimentCommand implements Callable<Integer> {
 
     private List<String> tableArguments = List.of();
 
-    /** This call is about a table, with these arguments. */
-    void makeTable(List<String> arguments) {
+    @Override
+    public void makeTable(List<String> arguments) {
         tableArguments = List.copyOf(arguments);
     }
 

@@ -21,6 +21,12 @@ import picocli.CommandLine.Model.CommandSpec;
 final class TableArguments implements IParameterPreprocessor {
     private static final String TABLE = "--table";
 
+    /** The command, for which a call about a table has other arguments. */
+    interface Receiver {
+        /** This call is about a table, with these arguments. */
+        void makeTable(List<String> arguments);
+    }
+
     @Override
     @SuppressWarnings("JdkObsolete") // picocli's interface has a Stack
     public boolean preprocess(Stack<String> args, CommandSpec spec, ArgSpec option, Map<String, Object> info) {
@@ -31,7 +37,7 @@ final class TableArguments implements IParameterPreprocessor {
         while (!args.isEmpty()) {
             all.add(args.pop());
         }
-        ((ExperimentCommand) spec.userObject()).makeTable(all);
+        ((Receiver) spec.userObject()).makeTable(all);
         return true;
     }
 
