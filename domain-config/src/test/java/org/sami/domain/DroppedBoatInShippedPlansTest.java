@@ -229,7 +229,7 @@ class DroppedBoatInShippedPlansTest {
                 .subList(0, Math.min(choose.max(), choose.proxies().size())));
     }
 
-    /** The same answer; a choice of boats is asked anew without the one that was dropped. */
+    /** The same answer; a choice of boats is asked again without the one that was dropped. */
     private static Input answerNow(Engine engine, EngineState state, Asked asked) {
         return asked.answer instanceof Input.AnswerDecision given && given.answer() instanceof Answer.Proxies
                 ? decision(engine, state, asked.activation)

@@ -35,7 +35,7 @@ import org.sami.ui.EventThread;
 import org.sami.ui.window.WindowSettings;
 
 /**
- * The windows of a process, one at a time: that of an author, and those of the course, which is opened anew with each lesson, in the lesson's mode and at the same
+ * The windows of a process, one at a time: that of an author, and those of the course, which is opened again with each lesson, in the lesson's mode and at the same
  * place. On the event thread, but where it says otherwise.
  */
 final class DreammSession implements CourseAccess, LessonListener {

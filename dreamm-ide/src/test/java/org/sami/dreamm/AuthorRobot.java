@@ -159,7 +159,7 @@ final class AuthorRobot implements AutoCloseable {
         });
     }
 
-    /** The net is drawn after its plan has changed, and lies elsewhere when it is shown anew. */
+    /** The net is drawn after its plan has changed, and lies elsewhere when it is shown again. */
     private void untilDrawn(NetView net, String vertex) {
         robot.until(vertex + " is drawn", () -> drawn(net, vertex).isPresent());
     }

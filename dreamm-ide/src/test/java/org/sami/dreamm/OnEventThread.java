@@ -6,7 +6,7 @@ import org.junit.jupiter.api.extension.InvocationInterceptor;
 import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
 import org.sami.ui.EventThread;
 
-/** Runs tests of panels, with what stands before and after each, on the event thread: what comes from beside it comes between two of them. */
+/** Runs tests of panels, with what stands before and after each, on the event thread: what other threads post comes between two of them. */
 public final class OnEventThread implements InvocationInterceptor {
     @Override
     public void interceptTestMethod(

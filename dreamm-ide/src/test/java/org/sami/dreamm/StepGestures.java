@@ -163,7 +163,7 @@ final class StepGestures {
         robot.clickAt(picture, at.x, at.y);
     }
 
-    /** Clicks beside the thumb of the bar below a wide picture until a point of it is in sight. */
+    /** Clicks next to the thumb of the bar below a wide picture until a point of it is in sight. */
     private void aside(JScrollPane pane, JComponent picture, Point at) {
         for (int i = 0; i < MOST_CLICKS && !WindowRobot.ask(() -> isBeside(picture, at)); i++) {
             JScrollBar bar = pane.getHorizontalScrollBar();

@@ -17,7 +17,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Project;
 
-/** What findings cost after one edit of a plan: of the whole shipped library anew, and of what the edit concerns. */
+/** What findings cost after one edit of a plan: of the whole shipped library again, and of what the edit concerns. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @State(Scope.Thread)

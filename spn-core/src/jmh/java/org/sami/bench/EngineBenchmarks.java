@@ -30,7 +30,7 @@ public class EngineBenchmarks {
     public static class Ring {
         Run run;
 
-        /** Starts anew. */
+        /** Starts over. */
         @Setup(Level.Iteration)
         public void start() {
             run = new Run(Rings.generic(10), 0, 1);
@@ -46,7 +46,7 @@ public class EngineBenchmarks {
 
         Run run;
 
-        /** Starts anew. */
+        /** Starts over. */
         @Setup(Level.Iteration)
         public void start() {
             run = new Run(Rings.robots(10), boats, 1);
@@ -62,7 +62,7 @@ public class EngineBenchmarks {
 
         Run run;
 
-        /** Starts anew. */
+        /** Starts over. */
         @Setup(Level.Iteration)
         public void start() {
             run = new Run(Rings.robots(10), 10, missions);
@@ -78,7 +78,7 @@ public class EngineBenchmarks {
 
         Run run;
 
-        /** Starts anew. */
+        /** Starts over. */
         @Setup(Level.Iteration)
         public void start() {
             run = new Run(Rings.together(2), boats, 1);
@@ -92,7 +92,7 @@ public class EngineBenchmarks {
         EngineState state;
         long mission;
 
-        /** Starts anew. */
+        /** Starts over. */
         @Setup(Level.Iteration)
         public void start() {
             Run run = new Run(Rings.robots(10), 10, 1);

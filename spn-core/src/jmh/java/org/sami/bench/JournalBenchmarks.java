@@ -52,7 +52,7 @@ public class JournalBenchmarks {
         private ExecutorService thread;
         private EngineHost host;
 
-        /** Starts anew, with a file of its own. */
+        /** Starts over, with a file of its own. */
         @Setup(Level.Iteration)
         public void start() throws IOException {
             folder = Files.createTempDirectory("journal-benchmark");

@@ -31,7 +31,7 @@ public class StateBenchmarks {
         Run run;
         Input input;
 
-        /** Starts anew and lets every robot go on, some further than others. */
+        /** Starts over and lets every robot go on, some further than others. */
         @Setup(Level.Iteration)
         public void start() {
             run = new Run(Rings.robots(10), boats, 1);

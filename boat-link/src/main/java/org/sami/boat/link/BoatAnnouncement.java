@@ -162,7 +162,7 @@ public final class BoatAnnouncement {
         return batteryPercent;
     }
 
-    /** Its kind of hull; empty if not told. */
+    /** Its kind of hull; empty if not announced. */
     public String hull() {
         return hull;
     }

@@ -16,7 +16,7 @@ public final class GetPiece extends FileRequest {
      *
      * @param name of the file, as listed
      * @param offset of the first byte, counted from 0
-     * @param bytes wanted at most; 1 to {@link FilePiece#MAX_BYTES}
+     * @param bytes asked for, at most; 1 to {@link FilePiece#MAX_BYTES}
      */
     public GetPiece(String requestId, String name, long offset, int bytes) {
         super(requestId);
@@ -39,7 +39,7 @@ public final class GetPiece extends FileRequest {
         return offset;
     }
 
-    /** How many bytes are wanted at most. */
+    /** How many bytes are asked for at most. */
     public int bytes() {
         return bytes;
     }

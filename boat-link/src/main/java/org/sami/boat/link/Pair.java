@@ -4,7 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Objects;
 
-/** A base asks to be paired over a protected link: it proves that it was told the words which the boat shows. */
+/** A base asks to be paired over a protected link: it proves that it knows the words which the boat shows. */
 public final class Pair extends LinkMessage {
     static final String TYPE = "pair";
 

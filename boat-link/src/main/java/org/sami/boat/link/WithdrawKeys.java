@@ -8,7 +8,7 @@ import java.util.Collections;
 import java.util.List;
 import org.sami.boat.link.Checks.BadValueException;
 
-/** Keys that the boat takes no longer: of a laptop that was lost. Their links end at once; paired anew, a key counts again. */
+/** Keys that the boat takes no longer: of a laptop that was lost. Their links end at once; paired again, a key counts again. */
 public final class WithdrawKeys extends CommandMessage {
     /** Most keys in one message. */
     public static final int MOST = 1000;

@@ -148,7 +148,7 @@ final class BoatClient implements FrameSink {
         return telemetry.filter(last -> nowMs - last.boatTimeMs() <= TELEMETRY_AGE_MS);
     }
 
-    /** The charge that the boat told last. */
+    /** The charge that the boat reported last. */
     Optional<Double> batteryPercent() {
         return telemetry.map(Telemetry::batteryPercent);
     }

@@ -75,7 +75,7 @@ class InstalledCommandTest {
         assertThat(ran).isEqualTo(new CommandResult(0, "clv: 0 errors, 0 warnings\n", ""));
     }
 
-    /** Java 17 built it; the Javas are those that lie beside that one. */
+    /** Java 17 built it; the Javas are those that lie next to that one. */
     @ParameterizedTest(allowZeroInvocations = true)
     @MethodSource("otherJavas")
     void commandRunsAlikeOnEveryOtherJavaFrom17To25OfThisMachine(Path java) throws Exception {

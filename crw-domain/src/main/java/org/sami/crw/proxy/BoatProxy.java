@@ -199,7 +199,7 @@ public final class BoatProxy {
 
     /**
      * The base gives the boat up: every command fails for a reason in words, and a boat that is under way is stopped as soon as
-     * it can be told.
+     * it can be reached.
      */
     public void retire(String reason) {
         driver.failAll(reason);
@@ -340,7 +340,7 @@ public final class BoatProxy {
 
     /**
      * Says which start of the boat's server was known last, from before this proxy. If it is another one that answers now, the boat
-     * has started anew.
+     * has restarted.
      */
     public void knownBoot(String bootId) {
         if (!link.bootId().isEmpty() && !link.bootId().equals(bootId) && !condition.unconfirmedRestart) {

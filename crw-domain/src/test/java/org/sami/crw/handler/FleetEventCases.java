@@ -23,7 +23,7 @@ import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
-/** Boats that join while plans run, what they hold and how they are set, and what the field plans ask beside. */
+/** Boats that join while plans run, what they hold and how they are set, and what the field plans ask besides. */
 final class FleetEventCases {
     private static final double NEAR_M = 4;
     private static final GeoPoint NORTH = PlanScene.at(0, 40);

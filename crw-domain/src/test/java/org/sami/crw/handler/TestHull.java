@@ -17,7 +17,7 @@ final class TestHull implements Vehicle {
     private static final double TOP_SPEED_MPS = 3;
     private static final double TURN_RAD_PER_S = 1.5;
 
-    /** How far the boat says that it may be beside its ways. */
+    /** How far the boat says that it may be off its ways. */
     Optional<TrackingError> error = Optional.empty();
 
     /** How far, how fast and how narrowly the boat says that it drives. */

@@ -61,7 +61,7 @@ final class TestWorld implements HostClock {
         this(engine, Optional.empty());
     }
 
-    /** A world whose services compute beside the fleet's thread, as in a session in real time. */
+    /** A world whose services compute off the fleet's thread, as in a session in real time. */
     TestWorld(EngineFunction engine, CrwServices services, ServiceThreads threads) {
         host = EngineHostBuilder.of(engine).clock(this).executor(tasks::add).build();
         operator = new OperatorModels(Runnable::run, clock::get);

@@ -104,7 +104,7 @@ final class DrivenList {
         isWindowKnown = true;
     }
 
-    /** The vehicle holds all of its part, and is being told to stop no longer at the gate: it may drive past that before the base has read it back. */
+    /** The vehicle holds all of its part, and the order not to stop at the gate is on its way: it may drive past that before the base has read it back. */
     void opens() {
         isOpening = true;
     }

@@ -50,7 +50,7 @@ final class VehicleFence {
     }
 
     /**
-     * Nothing is known or wanted yet.
+     * Nothing is known or asked for yet.
      *
      * @param alarm receives faults, in words for the operator
      * @param given the fences that earlier sessions on this machine gave to the vehicle and did not take away
@@ -83,7 +83,7 @@ final class VehicleFence {
         settled = Optional.empty();
     }
 
-    /** Brings the vehicle to hold what is wanted, as long as the base commands it. To be called often. */
+    /** Brings the vehicle to hold the fence that is asked for, as long as the base commands it. To be called often. */
     void tick(long atMs, boolean isCommanded) {
         commandedMs = isCommanded ? Optional.of(commandedMs.orElse(atMs)) : Optional.empty();
         boolean nothingToDo = wanted.isEmpty() && (given.isEmpty() || mayAreasCome(atMs));

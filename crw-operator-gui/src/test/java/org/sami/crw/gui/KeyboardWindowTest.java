@@ -95,7 +95,7 @@ class KeyboardWindowTest {
         robot.press(VK_ENTER, VK_CONTROL);
         robot.untilShown("value-area-text");
         robot.press(VK_D, VK_CONTROL);
-        robot.untilFocused("value-area-text"); // the map beside it is left out: the large one has the pen
+        robot.untilFocused("value-area-text"); // the map next to it is left out: the large one has the pen
         for (String corner : CORNERS) {
             robot.type(corner);
             robot.press(VK_ENTER);

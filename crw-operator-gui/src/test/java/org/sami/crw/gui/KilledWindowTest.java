@@ -41,8 +41,7 @@ class KilledWindowTest {
             robot.untilSaid("boats-count", "5 of 5");
             robot.untilSaid("missions-count", "1 mission");
             robot.untilSaid(
-                    "decisions-count",
-                    "2 decisions"); // the mission's, and which of the boats that started anew may move
+                    "decisions-count", "2 decisions"); // the mission's, and which of the restarted boats may move
             robot.until( // boats are asked about as they are heard, one after another
                     "all boats that started anew are asked about",
                     () -> window.session().models().decisions().snapshot().stream()

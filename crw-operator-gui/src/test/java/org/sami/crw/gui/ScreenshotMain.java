@@ -144,7 +144,7 @@ final class ScreenshotMain {
         }
     }
 
-    /** What the guide shows beside its words on trouble. */
+    /** What the guide shows next to its words on trouble. */
     private void trouble(String scene) throws Exception {
         picture("trouble-" + scene, List.of(Theme.LIGHT));
     }

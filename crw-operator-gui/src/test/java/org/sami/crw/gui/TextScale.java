@@ -5,7 +5,7 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import org.sami.palette.Theme;
 import org.sami.ui.look.Look;
 
-/** Text of another size in the light look, until it is closed: for tests that no other test of a window runs beside. */
+/** Text of another size in the light look, until it is closed: for tests that no other test of a window runs at the same time. */
 public final class TextScale implements AutoCloseable {
     private static final int STANDARD_PERCENT = 100;
 

@@ -23,7 +23,7 @@ import org.sami.ui.look.Look;
 /** Lays out and paints a window that is open, with all its panels, in looks and at sizes that its screen need not have. */
 final class WindowInMemory {
     private static final int MOST_ROUNDS =
-            4; // panels that are arranged anew, and dividers, hear of a size after its layout
+            4; // panels that are arranged again, and dividers, hear of a size after its layout
 
     private final OperatorWindow window;
 

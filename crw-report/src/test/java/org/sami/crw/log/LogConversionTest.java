@@ -240,7 +240,7 @@ class LogConversionTest {
                 .isPositive();
     }
 
-    /** A folder of files beside the project, which are no part of it; tests run in their module's folder. */
+    /** A folder of files next to the project, which are no part of it; tests run in their module's folder. */
     private static Path shared(String name) {
         return Path.of("..", "..", "shared", name);
     }

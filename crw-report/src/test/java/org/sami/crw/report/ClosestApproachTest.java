@@ -19,7 +19,7 @@ class ClosestApproachTest {
 
         Approach nearest = ClosestApproach.of(List.of(north, east)).ever().orElseThrow();
 
-        // (2t - 100, 0) beside (0, 2t - 97): least where both are as far from the crossing
+        // (2t - 100, 0) and (0, 2t - 97): least where both are as far from the crossing
         assertThat(nearest.boat()).isEqualTo("north");
         assertThat(nearest.other()).isEqualTo("east");
         assertThat(nearest.atMillis()).isEqualTo(49_250);

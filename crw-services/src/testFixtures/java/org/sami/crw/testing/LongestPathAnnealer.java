@@ -7,7 +7,7 @@ import org.sami.crw.service.allocation.AllocationProblem;
 
 /**
  * Divides work so that the longest path is short, by simulated annealing as simple as can be: moves a part of a path, exchanges the rests of
- * two, turns a part round, and measures both paths anew. What it finds in seconds is what a good division can be compared with. It shares no code with
+ * two, turns a part round, and measures both paths again. What it finds in seconds is what a good division can be compared with. It shares no code with
  * what it judges. Boats that have begun work, and charges, are not for it.
  */
 public final class LongestPathAnnealer {

@@ -19,7 +19,7 @@ import org.sami.crw.message.OperatorMessage;
 /**
  * The messages to the operator: the highest priority first, of equal ones the newest first, so that news of little weight does
  * not displace an older critical message. A message replaces the one with the same subject (thesis 6.3.4), and has to be acknowledged
- * anew. When the list is full the last one in order goes.
+ * again. When the list is full the last one in order goes.
  */
 public final class MessageList extends Model<List<MessageEntry>> {
     private static final String COMPONENT = "message list";

@@ -21,7 +21,7 @@ import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Effect;
 
 /**
- * Shows what lay before the operator at any moment of a journal: models of its own, which the journal's inputs and telemetry are told again.
+ * Shows what lay before the operator at any moment of a journal: models of its own, to which the journal's inputs and telemetry are given again.
  * The same moment gives the same snapshots, whichever way it was reached: forwards nothing is left out, and backwards it starts from the beginning.
  *
  * <p>Nothing acts: there is no host, no link and no clock. {@link #goTo} computes on the caller's thread and is for one at a time that is

@@ -402,7 +402,7 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Ends the session: links, threads, host and journal are closed, results that are open fail. Boats go on with what they were told
+     * Ends the session: links, threads, host and journal are closed, results that are open fail. Boats go on with what they were commanded
      * until they notice that the link is lost. Blocks for a few seconds at most; not for a thread of the session's own.
      */
     @Override

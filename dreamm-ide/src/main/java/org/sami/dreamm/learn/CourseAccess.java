@@ -3,7 +3,7 @@ package org.sami.dreamm.learn;
 import java.util.Optional;
 import org.sami.dreamm.help.word.GlossaryAccess;
 
-/** The way into the course from a window, and out of it: the window is opened anew. On the event thread. */
+/** The way into the course from a window, and out of it: the window is opened again. On the event thread. */
 public interface CourseAccess extends GlossaryAccess {
     /** Why the course cannot be opened, in a sentence; empty where it can. */
     @Override

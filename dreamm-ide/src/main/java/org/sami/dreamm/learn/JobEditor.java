@@ -6,7 +6,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
 
-/** The editor beside a lesson, as jobs use it. On the event thread. */
+/** The editor next to a lesson, as jobs use it. On the event thread. */
 public interface JobEditor {
     /**
      * Opens a project that is kept in a file after each edit.

@@ -79,7 +79,7 @@ public final class JobModel {
         this.owner = Objects.requireNonNull(owner, "owner");
     }
 
-    /** Opens the plan of the step that is shown now; beside a step without a job the plan stays that was open, at first one to practise on. */
+    /** Opens the plan of the step that is shown now; next to a step without a job the plan stays that was open, at first one to practise on. */
     public void showStep() {
         if (at.filter(model.address()::equals).isPresent()) {
             return;
@@ -313,7 +313,7 @@ public final class JobModel {
                 .flatMap(example -> model.course().plan(model.lesson().id(), example.plan()));
     }
 
-    /** Begins the job anew; that can be taken back. */
+    /** Begins the job again; that can be taken back. */
     public void startOver() {
         start().ifPresent(begin -> {
             editor.replace("Begin the job anew", begin);

@@ -15,7 +15,7 @@ import org.sami.lessons.course.Step;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Where a learner is in the course, and what was answered. It outlives the windows, which are opened anew with each lesson. Used by one thread.
+ * Where a learner is in the course, and what was answered. It outlives the windows, which are opened again with each lesson. Used by one thread.
  */
 public final class LessonModel {
     private final Course course;

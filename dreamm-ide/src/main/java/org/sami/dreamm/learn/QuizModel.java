@@ -263,7 +263,7 @@ public final class QuizModel {
         }
     }
 
-    /** Begins anew: nothing is chosen. */
+    /** Begins again: nothing is chosen. */
     public void restart() {
         choices.clear();
         marks.clear();

@@ -12,7 +12,7 @@ import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 
-/** Pictures of a lesson beside the editor. */
+/** Pictures of a lesson next to the editor. */
 class PictureLayoutTest {
     private static final DomainLibrary BOATS =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.spn.json.DomainLibrary;
 
-/** The way out of a round is looked for beside the document's thread. */
+/** The way out of a round is looked for off the document's thread. */
 class NextStepSearchTest {
     private static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();

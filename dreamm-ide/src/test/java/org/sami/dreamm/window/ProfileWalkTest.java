@@ -335,7 +335,7 @@ class ProfileWalkTest {
         }
     }
 
-    /** What the choices of edges and of a field's source offer beside what is chosen, by the beginning of their ids. */
+    /** What the choices of edges and of a field's source offer next to what is chosen, by the beginning of their ids. */
     private static Map<String, Set<String>> offers(Profile profile) {
         DreammContext context =
                 new DreammContext(BOATS, new ProjectDocument(BOATS.vocabulary(), project(), Optional.empty()), profile);

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import org.sami.lessons.course.QuizQuestion.Choice;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Grades answers to quizzes. Each wrong answer is told why that one is wrong. */
+/** Grades answers to quizzes. For each wrong answer it says why that one is wrong. */
 public final class QuizGrader {
     private final Course course;
     private final Vocabulary vocabulary;

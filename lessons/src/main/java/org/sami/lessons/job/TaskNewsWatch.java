@@ -43,7 +43,7 @@ final class TaskNewsWatch {
         tellOrder(before);
     }
 
-    /** The news since it was last asked, in the order in which news of one moment are told. */
+    /** The news since it was last asked, in the order in which they came. */
     List<News> take() {
         List<News> taken = List.copyOf(news);
         news.clear();

@@ -93,7 +93,7 @@ final class WorldTrace {
     void activated(long now, Activation activation, EngineView view) {
         EventType type = vocabulary.event(activation.type()).orElseThrow();
         if (type.role() == EventRole.APPLY_ALLOCATION) {
-            return; // what it does is told when it is done
+            return; // it is added when it is done
         } else if (!isForEach(type)) {
             boolean concernsNobody = type.tokens() == TokenNeed.NONE
                     || type.decision()

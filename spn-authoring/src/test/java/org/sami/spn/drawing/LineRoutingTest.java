@@ -53,7 +53,7 @@ class LineRoutingTest {
         assertClear(line, middle, above, below);
     }
 
-    /** Two edges that join the same row are told apart where they bend. */
+    /** Two edges that join the same row are distinguished where they bend. */
     @Test
     void linesAroundTheSameVertexHaveBendsOfTheirOwn() {
         LineRouting lines = new LineRouting(List.of(left, middle, right));

@@ -27,7 +27,7 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
-/** Projects loaded beside running missions (decision 0176, docs/session.md). */
+/** Projects loaded while missions run (decision 0176, docs/session.md). */
 class ProjectLoadingTest {
     private static final VariableSpec SPEED = integer("@speed", 1);
 

@@ -18,7 +18,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** The engine as a subject. Loaded a second time, beside a spoilt engine, by {@link SpoiltEngine}. */
+/** The engine as a subject. Loaded a second time, next to a spoilt engine, by {@link SpoiltEngine}. */
 public final class EngineSubject implements Subject {
     private final Engine engine;
     private final EngineState state;

@@ -12,7 +12,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.Value;
 
-/** Loading a project beside running missions, as decision 0176 and docs/session.md state it. */
+/** Loading a project while missions run, as decision 0176 and docs/session.md state it. */
 final class Loading {
     static final String REFUSED = "The project cannot be loaded";
 

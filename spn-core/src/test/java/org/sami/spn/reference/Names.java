@@ -11,7 +11,7 @@ import org.sami.spn.protocol.Token;
 final class Names {
     private Names() {}
 
-    /** An aborted child's starting tokens are all named, its boats beside its tasks. */
+    /** An aborted child's starting tokens are all named, its boats and its tasks. */
     static List<Token> ofAborted(Occurrence occurrence) {
         Set<Token> names = new LinkedHashSet<>(of(occurrence));
         occurrence.proxies().forEach(proxy -> names.add(new Token.Proxy(proxy)));

@@ -273,7 +273,7 @@ final class Places {
         return oldest.isPresent();
     }
 
-    /** Some tokens of a return are used; the others stay a return, in its place, and its value is told anew. */
+    /** Some tokens of a return are used; the others stay a return, in its place, and its value is told again. */
     void useUp(Returned returned, List<Token> tokens) {
         List<Token> others = new ArrayList<>(returned.tokens);
         tokens.forEach(others::remove);

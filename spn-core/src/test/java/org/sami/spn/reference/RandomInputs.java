@@ -143,7 +143,7 @@ final class RandomInputs {
         return hostile(subject);
     }
 
-    /** Starts a mission beside those that run, or ends one of them. */
+    /** Starts one more mission, or ends one of them. */
     private Input another(Map<Long, String> statuses) {
         List<Long> roots = statuses.keySet().stream().filter(seen::isRoot).toList();
         if (roots.size() < 3) {

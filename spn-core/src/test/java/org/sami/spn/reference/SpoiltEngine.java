@@ -14,7 +14,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.testing.TestVocabulary;
 
 /**
- * The engine with one line of its source changed, compiled into a folder and loaded beside the right one. The engine has no
+ * The engine with one line of its source changed, compiled into a folder and loaded next to the right one. The engine has no
  * hooks for this.
  */
 final class SpoiltEngine extends ClassLoader {

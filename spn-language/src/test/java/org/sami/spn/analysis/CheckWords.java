@@ -21,7 +21,7 @@ import org.sami.spn.vocabulary.TokenNeed;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * The test vocabulary and, beside it, {@code Drive(speed)}, a command to proxies that {@code Driven} answers, naming them,
+ * The test vocabulary and, next to it, {@code Drive(speed)}, a command to proxies that {@code Driven} answers, naming them,
  * {@code Fetch}, which can fail
  * ({@code NotFetched}, and {@code BatteryOut}, which is news too), and {@code Work}, a request about tasks; {@code Sail}, a second
  * command, {@code Watch(every, low, critical, sensor)}, whose fields have limits and which {@code Well} answers when all is well, and

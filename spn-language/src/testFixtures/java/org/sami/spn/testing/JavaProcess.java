@@ -19,7 +19,7 @@ public final class JavaProcess {
      *
      * @param folder the test's
      * @param main the class that is run
-     * @param arguments what it is told
+     * @param arguments of its main method
      */
     public static ProcessBuilder builder(Path folder, Class<?> main, String... arguments) throws IOException {
         List<String> line = new ArrayList<>(List.of(

@@ -29,7 +29,7 @@ import org.sami.ui.net.WidePlan;
 
 /**
  * How long it takes while a net is edited: a frame while a vertex of 500 is dragged, the drawing after an edit, and opening and laying out the
- * largest project of the field, where that lies beside the project.
+ * largest project of the field, where that lies next to the project.
  */
 final class NetEditingFigures {
     private static final Path LEGACY = Path.of("../shared/legacy-plans/crw.json");

@@ -70,7 +70,7 @@ public final class ExpectedPathLayer extends MapLayer {
                 .forEach(shown -> paint.paint(shown.path().id(), () -> write(paint, shown)));
     }
 
-    /** Beside the middle of the longest leg. */
+    /** Next to the middle of the longest leg. */
     private static void write(MapPaint paint, Shown shown) {
         WorldLine line = shown.line();
         MapFrame frame = paint.frame();

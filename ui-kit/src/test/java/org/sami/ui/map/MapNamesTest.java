@@ -95,7 +95,7 @@ class MapNamesTest {
         boats.show(List.of(boat("anna", MapScenes.at(0, 0))));
         GeoSketch path = new GeoSketch(GeoShape.PATH);
         path.add(MapScenes.at(-100, 0));
-        path.add(MapScenes.at(100, 0)); // through the boat and the name beside it
+        path.add(MapScenes.at(100, 0)); // through the boat and the name next to it
 
         BufferedImage image =
                 paint(Set.of(), new SketchTool(path, false, NO_TOOL, MapNamesTest::frame, () -> {}, () -> {}), boats);

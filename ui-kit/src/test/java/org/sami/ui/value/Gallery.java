@@ -25,7 +25,7 @@ import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
-/** One of each component, with a value, without one, and with something wrong in it. Made anew for each theme. */
+/** One of each component, with a value, without one, and with something wrong in it. Made again for each theme. */
 final class Gallery {
     private Gallery() {}
 

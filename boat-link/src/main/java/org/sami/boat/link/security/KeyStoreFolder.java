@@ -52,7 +52,7 @@ public final class KeyStoreFolder {
         return open(identity());
     }
 
-    /** The peers in the folder beside a key that is kept elsewhere. */
+    /** The peers in the folder next to a key that is kept elsewhere. */
     public KeyRing open(Identity identity) throws IOException {
         Content content =
                 Files.exists(peersFile()) ? Content.parse(peersFile().toString(), text(peersFile())) : Content.EMPTY;

@@ -21,7 +21,7 @@ import javax.net.ssl.TrustManager;
 
 /**
  * Links over TLS 1.3, or 1.2 where one side has no 1.3. Both sides show their certificates, and each knows the key of the other afterwards. A base goes on only
- * with a boat whose key is pinned. A boat accepts any key, and its owner decides what that may do: an unknown one is only told who the boat is.
+ * with a boat whose key is pinned. A boat accepts any key, and its owner decides what that may do: an unknown one only learns who the boat is.
  */
 public final class TlsLinks implements LinkSecurity {
     private static final List<String> VERSIONS = Arrays.asList("TLSv1.3", "TLSv1.2");

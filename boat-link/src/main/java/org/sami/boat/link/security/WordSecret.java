@@ -10,7 +10,7 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * The secret of one pairing: six words that a boat shows and a base is told. Whoever knows it proves that by a code over the two keys of the link, so that
+ * The secret of one pairing: six words that a boat shows and a person enters at the base. Whoever knows it proves that by a code over the two keys of the link, so that
  * nobody in between can pass a proof on: the keys of its links are other ones. Immutable.
  */
 public final class WordSecret {

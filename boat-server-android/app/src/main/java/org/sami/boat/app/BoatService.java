@@ -58,7 +58,7 @@ public final class BoatService extends Service {
             return fault;
         }
 
-        /** Reads name and port again, and begins the boat anew with them. */
+        /** Reads name and port again, and begins the boat again with them. */
         public void beginAnew() {
             endBoat();
             beginBoat();

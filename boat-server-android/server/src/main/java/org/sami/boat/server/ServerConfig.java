@@ -135,7 +135,7 @@ public final class ServerConfig {
         return performance.metresPerPercent().orElse(0);
     }
 
-    /** What bases are told of how far, how fast and how narrowly the boat drives. */
+    /** What bases learn of how far, how fast and how narrowly the boat drives. */
     public BoatPerformance performance() {
         return performance;
     }

@@ -128,7 +128,7 @@ public final class ServerSession {
         return unheard;
     }
 
-    /** A stranger is told who the boat is, and may be paired, as a base that is known may be anew; nothing else. */
+    /** A stranger learns who the boat is and may be paired, and a known base may be paired again; nothing else. */
     private void receiveFromStranger(LinkMessage message, long nowMs) {
         if (message instanceof Pair) {
             try {

@@ -21,8 +21,8 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 
 /**
- * Two bases with three links each, and a boat that is started anew now and then with its log. What they send comes in any order,
- * late, twice, and over links that were made anew in between. It notes every motion that is executed after a stop that was sent
+ * Two bases with three links each, and a boat that is restarted now and then with its log. What they send comes in any order,
+ * late, twice, and over links that were made again in between. It notes every motion that is executed after a stop that was sent
  * later.
  */
 final class DelayedFrames {
@@ -154,7 +154,7 @@ final class DelayedFrames {
         }
     }
 
-    /** The link breaks and is made anew; what was on its way in it comes over the new one. */
+    /** The link breaks and is made again; what was on its way in it comes over the new one. */
     private void connectAnew(int link) {
         links.get(link).session.closed(bench.nowMs);
         links.set(link, bench.new Client());

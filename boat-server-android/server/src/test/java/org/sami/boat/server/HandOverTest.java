@@ -38,7 +38,7 @@ class HandOverTest {
         return welcomes.get(welcomes.size() - 1).role();
     }
 
-    /** What the client is told in answer to a command, whatever else it is told with it. */
+    /** The answer to a command that the client gets, whatever else comes with it. */
     private static LinkMessage answer(Client client, CommandMessage command) {
         List<LinkMessage> got = client.say(command);
         return got.get(got.size() - 1);

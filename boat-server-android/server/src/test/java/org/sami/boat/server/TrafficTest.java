@@ -94,7 +94,7 @@ class TrafficTest {
         assertThat(bench.vehicle.thrust()).isZero();
         assertThat(bench.vehicle.rudder()).isZero();
 
-        bench.run(4, commander); // nothing is told of boats that lie still
+        bench.run(4, commander); // nothing is said of boats that lie still
         commander.say(traffic(boat("boat3", -15, 0, 0)));
         bench.run(1, commander);
         assertThat(bench.vehicle.rudder()).isZero();

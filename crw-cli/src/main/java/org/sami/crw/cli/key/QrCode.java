@@ -46,7 +46,7 @@ public final class QrCode {
     /**
      * Lines of half blocks, two rows of modules each.
      *
-     * @param colored whether the terminal is told to write black on white; else dark modules have the colour of its letters
+     * @param colored whether the terminal writes black on white; else dark modules have the colour of its letters
      */
     public String halfBlocks(boolean colored) {
         StringBuilder text = new StringBuilder();

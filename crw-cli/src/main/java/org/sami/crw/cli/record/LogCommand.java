@@ -27,9 +27,9 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description =
-                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and prints what it holds:"
-                        + " the track, sensor readings, commands, and every line that could not be read. Of a boat's log"
-                        + " of today (crw boat --log, crw logs), any file of it: the commands of all of its files.",
+                "Reads a vehicle log of the boats of 2013 to 2016 (text, one line an entry) and prints what it holds: the "
+                        + "track, sensor readings, commands, and every line that could not be read. Of a boat's log of today "
+                        + "(crw boat --log, crw logs), any file of it: the commands of all of its files.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:read; unreadable lines are counted and named",

@@ -20,7 +20,7 @@ final class AnnounceOption {
     private @Nullable Boolean announce;
 
     /**
-     * Announces the boat, if it is to be; a boat that cannot be announced is told so, and serves all the same.
+     * Announces the boat, if it is to be; for a boat that cannot be announced it says so; the boat serves all the same.
      *
      * @param say tells a person a line
      * @return takes the announcement back when it is closed

@@ -29,8 +29,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Starts three simulated boats as processes of their own, runs the plan 'clv' on them over TCP on the"
-                    + " loopback address, shows it, and writes a report with a picture; it takes about a minute. The"
-                    + " boats end with it.",
+                        + " loopback address, shows it, and writes a report with a picture; it takes about a minute. The"
+                        + " boats end with it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:the mission ended",

@@ -49,7 +49,7 @@ final class TableJob {
     /**
      * Makes it.
      *
-     * @param folder where its files go; null where they are not wanted
+     * @param folder where its files go; null for none
      * @return the exit code
      */
     int run(int repetitions, long seed, int threads, @Nullable Path folder, boolean overwrite, BooleanSupplier stop)

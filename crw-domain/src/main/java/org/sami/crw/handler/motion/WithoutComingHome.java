@@ -5,7 +5,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.BooleanValue;
 
 /**
- * News that a boat goes on with a critical battery because the operator wanted it, or does so no longer, as the engine's journalled memory has it.
+ * News that a boat goes on with a critical battery because the operator chose so, or does so no longer, as the engine's journalled memory has it.
  *
  * @param goes whether it goes on
  */

@@ -21,7 +21,7 @@ import org.sami.boat.link.security.LinkRefusedException;
 import org.sami.boat.link.security.LinkSecurity;
 
 /**
- * Fetches files of the boat at one address into a folder, over a link of its own, as an observer: {@link KeptFile#LOG logs}, {@link KeptFile#PICTURE pictures}. A link that breaks is made anew and goes
+ * Fetches files of the boat at one address into a folder, over a link of its own, as an observer: {@link KeptFile#LOG logs}, {@link KeptFile#PICTURE pictures}. A link that breaks is made again and goes
  * on where it was; so does a later fetch into the same folder. Waits for the boat, so never on the event thread or an engine's. {@link #cancel} is for any thread.
  */
 public final class BoatFileFetch {
@@ -42,7 +42,7 @@ public final class BoatFileFetch {
      * What came of it.
      *
      * @param boatId the boat that answered
-     * @param files all that were wanted and are whole in the folder
+     * @param files those asked for that are whole in the folder
      * @param bytes that came over the link this time
      * @param refused in words, one for each file that the boat did not give
      */

@@ -16,7 +16,7 @@ import org.sami.boat.link.KeptFile;
 
 /**
  * The copy of one file in a folder of this machine. What has come stands in {@code NAME.part}; the file itself is whole, with the hash that the boat listed. A copy with other content
- * is kept beside it as {@code NAME.1}, {@code NAME.2} and so on.
+ * is kept next to it as {@code NAME.1}, {@code NAME.2} and so on.
  */
 final class FileCopy {
     private static final int BUFFER_BYTES = 64 << 10;

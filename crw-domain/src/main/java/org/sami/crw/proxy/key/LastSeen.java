@@ -10,7 +10,7 @@ import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.OwnerOnlyFile;
 
 /**
- * When this base was linked to each boat last, by its own clock: the file {@code seen} beside the keys, a line for each boat. Nothing depends on it: what cannot
+ * When this base was linked to each boat last, by its own clock: the file {@code seen} next to the keys, a line for each boat. Nothing depends on it: what cannot
  * be read or written is left out. Safe for use by several threads.
  */
 public final class LastSeen {
@@ -40,7 +40,7 @@ public final class LastSeen {
         try {
             OwnerOnlyFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
-            // the disk is full or read-only, which is told elsewhere: a link does not wait for it
+            // the disk is full or read-only, which the session reports: a link does not wait for it
         }
     }
 

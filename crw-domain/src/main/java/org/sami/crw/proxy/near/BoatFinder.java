@@ -67,12 +67,12 @@ public final class BoatFinder implements Closeable {
         return address.map(one -> on(List.of(one))).orElseGet(BoatFinder::everywhere);
     }
 
-    /** Adds who is told after each change, on a thread of the finder's; it is to return at once. */
+    /** Adds a listener, which is called after each change, on a thread of the finder's; it is to return at once. */
     public void addListener(Runnable changed) {
         listeners.add(changed);
     }
 
-    /** Who is told no longer. */
+    /** Removes a listener. */
     public void removeListener(Runnable changed) {
         listeners.remove(changed);
     }

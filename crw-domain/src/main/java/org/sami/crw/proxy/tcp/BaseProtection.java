@@ -20,7 +20,7 @@ import org.sami.boat.link.security.TlsLinks;
 import org.sami.crw.proxy.key.LastSeen;
 
 /**
- * How a base protects its links: plain to boats on this machine, with the keys of its user to all others. The keys are read anew for each connection, so that
+ * How a base protects its links: plain to boats on this machine, with the keys of its user to all others. The keys are read again for each connection, so that
  * what was paired or withdrawn meanwhile counts. Safe for use by several threads.
  */
 public final class BaseProtection implements LinkSecurity {

@@ -130,7 +130,7 @@ final class BoatLink implements FrameSink {
         carried.opened(nowMs);
     }
 
-    /** Carries the boat no longer; what answers here is asked anew who it is. */
+    /** Carries the boat no longer; what answers here is asked again who it is. */
     void release(String why, long nowMs) {
         Optional<BoatProxy> released = proxy;
         proxy = Optional.empty();

@@ -25,7 +25,7 @@ import org.sami.boat.link.security.TlsLinks;
 import org.sami.boat.link.security.WordSecret;
 
 /**
- * A base's part in pairing: it proves to a boat that it was told the boat's words, and the boat proves the same. One use; waits some seconds for the boat, and may
+ * A base's part in pairing: it proves to a boat that it knows the boat's words, and the boat proves the same. One use; waits some seconds for the boat, and may
  * be cancelled by another thread meanwhile.
  */
 public final class BoatPairing {

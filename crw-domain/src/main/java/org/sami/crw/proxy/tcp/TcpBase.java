@@ -74,7 +74,7 @@ public final class TcpBase implements AutoCloseable {
     }
 
     /**
-     * Gives up a boat and its address. Its commands fail, it is stopped if it can be told, and is then left alone. Gives whether
+     * Gives up a boat and its address. Its commands fail, it is stopped if it can be reached, and is then left alone. Gives whether
      * it was known.
      */
     public CompletableFuture<Boolean> remove(String boatId) {

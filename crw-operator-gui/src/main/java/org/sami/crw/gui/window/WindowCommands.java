@@ -125,7 +125,7 @@ final class WindowCommands {
         stations.of(boats);
     }
 
-    /** Ends what goes on beside the panels. */
+    /** Ends the work behind the panels. */
     void close() {
         near.close();
         stations.close();

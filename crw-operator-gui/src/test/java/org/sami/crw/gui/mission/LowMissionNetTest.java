@@ -80,7 +80,7 @@ class LowMissionNetTest {
                 Layout.layOut(monitor, 608, 205);
                 return null;
             });
-            world.start("inner"); // what is shown is told anew
+            world.start("inner"); // what is shown is told again
             until(
                     "another runs",
                     () -> world.context.models().missions().snapshot().running().size() == 2);

@@ -17,7 +17,7 @@ import org.sami.ui.window.WindowSettings;
 
 @Timeout(300)
 class KeysOfCommandsTest {
-    /** What is chosen in a form beside its values, or once a season. */
+    /** What is chosen in a form next to its values, or once a season. */
     private static final String WITHOUT = "boat-set-.*|alarm-hear-.*|map-base-stop";
 
     @TempDir

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.sami.crw.service.LocalPlane;
 import org.sami.spn.value.GeoPoint;
 
-/** The auction of thesis 7.0.3 word by word: every bid builds its whole path anew. */
+/** The auction of thesis 7.0.3 word by word: every bid builds its whole path again. */
 final class AuctionByTheThesis {
     private final Map<String, GeoPoint> boats;
     private final List<GeoPoint> locations;

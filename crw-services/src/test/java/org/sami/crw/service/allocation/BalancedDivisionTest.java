@@ -17,7 +17,7 @@ class BalancedDivisionTest {
 
     /**
      * The last number is what {@code LongestPathAnnealer} found in eight seconds, in metres; kept, as it takes so long. {@code ./gradlew
-     * :crw-sim:benchmark -Ponly=service.balance} finds such numbers anew.
+     * :crw-sim:benchmark -Ponly=service.balance} finds such numbers again.
      */
     @ParameterizedTest
     @CsvSource({

@@ -14,7 +14,7 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
-/** Assembly and spreading beside what is to be avoided. */
+/** Assembly and spreading next to what is to be avoided. */
 class ClearOfObstaclesTest {
     private static final Water ISLAND = Water.of(AreaOfTest.CENTRE, List.of(box(25)), Optional.empty());
 

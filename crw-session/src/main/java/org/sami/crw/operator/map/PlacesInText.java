@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Finds the places that a message or a question names, as {@code 25.36159,51.52857}: what is told of places has them in its text alone, also in
+ * Finds the places that a message or a question names, as {@code 25.36159,51.52857}: what is said of places has them in its text alone, also in
  * journals of before. Pure functions.
  */
 public final class PlacesInText {

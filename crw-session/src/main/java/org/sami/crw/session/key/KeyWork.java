@@ -11,7 +11,7 @@ import org.sami.crw.proxy.key.BaseKeys;
 
 /**
  * The keys of this base as a window shows them, and what a person does with them: each operation reads and writes the disk on a thread of its own, one after
- * another, and says what came of it. To be used on the thread of its front, on which changes are told.
+ * another, and says what came of it. To be used on the thread of its front, on which its listeners are called.
  */
 public final class KeyWork {
     private final BaseKeys keys;

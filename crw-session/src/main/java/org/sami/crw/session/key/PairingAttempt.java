@@ -10,7 +10,7 @@ import org.sami.crw.proxy.tcp.BoatPairing;
 
 /**
  * One pairing of a boat, as a person watches it: the boat is asked by a thread of its own, then both sides show the check code, and the person says whether they
- * are equal; only then is the boat's key kept. To be used on the thread of its front, on which changes are told.
+ * are equal; only then is the boat's key kept. To be used on the thread of its front, on which its listeners are called.
  */
 public final class PairingAttempt {
     private final BoatPairing.Request request;

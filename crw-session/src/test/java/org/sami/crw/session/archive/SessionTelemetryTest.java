@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.journal.JournalHeader;
 
-/** What a session writes beside the engine's inputs. */
+/** What a session writes next to the engine's inputs. */
 class SessionTelemetryTest {
     @TempDir
     private Path folder;

@@ -15,7 +15,7 @@ import org.sami.crw.testing.AllocationScene;
 import org.sami.crw.testing.LongestPathAnnealer;
 import org.sami.figures.Figure;
 
-/** How long the longest path of a balanced allocation is, beside what an annealer finds in seconds, and what it costs. */
+/** How long the longest path of a balanced allocation is, next to what an annealer finds in seconds, and what it costs. */
 final class BalanceBenchmark {
     private static final String NAME = "service.balance";
     private static final int[][] SIZES = {

@@ -11,7 +11,7 @@ import org.sami.boat.link.security.KeyRing;
 import org.sami.crw.sim.bench.FleetBenchmark.Measured;
 import org.sami.figures.Figure;
 
-/** Protected links beside plain ones, in turn within one run, so that other work on the machine meets both. */
+/** Protected links next to plain ones, in turn within one run, so that other work on the machine meets both. */
 final class ProtectedLinkBenchmark {
     private static final String NAME = "link.tls";
     private static final int BOATS = 250;

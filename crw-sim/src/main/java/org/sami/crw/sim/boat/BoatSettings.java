@@ -42,7 +42,7 @@ public record BoatSettings(
         long logBytes,
         Optional<Path> pictureFolder) {
 
-    /** A boat that keeps its pictures beside its log, if it keeps one. */
+    /** A boat that keeps its pictures next to its log, if it keeps one. */
     public BoatSettings(
             String name,
             InetSocketAddress address,

@@ -13,7 +13,7 @@ import org.sami.boat.server.vehicle.CameraShot;
 
 /**
  * The camera of a simulated boat: it notes what is before it, and draws and keeps the picture on a thread of its own, which ends when there is nothing to do.
- * A picture that cannot be kept is told, and the boat goes on.
+ * A picture that cannot be kept is reported, and the boat goes on.
  */
 public final class DrawingCamera implements Camera, AutoCloseable {
     private static final int MOST_WAITING = 400;
@@ -29,7 +29,7 @@ public final class DrawingCamera implements Camera, AutoCloseable {
      * A camera that keeps its pictures in a folder.
      *
      * @param ahead what is before it now; asked on the thread that ticks the server
-     * @param onFault told in words and with its cause why a picture is not kept; on any thread
+     * @param onFault gets in words, with the cause, why a picture is not kept; on any thread
      */
     public DrawingCamera(
             String boat, PictureFolder folder, Supplier<Scene> ahead, BiConsumer<String, Exception> onFault) {

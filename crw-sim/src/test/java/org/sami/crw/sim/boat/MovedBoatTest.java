@@ -155,7 +155,8 @@ class MovedBoatTest {
     @Test
     void removedBoatIsStoppedAndLeftAloneAndItsCommandsFail() throws Exception {
         BoatOnTcp boat = fleet.boat("anna");
-        String removing = "removing-" + getClass().getSimpleName(); // the same test runs beside it over other links
+        String removing =
+                "removing-" + getClass().getSimpleName(); // the same test runs at the same time over other links
         Base base = fleet.base(removing);
         base.connect(boat.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));

@@ -16,7 +16,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
-/** A base that was cut off and replaced does not command again before its operator takes the boat over, also after the boat was started anew. */
+/** A base that was cut off and replaced does not command again before its operator takes the boat over, also after the boat was restarted. */
 @Execution(ExecutionMode.CONCURRENT)
 @Timeout(300)
 class ReplacedBaseTest {

@@ -226,7 +226,7 @@ class TcpBaseTest {
         assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
 
-    /** A name for threads that no test beside this one has, also not the same test over links of another kind. */
+    /** A name for threads that no test has which runs at the same time, also not the same test over links of another kind. */
     private String ownName(String name) {
         return name + "-" + getClass().getSimpleName().toLowerCase(Locale.ROOT) + "-";
     }

@@ -144,7 +144,7 @@ class GivingWayTest {
         assertThat(world.hull().eastM()).isCloseTo(0, org.assertj.core.data.Offset.offset(1.0));
     }
 
-    /** Beside the line by so little that a boat which turns aside late stands before the other one. */
+    /** Next to the line by so little that a boat which turns aside late stands before the other one. */
     @ParameterizedTest
     @ValueSource(doubles = {-2.5, -2, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 2, 2.5})
     void stoppedBoatIsPassedHoweverNearTheLineItLies(double besideM) {

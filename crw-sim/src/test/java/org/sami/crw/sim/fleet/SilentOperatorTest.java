@@ -33,7 +33,7 @@ import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
-/** A boat that was started anew, and an operator who answers nothing: it does not turn its motors on, whatever was wanted of it. */
+/** A boat that was restarted, and an operator who answers nothing: it does not turn its motors on, whatever it was asked before. */
 class SilentOperatorTest {
     private static final GeoPoint THERE = GeoPoint.of(45.001, 10);
 
@@ -128,7 +128,7 @@ class SilentOperatorTest {
         }
     }
 
-    /** Hears that the boat was started anew. */
+    /** Hears that the boat was restarted. */
     private final class Told implements Consumer<FleetEvent> {
         @Override
         public void accept(FleetEvent event) {

@@ -38,7 +38,7 @@ final class CrashingJournal implements RunJournal {
     }
 
     /**
-     * A journal that lives on. Whenever entries are in its file it copies that, and the log beside it, as they are: what the process would have left, had it
+     * A journal that lives on. Whenever entries are in its file it copies that, and the log next to it, as they are: what the process would have left, had it
      * been killed then.
      *
      * @param left gets the copies, by the last entry in each

@@ -32,7 +32,7 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.hull.SensorKind;
 import org.sami.crw.sim.hull.SensorSetting;
 
-/** One boat that says too much, beside one that says what boats say, in a real session over TCP with its journal. */
+/** One boat that says too much, next to one that says what boats say, in a real session over TCP with its journal. */
 @Timeout(300)
 class FloodingBoatTest {
     private static final long MESSAGES = 150_000;

@@ -32,7 +32,7 @@ import org.sami.lessons.course.Term;
 import org.sami.ui.look.Look;
 
 /**
- * Shows what a term means beside it, when the pointer has rested on the term for a moment. The card lies where it hides the fewest of what one can click next, and goes
+ * Shows what a term means next to it, when the pointer has rested on the term for a moment. The card lies where it hides the fewest of what one can click next, and goes
  * when the pointer leaves for something else. On the event thread.
  */
 final class WordHover implements AWTEventListener, AutoCloseable {

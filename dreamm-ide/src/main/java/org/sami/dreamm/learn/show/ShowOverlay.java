@@ -41,7 +41,7 @@ final class ShowOverlay extends JComponent {
         return highest;
     }
 
-    /** Lets the bar be as high as it wants to be anew: with another look, or another width. */
+    /** Lets the bar be as high as it wants to be again: with another look, or another width. */
     void forgetHeight() {
         highest = 0;
     }

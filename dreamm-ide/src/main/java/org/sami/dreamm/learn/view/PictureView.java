@@ -149,7 +149,7 @@ final class PictureView extends JPanel {
         setFocusable(walk.size() > 0);
     }
 
-    /** Shows the cursor although the picture has not the focus: buttons beside it act on the element there. */
+    /** Shows the cursor although the picture has not the focus: buttons next to it act on the element there. */
     void setCursorAlways(boolean always) {
         cursorAlways = always;
         repaint();

@@ -203,7 +203,7 @@ class OutlineSourceTest {
             boolean isLand = east > 0.01 && east < 0.05;
             double away = Math.min(Math.abs(east - 0.01), Math.abs(east - 0.05));
             double px = Math.scalb(256.0, level);
-            if (away / 360 * px > 3) { // beside the line
+            if (away / 360 * px > 3) { // next to the line
                 assertThat(colour(land, px, GeoPoint.of(LAT, LON + east)))
                         .as("%.4f° from the middle", east)
                         .isEqualTo(isLand ? Color.GREEN.getRGB() : 0);

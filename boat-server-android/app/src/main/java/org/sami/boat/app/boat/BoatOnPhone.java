@@ -252,7 +252,7 @@ public final class BoatOnPhone implements Closeable {
                 stop.isLatched());
     }
 
-    /** What it announces on its network; empty while it does not serve. The charge is told in steps of ten percent: each change is a new announcement. */
+    /** What it announces on its network; empty while it does not serve. The charge is announced in steps of ten percent: each change is a new announcement. */
     public Optional<BoatAnnouncement> announcement() {
         if (!running.isPresent()) {
             return Optional.empty();

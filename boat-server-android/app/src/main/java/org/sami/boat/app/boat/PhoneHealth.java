@@ -36,7 +36,7 @@ public final class PhoneHealth {
         freeMegabytes = megabytes;
     }
 
-    /** The phone's date was set; told to the base once. */
+    /** The phone's date was set; reported to the base once. */
     public void clockSet(double bySeconds) {
         clockSetByS = bySeconds;
     }
@@ -101,7 +101,7 @@ public final class PhoneHealth {
         return troubles;
     }
 
-    /** What the base is told. */
+    /** What the base gets. */
     public List<Sensor> sensors() {
         List<Sensor> sensors = new ArrayList<>();
         sensors.add(new Channel(PhoneReadings.BATTERY, "%", () -> batteryPercent));

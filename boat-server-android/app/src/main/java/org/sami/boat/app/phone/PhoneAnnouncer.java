@@ -11,7 +11,7 @@ import java.util.Optional;
 import org.sami.boat.link.BoatAnnouncement;
 
 /**
- * Announces the boat on the phone's network by the phone's own DNS-SD. What is announced cannot be changed there, so it is taken back and announced anew when it
+ * Announces the boat on the phone's network by the phone's own DNS-SD. What is announced cannot be changed there, so it is taken back and announced again when it
  * changes. Without a network nothing is announced, and the boat goes on. For the main thread.
  */
 public final class PhoneAnnouncer {
@@ -67,7 +67,7 @@ public final class PhoneAnnouncer {
         go();
     }
 
-    /** One step towards what is wanted, unless an answer is awaited; the answer takes the next one. */
+    /** One step towards what is to be announced, unless an answer is awaited; the answer takes the next one. */
     private void go() {
         if (current.isPresent()) {
             current.get().endUnless(wanted);
@@ -130,7 +130,7 @@ public final class PhoneAnnouncer {
             }
         }
 
-        /** A failed one stays, so that it is not tried at each look; the next change tries anew. */
+        /** A failed one stays, so that it is not tried at each look; the next change tries again. */
         private void failed(String why) {
             Log.w(TAG, why);
             asked = false;

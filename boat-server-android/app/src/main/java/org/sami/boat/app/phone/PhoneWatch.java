@@ -39,7 +39,7 @@ public final class PhoneWatch {
         this.dateMs = dateMs;
     }
 
-    /** Begins; what is known is told at once. */
+    /** Begins; what is known is reported at once. */
     public void begin() {
         dateAtStartMs = dateAtStart();
         IntentFilter changes = new IntentFilter(Intent.ACTION_BATTERY_CHANGED);

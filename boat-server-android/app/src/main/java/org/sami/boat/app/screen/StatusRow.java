@@ -21,7 +21,7 @@ final class StatusRow {
             this.mark = mark;
         }
 
-        /** A sign beside the colour, for eyes and suns that show none. */
+        /** A sign next to the colour, for eyes and suns that show none. */
         String mark() {
             return mark;
         }

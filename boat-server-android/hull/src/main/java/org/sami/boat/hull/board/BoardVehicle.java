@@ -27,7 +27,7 @@ import org.sami.boat.server.vehicle.Vehicle;
  *
  * <p>The board is commanded ten times a second from a thread of its own, also with 0: a board that hears nothing disarms. While it is gone or silent, or the
  * boat server hangs, the motors are 0; when it is back, what the boat server commands then goes on. A board that is silent for {@link #REOPEN_MS}, or takes no
- * bytes for as long, has its port opened anew. Safe for use by several threads.
+ * bytes for as long, has its port opened again. Safe for use by several threads.
  */
 public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
     private static final long PERIOD_MS = 100;
@@ -219,7 +219,7 @@ public final class BoardVehicle implements Vehicle, MotorDrive, Closeable {
         link.setHull(Objects.requireNonNull(hull, "hull"));
     }
 
-    /** Mean voltage of the battery; NaN as long as the board has not told it. */
+    /** Mean voltage of the battery; NaN as long as the board has not reported it. */
     public double batteryVolts() {
         return battery.volts();
     }

@@ -115,7 +115,7 @@ final class MotorArbiter {
         return fresh ? new double[] {port, starboard} : new double[] {0, 0};
     }
 
-    /** What the board is told now. */
+    /** What the board is commanded now. */
     synchronized MotorEfforts motors(long nowMs) {
         double[] efforts = efforts(nowMs);
         boolean tested = nowMs < testUntilMs; // a rudder alone, without the thrust and the trim of a boat that steers

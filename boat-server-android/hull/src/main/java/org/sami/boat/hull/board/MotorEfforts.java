@@ -1,6 +1,6 @@
 package org.sami.boat.hull.board;
 
-/** What the board is told to do: for a differential hull both motors, for a rudder hull the motor and the rudder; -1 to 1 each. Immutable. */
+/** What the board is commanded: for a differential hull both motors, for a rudder hull the motor and the rudder; -1 to 1 each. Immutable. */
 public final class MotorEfforts {
     /** Everything off, rudder amidships. */
     public static final MotorEfforts NONE = new MotorEfforts(0, 0);

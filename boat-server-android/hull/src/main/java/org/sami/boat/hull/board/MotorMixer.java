@@ -4,7 +4,7 @@ import org.sami.boat.hull.settings.HullKind;
 import org.sami.boat.hull.settings.HullSettings;
 
 /**
- * Makes what the board is told of the efforts of a port and a starboard motor, by the settings of the hull. A hull with a rudder gets their mean as thrust
+ * Makes the commands to the board from the efforts of a port and a starboard motor, by the settings of the hull. A hull with a rudder gets their mean as thrust
  * and half their difference as rudder; its thrust is never negative, and while it steers it has a little, as the rudder of a hull at rest turns nothing.
  */
 final class MotorMixer {

@@ -108,7 +108,7 @@ public final class ReconnectingPort implements Closeable {
         open.get().out().flush();
     }
 
-    /** Closes the connection, so that the port is opened anew. */
+    /** Closes the connection, so that the port is opened again. */
     public void reopen(String why) {
         endedBy = why;
         drop();

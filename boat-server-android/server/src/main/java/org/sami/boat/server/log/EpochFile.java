@@ -21,7 +21,7 @@ final class EpochFile {
 
     private final Path file;
 
-    /** The file beside a boat's log. */
+    /** The file next to a boat's log. */
     EpochFile(Path log) {
         file = log.resolveSibling(log.getFileName() + ".epoch");
     }

@@ -2,7 +2,7 @@ package org.sami.boat.server.vehicle;
 
 import java.util.Objects;
 
-/** One picture that a camera was told to take: it is kept or has failed later, on a thread of the camera. Safe for use by several threads. */
+/** One picture that a camera was asked to take: it is kept or has failed later, on a thread of the camera. Safe for use by several threads. */
 public final class CameraShot {
     private enum State {
         PENDING,

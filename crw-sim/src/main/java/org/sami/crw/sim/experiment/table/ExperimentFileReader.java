@@ -21,7 +21,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** Reads an experiment's file. Every problem is a finding with its place; a file with one is not used. */
 public final class ExperimentFileReader {
-    /** The word by which such a file is told from others. */
+    /** The word that marks such a file. */
     public static final String FORMAT = "crw-experiment";
 
     private static final JsonMapper MAPPER = JsonMapper.builder()

@@ -17,7 +17,7 @@ import org.sami.crw.sim.run.TestRuns;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
-/** Where boats truly were, beside what they report. */
+/** Where boats truly were, next to what they report. */
 class TrueVisitsTest {
     private final VisitRecorder reported = new VisitRecorder();
     private final TrueVisits visits = new TrueVisits(reported);
