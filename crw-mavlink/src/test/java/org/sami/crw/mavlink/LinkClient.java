@@ -20,7 +20,6 @@ import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
-import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoArea;
@@ -29,6 +28,7 @@ import org.sami.spn.value.GeoArea;
 final class LinkClient implements AutoCloseable {
     private final List<LinkMessage> said = new CopyOnWriteArrayList<>();
     private final List<String> alarms = new CopyOnWriteArrayList<>();
+    private final SlowableClock clock = new SlowableClock();
     private final MavlinkGateway gateway;
     private final String address;
     private GatewayLink link;
@@ -40,7 +40,7 @@ final class LinkClient implements AutoCloseable {
     /** Connects, says hello as commander, and waits until the vehicle says where it is. */
     LinkClient(Path folder, String address) {
         this.address = address;
-        gateway = new MavlinkGateway(ProcessClock::ms, new VehicleFiles(folder));
+        gateway = new MavlinkGateway(clock, new VehicleFiles(folder));
         link = connect();
         greet();
         Await.until("it says where it is", () -> first(Telemetry.class).isPresent());
@@ -62,6 +62,11 @@ final class LinkClient implements AutoCloseable {
         Await.until("it is welcomed", () -> first(Welcome.class).isPresent());
         term = first(Welcome.class).orElseThrow().term();
         return first(Welcome.class).orElseThrow().role();
+    }
+
+    /** Whether the gateway's time passes slowly from now on, so that it waits for as long as a test needs. */
+    void slow(boolean now) {
+        clock.slow(now);
     }
 
     /** Says hello as commander over a new connection in place of this one; what the client then is. */

@@ -67,6 +67,17 @@ class VehicleOrdersTest {
         assertThat(boat.mode()).isEqualTo(AUTO);
     }
 
+    /** The vehicle does not say in which mode it is, and the gateway does not give that up meanwhile. */
+    private void keepHeartbeats() {
+        client.slow(true);
+        boat.beating(false);
+    }
+
+    private void sendHeartbeats() {
+        boat.beating(true);
+        client.slow(false);
+    }
+
     @Test
     void stopIsDoneAlthoughAnOrderBeforeItFailsLater() {
         StopMotors stop = new StopMotors("stop");
@@ -80,7 +91,7 @@ class VehicleOrdersTest {
 
     @Test
     void stopOrdersHoldEvenIfTheVehicleWasLastHeardInIt() {
-        boat.beating(false);
+        keepHeartbeats();
         boat.takenByPilot(AUTO, true);
 
         assertThat(client.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
@@ -193,14 +204,14 @@ class VehicleOrdersTest {
     void listThatComesWhileItSetsOffIsSentWhileItKeepsItsPlace() {
         assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
         assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
-        boat.beating(false);
+        keepHeartbeats();
         client.say(new StartWaypoints("start", "first", 0));
         Await.until("it sets off", () -> boat.mode() == AUTO);
 
         UploadWaypoints second = upload("second");
         client.say(second);
         Await.until("it is ordered", () -> boat.orderedModes().size() == 3);
-        boat.beating(true);
+        sendHeartbeats();
 
         assertThat(client.answerTo(second)).isInstanceOf(Ack.class);
         assertThat(client.ask(new StartWaypoints("start second", "second", 0))).isInstanceOf(Ack.class);
@@ -210,13 +221,13 @@ class VehicleOrdersTest {
     @Test
     void listThatComesRightAfterAStopDoesNotUndoIt() {
         drive();
-        boat.beating(false);
+        keepHeartbeats();
         StopMotors stop = new StopMotors("stop");
         UploadWaypoints second = upload("second");
         client.say(stop);
         client.say(second);
         Await.until("it is stopped", () -> boat.mode() == HOLD);
-        boat.beating(true);
+        sendHeartbeats();
 
         assertThat(client.answerTo(stop)).isInstanceOf(Ack.class);
         assertThat(client.answerTo(second)).isInstanceOf(Ack.class);
@@ -228,12 +239,12 @@ class VehicleOrdersTest {
     @Test
     void baseThatLeavesRightAfterAStopDoesNotUndoIt() {
         drive();
-        boat.beating(false);
+        keepHeartbeats();
         client.say(new StopMotors("stop"));
         Await.until("it is disarmed", () -> !boat.isArmed());
 
         client.reconnect();
-        boat.beating(true);
+        sendHeartbeats();
 
         Await.until("it is stopped", () -> boat.mode() == HOLD);
         assertThat(boat.isArmed()).isFalse();

@@ -1,0 +1,34 @@
+package org.sami.crw.mavlink;
+
+import java.util.function.LongSupplier;
+import org.sami.boat.server.testing.ProcessClock;
+
+/**
+ * Milliseconds that can pass twenty times more slowly than for the process, so that what a gateway expects within seconds may take a minute on a busy machine.
+ * Safe for use by several threads.
+ */
+final class SlowableClock implements LongSupplier {
+    private static final int TIMES = 20;
+
+    private long readMs = ProcessClock.ms();
+    private long twentieths = readMs * TIMES;
+    private boolean slow;
+
+    /** Whether it goes slowly from now on. */
+    synchronized void slow(boolean now) {
+        read();
+        slow = now;
+    }
+
+    @Override
+    public synchronized long getAsLong() {
+        read();
+        return twentieths / TIMES;
+    }
+
+    private void read() {
+        long nowMs = ProcessClock.ms();
+        twentieths += (nowMs - readMs) * (slow ? 1 : TIMES);
+        readMs = nowMs;
+    }
+}
