@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Runs whose disk is full at some moment, and has room again when they are taken up. */
-@Timeout(300)
+@Timeout(900)
 @Tag("process")
 class FullDiskTest {
     private static final List<String> MISSION =
@@ -49,7 +49,7 @@ class FullDiskTest {
         Path library = folder.resolve("libsqlitejdbc.so"); // larger than the limit: not to be unpacked under it
         assumeThat(unpacked(library)).as("SQLite's library for Linux").isTrue();
         int interrupted = 0;
-        for (int kib = 110; kib <= 320; kib += 52) {
+        for (int kib = 136; kib <= 264; kib += 64) {
             Path journal = folder.resolve("limit" + kib + ".journal");
             ProcessBuilder limited = CrwProcess.command(folder, mission(journal));
             limited.command().addAll(0, List.of("/bin/bash", "-c", "ulimit -f " + kib + "; exec \"$@\"", "bash"));
@@ -107,7 +107,7 @@ class FullDiskTest {
     void runWhoseDiskIsFullEndsAndIsTakenUpToTheSameEndOnceThereIsRoom() throws Exception {
         Path disk = Files.createDirectory(folder.resolve("disk"));
         int interrupted = 0;
-        for (int kib = 244; kib <= 532; kib += 72) {
+        for (int kib = 292; kib <= 388; kib += 48) {
             boolean mounted = exitCode("mount", "-t", "tmpfs", "-o", "size=" + kib + "k", "none", disk.toString()) == 0;
             assumeThat(mounted).as("a small disk can be mounted here").isTrue();
             try {
