@@ -20,6 +20,7 @@ import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.SlowableClock;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoArea;

@@ -11,7 +11,7 @@ import javax.swing.AbstractButton;
 import javax.swing.text.JTextComponent;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
-import org.sami.boat.server.testing.ProcessClock;
+import org.sami.boat.server.testing.SlowableClock;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.picture.ShownPictures;
@@ -38,11 +38,12 @@ final class PanelWorld implements AutoCloseable {
     final OperatorContext context;
     final DecisionsPanel panel;
     final PenMap map = new PenMap();
+    final SlowableClock clock = new SlowableClock();
 
     PanelWorld(String plan, String... boats) throws Exception {
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1);
         SessionRuntime runtime = SessionRuntime.RealTime.named(
-                        SessionRuntime.RealTime.newClientId(), new SteadyClock(ProcessClock::ms))
+                        SessionRuntime.RealTime.newClientId(), new SteadyClock(clock))
                 .withFront(EventThread.executor())
                 .withSimulatedBoats(simulated);
         session = Session.open(

@@ -1,13 +1,12 @@
-package org.sami.crw.mavlink;
+package org.sami.boat.server.testing;
 
 import java.util.function.LongSupplier;
-import org.sami.boat.server.testing.ProcessClock;
 
 /**
- * Milliseconds that can pass twenty times more slowly than for the process, so that what a gateway expects within seconds may take a minute on a busy machine.
+ * Milliseconds that can pass twenty times more slowly than for the process, so that what a program expects within seconds may take a minute on a busy machine.
  * Safe for use by several threads.
  */
-final class SlowableClock implements LongSupplier {
+public final class SlowableClock implements LongSupplier {
     private static final int TIMES = 20;
 
     private long readMs = ProcessClock.ms();
@@ -15,7 +14,7 @@ final class SlowableClock implements LongSupplier {
     private boolean slow;
 
     /** Whether it goes slowly from now on. */
-    synchronized void slow(boolean now) {
+    public synchronized void slow(boolean now) {
         read();
         slow = now;
     }
