@@ -88,7 +88,7 @@ class FleetEventsTest {
     }
 
     @Test
-    @Timeout(300)
+    @Timeout(900)
     void aSubscriberThatBlocksForEverHoldsUpNobody() throws Exception {
         CountDownLatch never = new CountDownLatch(1);
         ExecutorService own = Executors.newSingleThreadExecutor();

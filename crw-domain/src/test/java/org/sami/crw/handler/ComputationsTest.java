@@ -31,7 +31,7 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
 /** What services compute in a session in real time: boats live on meanwhile, and nobody computes for what is over. */
-@Timeout(300)
+@Timeout(900)
 class ComputationsTest {
     private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
     private final CountDownLatch begun = new CountDownLatch(1);

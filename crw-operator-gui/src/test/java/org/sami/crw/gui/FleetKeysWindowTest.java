@@ -38,7 +38,7 @@ import org.sami.ui.check.WindowRobot;
 
 /** The keys of a fleet go from the window of one laptop to that of a second in one encrypted file; the second commands the boats then. */
 @Tag("window")
-@Timeout(400)
+@Timeout(900)
 @Isolated("what --keys says holds for the whole process")
 class FleetKeysWindowTest {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);

@@ -24,7 +24,7 @@ import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.spn.model.Project;
 
 /** Plans leave messages and map alone while the operator works there, where their markup says so (thesis 5.3). */
-@Timeout(300)
+@Timeout(900)
 class ManipulationTest {
     private static final String LIMITED = """
             {'id': '%1$s', 'name': '%1$s', 'places': [

@@ -9,7 +9,7 @@ import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.RunningSession;
 import org.sami.palette.IdentityMarks;
 
-@Timeout(300)
+@Timeout(900)
 class MarksOfBoatsTest {
     @Test
     void boatsHaveTheSameMarksWhetherAWindowSawThemJoinOrNot() throws Exception {

@@ -42,7 +42,7 @@ import picocli.CommandLine;
 
 /** Twenty boats that announce themselves are found, connected, checked and put in a mission; the presses are those that docs/clicks.md says. */
 @Tag("window")
-@Timeout(600)
+@Timeout(900)
 @Isolated("what --keys says holds for the whole process")
 class NearWindowTest {
     private static final int BOATS = 20;

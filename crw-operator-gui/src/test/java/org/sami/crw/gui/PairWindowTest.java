@@ -47,7 +47,7 @@ import org.sami.ui.sheet.WindowSheet;
 
 /** A boat with keys is paired in the window that was started with --keys, by keys of the keyboard alone, and commanded then; a withdrawn key is carried to it. */
 @Tag("window")
-@Timeout(400)
+@Timeout(900)
 @Isolated("what --keys says holds for the whole process")
 class PairWindowTest {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);

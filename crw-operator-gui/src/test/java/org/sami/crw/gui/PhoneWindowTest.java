@@ -58,7 +58,7 @@ import picocli.CommandLine;
 
 /** A phone scans the code that the window shows, and is paired by keys of the keyboard alone; nothing is served once the sheet is closed. */
 @Tag("window")
-@Timeout(400)
+@Timeout(900)
 @Isolated("what --keys says holds for the whole process")
 class PhoneWindowTest {
     @TempDir

@@ -30,7 +30,7 @@ import org.sami.ui.sheet.WindowSheet;
 
 /** Every word of the operator's window in each domain, with a mission, a decision, faults, and each sheet open once: boats are not spoken of where copters fly. */
 @Tag("window")
-@Timeout(300)
+@Timeout(900)
 class RobotWordsWindowTest {
     private static final List<String> SHEETS =
             List.of("boat-connect", "boats-near", "boat-pair", "phone-add", "keys", "logs-fetch");

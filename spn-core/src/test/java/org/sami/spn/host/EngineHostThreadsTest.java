@@ -24,7 +24,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 
 /** A host under real threads. */
-@Timeout(300)
+@Timeout(900)
 class EngineHostThreadsTest {
     private static final int THREADS = 8;
     private static final int EACH = 3000;

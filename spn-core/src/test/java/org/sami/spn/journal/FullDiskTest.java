@@ -31,7 +31,7 @@ import org.sami.spn.host.ManualExecutor;
 import org.sami.spn.protocol.Input;
 
 /** A journal whose file may not grow, as SQLite itself says it of a full disk, and then may again. */
-@Timeout(300)
+@Timeout(900)
 class FullDiskTest {
     private static final long PLENTY = 100_000;
 

@@ -27,7 +27,7 @@ import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.MonotonicHostClock;
 
 /** A host with its journal on disk, under real threads. */
-@Timeout(300)
+@Timeout(900)
 class HostedJournalTest {
     private static final int THREADS = 8;
     private static final int EACH = 2000;

@@ -18,7 +18,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.testing.JavaProcess;
 
 /** Kills a process that writes a journal, and asks for everything that it had said to be durable. */
-@Timeout(300)
+@Timeout(900)
 class JournalKillTest {
     @TempDir
     Path folder;

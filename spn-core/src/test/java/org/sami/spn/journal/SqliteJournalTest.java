@@ -24,7 +24,7 @@ import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.testing.JavaProcess;
 
-@Timeout(300)
+@Timeout(900)
 class SqliteJournalTest {
     private static final JournalOptions OPTIONS = JournalOptions.DEFAULT;
 

@@ -17,7 +17,7 @@ import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.testing.JavaProcess;
 
-@Timeout(300)
+@Timeout(900)
 class SqliteLibraryTest {
     @TempDir
     private Path folder;

@@ -25,7 +25,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.map.base.MbTiles;
 
 /** Map files that take for ever: the map names them, goes on, and leaves them when it is told to. */
-@Timeout(value = 300, threadMode = ThreadMode.SEPARATE_THREAD) // who opens a pipe cannot be interrupted
+@Timeout(value = 900, threadMode = ThreadMode.SEPARATE_THREAD) // who opens a pipe cannot be interrupted
 class SlowBaseMapTest {
     private static final int WITHIN_S = 60;
     private static final String OUTLINE = "{\"type\": \"LineString\", \"coordinates\": [[10.7, 45.7], [10.8, 45.7]]}";

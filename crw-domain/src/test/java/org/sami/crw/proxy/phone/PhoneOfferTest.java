@@ -47,7 +47,7 @@ import org.sami.boat.link.security.WordSecret;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /** The app and the pairing, as a phone's browser and app get them over loopback. */
-@Timeout(120)
+@Timeout(900)
 class PhoneOfferTest {
     private static final byte[] CLASSES = "the classes of the app".getBytes(StandardCharsets.UTF_8);
 

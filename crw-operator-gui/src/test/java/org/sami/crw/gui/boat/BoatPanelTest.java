@@ -23,7 +23,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** The panel of a boat over a real session: what is asked of the boat is answered by its server. */
-@Timeout(300)
+@Timeout(900)
 class BoatPanelTest {
     private static final GeoPoint FAR = GeoPoint.of(45.402, 10.9);
 

@@ -28,7 +28,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 
 @Isolated("the look is one for all windows of a process")
-@Timeout(300)
+@Timeout(900)
 class BoatsPanelTest {
     @Test
     void aBoatThatIsGoneIsSelectedNoLonger() throws Exception {

@@ -14,7 +14,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 
 /** What Ctrl+B says of an address, in a session that has no boat yet. */
-@Timeout(300)
+@Timeout(900)
 class ConnectFormTest {
     private static void until(ConnectForm form, String words) {
         SessionWorld.until("\"" + words + "\" is said", () -> {

@@ -21,7 +21,7 @@ import org.sami.ui.command.CommandButton;
 
 /** The panel of a boat as low as it is in a window of 1280 by 800 at 150 %. */
 @Isolated("the look is one for all windows of a process")
-@Timeout(300)
+@Timeout(900)
 class LowBoatPanelTest {
     private static final int WIDTH = 604;
     private static final int HEIGHT = 272;

@@ -47,7 +47,7 @@ import org.sami.ui.value.MapMaker;
  * Each component that Algorithms 4 to 6 may choose for an answer is answered once in the panel of decisions, by its own buttons and fields,
  * before a real session: the mission's variable has what was given then.
  */
-@Timeout(300)
+@Timeout(900)
 @TestInstance(Lifecycle.PER_CLASS)
 class ComponentAnswersTest {
     private static final ComponentChoice CHOICE = new ComponentChoice(

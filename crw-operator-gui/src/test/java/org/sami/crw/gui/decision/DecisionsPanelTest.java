@@ -24,7 +24,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 
 /** The panel before a real session with simulated boats: what is asked is answered by what it shows. */
-@Timeout(300)
+@Timeout(900)
 class DecisionsPanelTest {
     @Test
     void aMissionIsAskedThroughFromBoatsToTheChosenAllocation() throws Exception {

@@ -21,7 +21,7 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.map.MapView;
 
 /** What the map shows of a question about a way, in a session with a boat that is sent too far. */
-@Timeout(300)
+@Timeout(900)
 class DecisionOverlayTest {
     private static final GeoPoint TURN = Geodesy.offset(SessionWorld.PIER, 3_000, 100);
     private static final Project PROJECT = SessionWorld.project("""

@@ -23,7 +23,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.window.Notices.Notice;
 
 /** What becomes of a boat that is sent by hand, in a session with a simulated boat behind a socket, in still water. */
-@Timeout(300)
+@Timeout(900)
 class GuidedModeTest {
     private static final GeoArea ROCK = area(at(-4, 5), at(4, 5), at(4, 8), at(-4, 8));
     private static final GeoPoint BEHIND = at(0, 12);

@@ -24,7 +24,7 @@ import org.sami.ui.map.MapView;
 import org.sami.ui.map.PointLayer.MapPoint;
 import org.sami.ui.map.VehicleLayer;
 
-@Timeout(300)
+@Timeout(900)
 class MapFeedTest {
     private static final GeoPoint NOW = GeoPoint.of(45.401, 10.9);
     private static final GeoPoint LATER = GeoPoint.of(45.402, 10.9);

@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.map.MapView;
 
-@Timeout(300)
+@Timeout(900)
 class SimulatedBoatAdderTest {
     private static final double APART_M = 8;
     private static final double ABOUT_A_METRE_DEG = 1e-5;

@@ -19,7 +19,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
 
-@Timeout(300)
+@Timeout(900)
 class AllocationPanelTest {
     private static final List<String> BOATS = List.of("anna", "bert", "carl");
 

@@ -23,7 +23,7 @@ import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
-@Timeout(300)
+@Timeout(900)
 class GlobalsPanelTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

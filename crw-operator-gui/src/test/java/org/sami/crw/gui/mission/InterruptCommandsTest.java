@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.spn.model.Project;
 
-@Timeout(300)
+@Timeout(900)
 class InterruptCommandsTest {
     private static final Project PROJECT =
             SessionWorld.project("""

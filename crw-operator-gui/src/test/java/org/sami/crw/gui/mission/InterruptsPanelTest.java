@@ -23,7 +23,7 @@ import org.sami.spn.model.Project;
 import org.sami.ui.check.Layout;
 
 /** Boats work, have their batteries swapped and come back, or are taken out for good: the buttons of that. */
-@Timeout(300)
+@Timeout(900)
 class InterruptsPanelTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

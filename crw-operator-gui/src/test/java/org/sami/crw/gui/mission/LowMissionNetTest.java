@@ -23,7 +23,7 @@ import org.sami.ui.window.WindowSettings;
 
 /** A mission with a sub-mission, as low as it is in a window of 1280 by 800 at 150 %. */
 @Isolated("the look is one for all windows of a process")
-@Timeout(300)
+@Timeout(900)
 class LowMissionNetTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

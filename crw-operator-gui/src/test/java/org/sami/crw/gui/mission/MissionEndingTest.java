@@ -24,7 +24,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 import org.sami.ui.window.WindowSettings;
 
-@Timeout(300)
+@Timeout(900)
 class MissionEndingTest {
     @TempDir
     private Path folder;

@@ -13,7 +13,7 @@ import org.sami.crw.gui.SessionWorld;
 import org.sami.picture.net.NetMode;
 import org.sami.spn.model.Project;
 
-@Timeout(300)
+@Timeout(900)
 class MissionNetModeTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

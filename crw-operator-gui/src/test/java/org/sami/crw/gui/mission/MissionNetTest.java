@@ -12,7 +12,7 @@ import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 
-@Timeout(300)
+@Timeout(900)
 class MissionNetTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'talk', 'name': 'Talk', 'domain': 'crw',

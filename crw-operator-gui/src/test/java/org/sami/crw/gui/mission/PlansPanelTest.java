@@ -29,7 +29,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")
-@Timeout(300)
+@Timeout(900)
 class PlansPanelTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',

@@ -21,7 +21,7 @@ import org.sami.palette.SemanticColor;
 import org.sami.ui.window.WindowSettings;
 
 /** No mission looks as if it ran while the engine does not work. */
-@Timeout(300)
+@Timeout(900)
 class StandingStillTest {
     @TempDir
     private Path folder;

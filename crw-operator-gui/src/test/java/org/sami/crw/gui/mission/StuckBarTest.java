@@ -36,7 +36,7 @@ import org.sami.ui.window.WindowSettings;
 
 /** The tab of a mission that cannot go on says so in amber, and sends again what failed. */
 @Isolated("the look is one for all windows of a process")
-@Timeout(300)
+@Timeout(900)
 class StuckBarTest {
     /** A boat goes to a point; nothing is planned for a path that fails. */
     private static final String PLAN = """

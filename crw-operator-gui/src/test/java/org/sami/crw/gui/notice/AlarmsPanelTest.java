@@ -14,7 +14,7 @@ import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.service.Geodesy;
 
-@Timeout(300)
+@Timeout(900)
 class AlarmsPanelTest {
     @Test
     void ofABoatThatComesNearToTwoOthersOneAlarmIsAcknowledgedAndTheOtherStays() throws Exception {

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.spn.model.Project;
 
-@Timeout(300)
+@Timeout(900)
 class CommunicationPanelTest {
     private static final Project PROJECT = SessionWorld.project("""
             {'formatVersion': 1, 'id': 'statuses', 'name': 'Statuses', 'domain': 'crw',

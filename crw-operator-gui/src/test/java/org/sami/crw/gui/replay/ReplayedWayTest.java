@@ -25,7 +25,7 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
 /** The ways of an option are drawn in a replay as they were in the session. */
-@Timeout(300)
+@Timeout(900)
 class ReplayedWayTest {
     /** From the quay of Katara Beach a rock lies before it. */
     private static final GeoPoint BEHIND = GeoPoint.of(25.3615, 51.532);

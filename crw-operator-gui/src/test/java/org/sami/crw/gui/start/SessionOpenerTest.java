@@ -20,7 +20,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
-@Timeout(300)
+@Timeout(900)
 class SessionOpenerTest {
     @TempDir
     private Path folder;

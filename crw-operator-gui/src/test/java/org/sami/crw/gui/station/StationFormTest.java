@@ -16,7 +16,7 @@ import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** What Alt+Shift+G says of an address, and whom a ground station sees. */
-@Timeout(300)
+@Timeout(900)
 class StationFormTest {
     private static final String SAID = "ground-station-said";
 

@@ -12,7 +12,7 @@ import org.sami.crw.session.Session;
 import org.sami.ui.EventThread;
 
 /** What is thrown on the event thread of a window whose program has the session's guard. */
-@Timeout(300)
+@Timeout(900)
 class EventThreadFaultTest {
     @AfterEach
     void guardNoLonger() {

@@ -15,7 +15,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.window.ViewCommands;
 import org.sami.ui.window.WindowSettings;
 
-@Timeout(300)
+@Timeout(900)
 class KeysOfCommandsTest {
     /** What is chosen in a form next to its values, or once a season. */
     private static final String WITHOUT = "boat-set-.*|alarm-hear-.*|map-base-stop";

@@ -21,7 +21,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")
-@Timeout(300)
+@Timeout(900)
 class PanelColorsTest {
     @TempDir
     private Path folder;

@@ -86,7 +86,7 @@ class AreaCoverageTest {
 
     /** As boats that wait for one another in rough water do: measured in one piece, such tracks took gigabytes. */
     @Test
-    @Timeout(300)
+    @Timeout(900)
     void tracksThatStayAtOnePlaceForLongAreMeasuredSoon() {
         Random random = new Random(7);
         List<List<GeoPoint>> tracks = new ArrayList<>();
