@@ -10,17 +10,17 @@ import org.junit.jupiter.api.Test;
 import org.sami.spn.testing.TestVocabulary;
 
 /**
- * The engine and the interpreter agree after every input of thousands of random sessions on random plans. More seeds:
+ * The engine and the interpreter agree after every input of hundreds of random sessions on random plans. For thousands, as before a rule changes:
  * {@code ./gradlew :spn-core:test --tests '*DifferentialTest' -Pseeds=50000 -PfirstSeed=1}.
  */
 class DifferentialTest {
     private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
-    private static final long SEEDS = Long.getLong("spn.seeds", 2000);
+    private static final long SEEDS = Long.getLong("spn.seeds", 600);
 
     /** How often a build exercises each rule at least, and the sessions that takes. */
-    static final long LEAST = 100;
+    static final long LEAST = 15;
 
-    private static final long ENOUGH_SEEDS = 2000;
+    private static final long ENOUGH_SEEDS = 600;
 
     private static final int MOST_TOLD = 3;
 
@@ -28,10 +28,14 @@ class DifferentialTest {
         return new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
     }
 
+    /** With the seeds that show a spoilt engine: what a build finds does not depend on how many it tries. */
     @Test
     void engineAndInterpreterAgreeOnRandomPlans() {
         Coverage coverage = new Coverage();
-        List<String> disagreements = disagreements(FIRST_SEED, SEEDS, Scenario.LENGTH, coverage);
+        LongStream seeds = LongStream.concat(
+                LongStream.range(FIRST_SEED, FIRST_SEED + SEEDS),
+                SpoiltEngineTest.RARE.values().stream().mapToLong(Long::longValue));
+        List<String> disagreements = disagreements(seeds.distinct(), Scenario.LENGTH, coverage);
 
         assertThat(disagreements).as("Disagreements").isEmpty();
         assertThat(coverage.below(SEEDS < ENOUGH_SEEDS ? 0 : LEAST))
@@ -41,7 +45,7 @@ class DifferentialTest {
 
     @Test
     void engineAndInterpreterAgreeOnLongSessions() {
-        List<String> disagreements = disagreements(1_000_000 + FIRST_SEED, SEEDS / 30, 150, new Coverage());
+        List<String> disagreements = disagreements(from(1_000_000, SEEDS / 30), 150, new Coverage());
 
         assertThat(disagreements).as("Disagreements").isEmpty();
     }
@@ -50,8 +54,7 @@ class DifferentialTest {
     void engineAndInterpreterAgreeWhenProjectsAreLoaded() {
         Coverage coverage = new Coverage();
         List<String> disagreements = disagreements(
-                2_000_000 + FIRST_SEED,
-                SEEDS / 3,
+                from(2_000_000, SEEDS / 3),
                 seed -> Differential.exploreLoading(seed, 80, DifferentialTest::engine, coverage));
 
         assertThat(disagreements).as("Disagreements").isEmpty();
@@ -60,16 +63,19 @@ class DifferentialTest {
                 .isEmpty();
     }
 
-    private static List<String> disagreements(long firstSeed, long seeds, int length, Coverage coverage) {
-        return disagreements(
-                firstSeed, seeds, seed -> Differential.explore(seed, length, DifferentialTest::engine, coverage));
+    /** So many seeds of a kind of session, after as many as a build is asked to leave out. */
+    private static LongStream from(long kind, long seeds) {
+        return LongStream.range(kind + FIRST_SEED, kind + FIRST_SEED + seeds);
+    }
+
+    private static List<String> disagreements(LongStream seeds, int length, Coverage coverage) {
+        return disagreements(seeds, seed -> Differential.explore(seed, length, DifferentialTest::engine, coverage));
     }
 
     /** The first disagreements of so many sessions, made small; sessions know nothing of each other and run on all processors. */
     private static List<String> disagreements(
-            long firstSeed, long seeds, LongFunction<Optional<Differential.Disagreement>> session) {
-        return LongStream.range(firstSeed, firstSeed + seeds)
-                .parallel()
+            LongStream seeds, LongFunction<Optional<Differential.Disagreement>> session) {
+        return seeds.parallel()
                 .mapToObj(session)
                 .flatMap(Optional::stream)
                 .limit(MOST_TOLD)
