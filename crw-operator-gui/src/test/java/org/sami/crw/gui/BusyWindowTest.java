@@ -67,11 +67,19 @@ class BusyWindowTest {
                 .orElseThrow(() -> new AssertionError("there is no " + name));
     }
 
+    /** All that is looked at in a size together: this window takes seconds to get another size or scale. */
     @ParameterizedTest
-    @CsvSource({"1600, 1000, 100, 4", "1280, 800, 100, 4", "1600, 1000, 150, 3", "1280, 800, 150, 2"})
-    void decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(int width, int height, int percent, int least) {
+    @CsvSource({"1600, 1000, 100, 4, 6", "1280, 800, 100, 4, 5", "1600, 1000, 150, 3, 3", "1280, 800, 150, 2, 2"})
+    void decisionsAndBoatsAreInSightAndNothingIsScrolledWithinWhatIsScrolled(
+            int width, int height, int percent, int decisions, int boats) {
         size(width, height, percent);
 
+        decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(decisions);
+        eachBoatHasOneLineWithItsColumns(width, percent, boats);
+        nothingIsScrolledWithinWhatIsScrolled();
+    }
+
+    private void decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(int least) {
         assertThat(WindowRobot.<Integer>ask(
                         () -> find("decision-scroll", Component.class).getHeight()))
                 .as("room for what is asked")
@@ -107,11 +115,7 @@ class BusyWindowTest {
         }
     }
 
-    @ParameterizedTest
-    @CsvSource({"1600, 1000, 100, 6", "1280, 800, 100, 5", "1600, 1000, 150, 3", "1280, 800, 150, 2"})
-    void eachBoatHasOneLineWithItsColumns(int width, int height, int percent, int least) {
-        size(width, height, percent);
-
+    private void eachBoatHasOneLineWithItsColumns(int width, int percent, int least) {
         List<String> columns = WindowRobot.ask(() -> columns("boats-table"));
         if (percent == 100) {
             assertThat(columns).containsExactly("Boat", "What it does", "Battery", "Speed", "Path", "Link");
@@ -194,10 +198,7 @@ class BusyWindowTest {
         robot.until("it stays as it was asked for", () -> tabs.indexOfTab("Resend to all") > 0);
     }
 
-    @ParameterizedTest
-    @CsvSource({"1600, 1000, 100", "1280, 800, 100", "1600, 1000, 150", "1280, 800, 150"})
-    void nothingIsScrolledWithinWhatIsScrolled(int width, int height, int percent) {
-        size(width, height, percent);
+    private void nothingIsScrolledWithinWhatIsScrolled() {
         List<String> nested = new ArrayList<>();
         WindowRobot.ask(() -> {
             find("boats-table", JTable.class).setRowSelectionInterval(0, 0);
