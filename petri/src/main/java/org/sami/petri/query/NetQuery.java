@@ -1,9 +1,17 @@
 package org.sami.petri.query;
 
 import java.util.List;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
 
 /** A question about the reachable markings of a net. Immutable. */
 public sealed interface NetQuery {
+    /** Whether an answer says that a rule is broken: an invariant, a deadlock, a run that cannot come home, a place without bound. */
+    default boolean isFault(NetVerdict verdict) {
+        return this instanceof Deadlock
+                ? verdict == NetVerdict.YES
+                : verdict == NetVerdict.NO && !(this instanceof Reachable);
+    }
+
     /** Is there a reachable marking that fulfils a condition? */
     record Reachable(MarkingCondition condition) implements NetQuery {}
 

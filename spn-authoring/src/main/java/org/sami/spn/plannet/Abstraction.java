@@ -22,4 +22,9 @@ public record Abstraction(Kind kind, String where, String text) {
         Objects.requireNonNull(where, "where");
         Objects.requireNonNull(text, "text");
     }
+
+    /** It with the place or transition that it concerns. */
+    public String words() {
+        return where.isEmpty() ? text : where + ": " + text;
+    }
 }

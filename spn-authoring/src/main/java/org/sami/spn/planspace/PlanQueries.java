@@ -1,11 +1,13 @@
 package org.sami.spn.planspace;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.MarkingTest;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.net.FiringRule;
 import org.sami.petri.query.NetQuery;
@@ -17,15 +19,22 @@ import org.sami.petri.query.QueryParser;
 import org.sami.petri.query.QueryRunner;
 import org.sami.petri.symmetry.NetSymmetry;
 import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.TestCase;
 import org.sami.spn.plannet.Abstraction;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNet;
 
-/** Answers the queries of a plan by searches of its net, by symmetry where a query names no robot. For one thread. */
+/**
+ * Answers the queries of a plan by searches of its net, by symmetry where a query names no robot, and takes the runs that it finds on the engine. For one thread.
+ */
 public final class PlanQueries {
+    /** So many steps of the engine are tried for one run: some seconds at most. */
+    private static final int MOST_STEPS = 20_000;
+
     private final PlanNet net;
     private final PlanNetNames names;
     private final QueryRunner runner;
+    private final RunOnEngine engine;
 
     /**
      * Queries about a plan's net.
@@ -37,6 +46,17 @@ public final class PlanQueries {
         names = new PlanNetNames(net);
         QueryMeans means = new QueryMeans(true, Optional.of(NetSymmetry.of(net.net())));
         runner = new QueryRunner(net.net(), budget, means, watch, System::nanoTime);
+        engine = new RunOnEngine(net, MOST_STEPS, watch::isCancelled);
+    }
+
+    /** What is wrong with the text of a query; empty where it means something. */
+    public Optional<String> fault(String text) {
+        try {
+            QueryParser.query(net.net(), names, text);
+            return Optional.empty();
+        } catch (QueryFaultException fault) {
+            return Optional.of(fault.words());
+        }
     }
 
     /** Answers one query. */
@@ -45,19 +65,22 @@ public final class PlanQueries {
         try {
             asked = QueryParser.query(net.net(), names, query.text());
         } catch (QueryFaultException fault) {
-            return new PlanQueryAnswer(query, PlanQueryAnswer.Result.FAULT, fault.words(), List.of(), List.of());
+            return PlanQueryAnswer.without(query, PlanQueryAnswer.Result.FAULT, fault.words());
         }
         QueryAnswer found = runner.answer(asked);
-        boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (isThatItHappens(asked, found) || isWhole(found));
-        String words = found.verdict() == NetVerdict.UNKNOWN
-                ? "unknown: " + found.words()
-                : found.verdict().name().toLowerCase(Locale.ROOT) + ": " + found.words();
+        boolean happens = isThatItHappens(asked, found);
+        boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
+        Optional<PlanWitness> witness = found.witness().map(run -> witness(run, query, goal(asked, run)));
         return new PlanQueryAnswer(
                 query,
                 isAProof ? result(query, found.verdict()) : PlanQueryAnswer.Result.OPEN,
-                isAProof ? words + caution(isThatItHappens(asked, found)) : words + notWhole(found),
-                found.witness().map(net::firings).orElse(List.of()),
-                found.witness().map(this::markings).orElse(List.of()));
+                isAProof ? found.verdict() : NetVerdict.UNKNOWN,
+                isAProof && asked.isFault(found.verdict()),
+                found.verdict().name().toLowerCase(Locale.ROOT) + ": " + found.words()
+                        + (isAProof ? caution(asked, happens, witness) : notWhole(found)),
+                witness,
+                found.graph().states(),
+                found.graph().nanos());
     }
 
     private static PlanQueryAnswer.Result result(PlanQuery query, NetVerdict verdict) {
@@ -81,6 +104,9 @@ public final class PlanQueries {
     }
 
     private String notWhole(QueryAnswer found) {
+        if (found.verdict() == NetVerdict.UNKNOWN) {
+            return "";
+        }
         if (found.graph().mostTokens(net.beyond()) > 0) {
             return "; no proof, as more tokens gather in a place than the search follows";
         }
@@ -91,15 +117,49 @@ public final class PlanQueries {
                 .orElse("");
     }
 
-    /** What makes a run that the net has doubtful on the engine. */
-    private String caution(boolean isThatItHappens) {
-        long wider = net.abstractions().stream()
-                .filter(a -> a.kind() == Abstraction.Kind.WIDER)
-                .count();
-        return isThatItHappens && wider > 0
-                ? "; " + (wider == 1 ? "1 thing that data decide was" : wider + " things that data decide were")
-                        + " left open on the way"
-                : "";
+    /** Whether the plan itself does what the net does. */
+    private String caution(NetQuery asked, boolean happens, Optional<PlanWitness> witness) {
+        boolean goesOn = !happens && (asked instanceof NetQuery.Deadlock || asked instanceof NetQuery.Home);
+        if (goesOn && !isExact()) {
+            return ", if what is waited for comes";
+        }
+        if (!happens || witness.isEmpty()) {
+            return "";
+        }
+        return witness.get()
+                .steps()
+                .map(steps -> ", and the engine comes there by "
+                        + (steps.steps().isEmpty()
+                                ? "its start"
+                                : counted(steps.steps().size(), "step")))
+                .orElse(
+                        isExact()
+                                ? ""
+                                : "; it may be so: the engine was not seen to do it, as the net leaves open what data decide");
+    }
+
+    private static String counted(int count, String noun) {
+        return count + " " + noun + (count == 1 ? "" : "s");
+    }
+
+    private boolean isExact() {
+        return net.abstractions().stream().noneMatch(a -> a.kind() == Abstraction.Kind.WIDER);
+    }
+
+    private PlanWitness witness(FiringSequence run, PlanQuery query, MarkingTest goal) {
+        Optional<TestCase> steps = engine.steps(run, goal, query.name());
+        return new PlanWitness(net.firings(run), markings(run), steps);
+    }
+
+    /** What the engine has to come to: what was asked for; where that is about all that follows, the end of the run itself. */
+    private MarkingTest goal(NetQuery asked, FiringSequence run) {
+        if (asked instanceof NetQuery.Reachable reachable) {
+            return reachable.condition();
+        } else if (asked instanceof NetQuery.Invariant invariant) {
+            return marking -> !invariant.condition().test(marking);
+        }
+        int[] end = run.replay(net.net());
+        return marking -> Arrays.equals(marking, end);
     }
 
     private List<PlanMarking> markings(FiringSequence run) {

@@ -2,6 +2,8 @@ package org.sami.spn.planspace;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
 import org.sami.spn.model.PlanQuery;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNetFiring;
@@ -9,12 +11,22 @@ import org.sami.spn.plannet.PlanNetFiring;
 /**
  * What a search says to a query of a plan.
  *
+ * @param verdict yes or no where it is proved for the net, else unknown
+ * @param isFault whether the answer is that a rule is broken: an invariant, a deadlock, a run that cannot come home, no bound
  * @param words the answer, or what is wrong with the query, in one sentence
- * @param run firings that show it, the shortest; empty where nothing shows it, or the start does
- * @param markings one more than the run has firings: before the first and after each; empty where nothing shows it
+ * @param witness a run that shows it; empty where nothing shows it
+ * @param states how many states of the net were searched
+ * @param nanos how long that took
  */
 public record PlanQueryAnswer(
-        PlanQuery query, Result result, String words, List<PlanNetFiring> run, List<PlanMarking> markings) {
+        PlanQuery query,
+        Result result,
+        NetVerdict verdict,
+        boolean isFault,
+        String words,
+        Optional<PlanWitness> witness,
+        int states,
+        long nanos) {
     /** How an answer stands to what the author expects. */
     public enum Result {
         EXPECTED,
@@ -28,13 +40,28 @@ public record PlanQueryAnswer(
     public PlanQueryAnswer {
         Objects.requireNonNull(query, "query");
         Objects.requireNonNull(result, "result");
+        Objects.requireNonNull(verdict, "verdict");
         Objects.requireNonNull(words, "words");
-        run = List.copyOf(run);
-        markings = List.copyOf(markings);
+        Objects.requireNonNull(witness, "witness");
+    }
+
+    /** Nothing was searched: the query means nothing, or its plan has no net that could be. */
+    public static PlanQueryAnswer without(PlanQuery query, Result result, String words) {
+        return new PlanQueryAnswer(query, result, NetVerdict.UNKNOWN, false, words, Optional.empty(), 0, 0);
+    }
+
+    /** The firings that show it; none where nothing shows it, or the start does. */
+    public List<PlanNetFiring> run() {
+        return witness.map(PlanWitness::firings).orElse(List.of());
+    }
+
+    /** The markings of the run that shows it; none where nothing shows it. */
+    public List<PlanMarking> markings() {
+        return witness.map(PlanWitness::markings).orElse(List.of());
     }
 
     /** Whether a run shows the answer. */
     public boolean isShown() {
-        return !markings.isEmpty();
+        return witness.isPresent();
     }
 }

@@ -1,7 +1,9 @@
 package org.sami.spn.planspace;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -9,6 +11,7 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNet;
 import org.sami.spn.plannet.PlanNetFiring;
+import org.sami.spn.plannet.PlanNetMove;
 
 /** The words for states and firings of a plan's net: its places and transitions by their names, robots by theirs. */
 public final class PlanStateWords implements StateWords {
@@ -26,7 +29,7 @@ public final class PlanStateWords implements StateWords {
     }
 
     /** The marked places, each with its tokens: {@code Execute: robot-1 robot-2}. */
-    List<String> marked(PlanMarking marking) {
+    public List<String> marked(PlanMarking marking) {
         List<String> marked = new ArrayList<>();
         marking.tokens().forEach((place, tokens) -> marked.add(place(place) + ": " + tokens(tokens)));
         marking.nobody().stream()
@@ -42,7 +45,7 @@ public final class PlanStateWords implements StateWords {
     }
 
     /** A place by its name, or by its id where the author gave it none. */
-    String place(String id) {
+    public String place(String id) {
         return plan.place(id).map(Place::name).filter(name -> !name.isBlank()).orElse(id);
     }
 
@@ -61,6 +64,19 @@ public final class PlanStateWords implements StateWords {
                 .filter(given -> !given.isBlank())
                 .orElse(firing.transition());
         return firing.named().isEmpty() ? name : name + " (" + String.join(", ", firing.named()) + ")";
+    }
+
+    /** A firing with what it does with tokens: {@code Arrived (robot-1): robot-1 Execute → Finished}. */
+    public String moves(PlanNetFiring firing) {
+        Map<String, List<String>> tokens = new LinkedHashMap<>();
+        for (PlanNetMove move : firing.moves()) {
+            String way = (move.from().isEmpty() ? "" : " " + place(move.from())) + " → "
+                    + (move.to().isEmpty() ? "consumed" : place(move.to()));
+            tokens.computeIfAbsent(way, w -> new ArrayList<>()).add(move.token());
+        }
+        List<String> moves = new ArrayList<>();
+        tokens.forEach((way, who) -> moves.add(String.join(" ", who) + way));
+        return firing(firing) + (moves.isEmpty() ? "" : ": " + String.join(", ", moves));
     }
 
     @Override

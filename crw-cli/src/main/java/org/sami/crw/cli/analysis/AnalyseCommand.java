@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.DomainOption;
+import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.ProgressDisplay;
 import org.sami.crw.cli.output.StopOnInterrupt;
@@ -36,18 +38,18 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code crw analyse}: which markings a Petri net can reach. */
+/** {@code crw analyse}: which markings a plan or a Petri net can reach. */
 @Command(
         name = "analyse",
         mixinStandardHelpOptions = true,
         description =
-                "Searches the reachable markings of a Petri net, and answers questions about them by proof or by a run"
-                        + " that shows it.",
+                "Searches the reachable markings of a plan with its boats, or of a Petri net, and answers questions"
+                        + " about them by proof or by a run that shows it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:done; no query has found a fault",
             "1:the file has errors, or a query has found a fault: a broken invariant, a deadlock, a run that cannot"
-                    + " come home",
+                    + " come home; or a plan's saved query has another answer than expected",
             "2:wrong usage, a query that makes no sense, or there is no such file",
             "5:the budget was used up before all was known"
         },
@@ -61,6 +63,8 @@ import picocli.CommandLine.Spec;
             "A CONDITION compares tokens, m(PLACE), and has and, or, not, brackets, enabled(TRANSITION), deadlock.",
             "",
             "Examples:",
+            "  crw analyse clv --boats 3",
+            "  crw analyse clv --query 'reachable m(execute.robots) >= 2'",
             "  crw analyse line.pnml",
             "  crw analyse line.pnml --query 'invariant m(gate) + m(inside) = 1' --query deadlock",
             "  crw analyse kanban-4 --query 'reachable m(out4) >= 2 and m(kanban1) = 0'",
@@ -68,12 +72,32 @@ import picocli.CommandLine.Spec;
             "  crw analyse philosophers-8 --write philosophers-8.pnml"
         })
 public final class AnalyseCommand implements Callable<Integer> {
+    private static final String BOATS = "--boats";
+    private static final List<String> ONLY_PLANS = List.of(BOATS, "--plan", "--domain");
+    private static final List<String> ONLY_NETS = List.of("--structure", "--symmetry", "--no-reduction", "--search");
+
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "FILE|NET", description = "A PNML file, or an example net by its name, such as kanban-5.")
+    @Parameters(
+            paramLabel = "FILE|PLAN|NET",
+            description = "A project's file or folder, a plan of the library by its id, a PNML file, or an example net"
+                    + " by its name, such as kanban-5.")
     private String name = "";
+
+    @Mixin
+    private DomainOption domain = new DomainOption();
+
+    @Mixin
+    private PlanOption planOption = new PlanOption();
+
+    @Option(
+            names = BOATS,
+            paramLabel = "N",
+            defaultValue = "2",
+            description = "With a plan: how many boats there are at the start. Default: ${DEFAULT-VALUE}.")
+    private int boats;
 
     @Option(names = "--query", paramLabel = "QUERY", description = "Answer this query; may be given several times.")
     private List<String> queries = new ArrayList<>();
@@ -90,12 +114,58 @@ public final class AnalyseCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
 
-    @Option(names = "--write", paramLabel = "FILE", description = "Only write the net as PNML; search nothing.")
+    @Option(
+            names = {"--write", "--pnml"},
+            paramLabel = "FILE",
+            description = "Only write the net, or the net of the plan, as PNML; search nothing.")
     private @Nullable Path file;
 
     @Override
     public Integer call() throws IOException {
         SearchBudget budget = options.budget();
+        boolean isNet = PlanArgument.isNet(name);
+        refuse(isNet ? ONLY_PLANS : ONLY_NETS, isNet);
+        return isNet ? analyseNet(budget) : analysePlan(budget);
+    }
+
+    private void refuse(List<String> others, boolean isNet) {
+        for (String option : others) {
+            if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+                throw new UsageFault(
+                        isNet
+                                ? option + " is for plans; " + name + " is a net"
+                                : option + " is for nets; --pnml FILE writes the net of a plan");
+            }
+        }
+    }
+
+    private int analysePlan(SearchBudget budget) throws IOException {
+        Optional<PlanArgument> plan = PlanArgument.read(
+                name, domain, planOption.name(), boats, spec.commandLine().getErr());
+        if (plan.isEmpty()) {
+            return ExitCode.FINDINGS;
+        }
+        if (file != null) {
+            return write(plan.get().net().net(), file);
+        }
+        ProgressDisplay progress =
+                new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
+        PlanAnalysis analysis;
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            analysis = PlanAnalysis.of(plan.get(), queries, budget, SearchProgress.watch(progress, stop));
+            progress.end();
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        if (json) {
+            out.println(PlanAnalysisJson.of(name, analysis).toPrettyString());
+        } else {
+            new PlanAnalysisText(out, analysis).print();
+        }
+        out.flush();
+        return analysis.hasFound() ? ExitCode.FINDINGS : analysis.isOpen() ? ExitCode.RUNNING : ExitCode.OK;
+    }
+
+    private int analyseNet(SearchBudget budget) throws IOException {
         PnmlReading reading = NetArgument.read(name);
         PrintWriter out = spec.commandLine().getOut();
         Optional<PetriNet> net = reading.net();

@@ -6,16 +6,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
-import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
-import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.ProgressDisplay;
 import org.sami.crw.cli.output.StopOnInterrupt;
 import org.sami.crw.cli.output.Terminal;
@@ -25,7 +22,6 @@ import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchSettings;
-import org.sami.petri.model.ExampleNetNames;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.pnml.PnmlReading;
 import org.sami.petri.symmetry.NetSymmetry;
@@ -33,11 +29,6 @@ import org.sami.picture.states.StateGraphPicture;
 import org.sami.spn.drawing.states.StateGraph;
 import org.sami.spn.drawing.states.StateGraphDot;
 import org.sami.spn.drawing.states.StateGraphLayout;
-import org.sami.spn.finding.Finding;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.Reading;
-import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
 import org.sami.spn.planspace.StateGraphs;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -69,7 +60,6 @@ import picocli.CommandLine.Spec;
             "  crw graph philosophers-5 --states 1000 --dot philosophers.dot"
         })
 public final class GraphCommand implements Callable<Integer> {
-    private static final int MOST_BOATS = 25;
     private static final int MOST_DOT_STATES = 1_000_000;
 
     @Spec
@@ -125,7 +115,7 @@ public final class GraphCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         SearchBudget budget = budget();
-        Optional<DrawnNet> drawnNet = isNet() ? net() : plan();
+        Optional<DrawnNet> drawnNet = PlanArgument.isNet(name) ? net() : plan();
         if (drawnNet.isEmpty()) {
             return ExitCode.FINDINGS;
         }
@@ -146,14 +136,6 @@ public final class GraphCommand implements Callable<Integer> {
         return graph.isComplete() ? ExitCode.OK : ExitCode.RUNNING;
     }
 
-    /** Whether the name is that of a PNML file or an example; a file of a plan ends in .json, or is a folder. */
-    private boolean isNet() {
-        Path file = Path.of(name);
-        return Files.exists(file)
-                ? !Files.isDirectory(file) && !name.endsWith(".json")
-                : ExampleNetNames.find(name).isPresent();
-    }
-
     private Optional<DrawnNet> net() throws IOException {
         PnmlReading reading = NetArgument.read(name);
         NetArgument.print(spec.commandLine().getErr(), name, reading.findings());
@@ -161,26 +143,13 @@ public final class GraphCommand implements Callable<Integer> {
     }
 
     private Optional<DrawnNet> plan() {
-        PrintWriter err = spec.commandLine().getErr();
-        Reading<DomainLibrary> words = domain.read();
-        if (words.result().isEmpty()) {
-            FindingsText.print(err, domain.name(), words.findings());
-            return Optional.empty();
-        }
-        DomainLibrary library = words.result().get();
-        PlanSource source = domain.find(name, library);
-        Optional<Project> project = source.project();
-        if (project.isEmpty()) {
-            FindingsText.print(err, name, source.findings());
-            return Optional.empty();
-        }
-        Plan plan = source.choose(planOption.name());
-        List<Finding> findings = source.concerning(List.of(plan));
-        if (findings.stream().anyMatch(Finding::isError)) {
-            FindingsText.print(err, name, findings);
-            return Optional.empty();
-        }
-        return Optional.of(DrawnNet.of(project.get(), plan, library.vocabulary(), boats));
+        return PlanArgument.read(
+                        name,
+                        domain,
+                        planOption.name(),
+                        boats,
+                        spec.commandLine().getErr())
+                .map(DrawnNet::of);
     }
 
     private SearchBudget budget() {
@@ -190,9 +159,6 @@ public final class GraphCommand implements Callable<Integer> {
         int most = svg == null ? MOST_DOT_STATES : StateGraphLayout.MOST_STATES;
         if (states < 1 || states > most) {
             throw new UsageFault("--states is 1 to " + most + (svg == null ? "" : " with --svg") + ", not " + states);
-        }
-        if (boats < 0 || boats > MOST_BOATS) {
-            throw new UsageFault("--boats is 0 to " + MOST_BOATS + ", not " + boats);
         }
         if (millis == 0) {
             throw new UsageFault("--time is more than 0");

@@ -76,10 +76,7 @@ record NetAnalysis(PetriNet net, Optional<ReachabilityGraph> graph, Optional<Ans
 
     /** Whether something was found that a query asked about as a fault: a broken invariant, a deadlock, a run that cannot come home, an unbounded place. */
     boolean hasFound() {
-        return answer.filter(a -> a.query() instanceof NetQuery.Deadlock
-                        ? a.verdict() == NetVerdict.YES
-                        : a.verdict() == NetVerdict.NO && !(a.query() instanceof NetQuery.Reachable))
-                .isPresent();
+        return answer.filter(a -> a.query().isFault(a.verdict())).isPresent();
     }
 
     /** The run that shows the answer; of a whole graph the one to its nearest deadlock. */

@@ -54,7 +54,7 @@ final class SavedQueries {
     }
 
     private static PlanQueryAnswer open(PlanQuery query, PlanNetTooLargeException tooLarge) {
-        return new PlanQueryAnswer(query, Result.OPEN, "unknown: " + tooLarge.getMessage(), List.of(), List.of());
+        return PlanQueryAnswer.without(query, Result.OPEN, "unknown: " + tooLarge.getMessage());
     }
 
     private static GraphWatch watch(Plan plan, ProgressDisplay progress, BooleanSupplier isStopped) {

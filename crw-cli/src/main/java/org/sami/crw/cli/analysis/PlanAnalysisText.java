@@ -1,0 +1,106 @@
+package org.sami.crw.cli.analysis;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import org.sami.petri.graph.ReachabilityGraph;
+import org.sami.spn.plannet.Abstraction;
+import org.sami.spn.planspace.PlanFacts;
+import org.sami.spn.planspace.PlanQueryAnswer;
+import org.sami.spn.planspace.PlanStateWords;
+import org.sami.spn.planspace.PlanWitness;
+
+/** An analysis of a plan as lines for people, in the plan's words. */
+final class PlanAnalysisText {
+    /** So many lines of what the net leaves open are printed; JSON has all. */
+    private static final int MOST_OPEN = 6;
+
+    private final PrintWriter out;
+    private final PlanAnalysis analysis;
+    private final PlanStateWords words;
+
+    PlanAnalysisText(PrintWriter out, PlanAnalysis analysis) {
+        this.out = out;
+        this.analysis = analysis;
+        words = new PlanStateWords(analysis.plan().net());
+    }
+
+    void print() {
+        out.printf(
+                "%s: a net of %d places and %d transitions%n",
+                analysis.plan().title(),
+                analysis.plan().net().net().placeCount(),
+                analysis.plan().net().net().transitionCount());
+        List<Abstraction> open = analysis.plan().net().abstractions();
+        list(open, Abstraction.Kind.WIDER, "it can do more than the plan, as it leaves open:");
+        list(open, Abstraction.Kind.PARTIAL, "it follows only a part of the plan:");
+        if (open.isEmpty()) {
+            out.println("it does exactly what the plan does");
+        }
+        analysis.graph().ifPresent(this::printGraph);
+        analysis.answers().forEach(this::print);
+    }
+
+    private void list(List<Abstraction> all, Abstraction.Kind kind, String heading) {
+        List<Abstraction> some = all.stream().filter(a -> a.kind() == kind).toList();
+        if (some.isEmpty()) {
+            return;
+        }
+        out.println(heading);
+        some.stream().limit(MOST_OPEN).forEach(a -> out.println("    " + a.words()));
+        if (some.size() > MOST_OPEN) {
+            out.println("    and " + (some.size() - MOST_OPEN) + " more, which --json lists");
+        }
+    }
+
+    private void printGraph(ReachabilityGraph graph) {
+        out.println(
+                graph.isComplete()
+                        ? "every state was looked at"
+                        : "bounded search only: " + graph.end().words());
+        SearchSpeed speed = SearchSpeed.of(graph);
+        out.printf(
+                Locale.ROOT,
+                "%d states up to an exchange of boats, %d edges in %.2f s: %.0f states a second, %.1f bytes a state%n",
+                graph.states(),
+                graph.edges(),
+                speed.seconds(),
+                speed.statesPerSecond(),
+                speed.bytesPerState());
+        analysis.facts().ifPresent(facts -> print(facts, graph.isComplete()));
+    }
+
+    private void print(PlanFacts facts, boolean isWhole) {
+        String among = isWhole ? "" : " among these states";
+        out.println(
+                facts.neverFired().isEmpty()
+                        ? "each transition fires somewhere"
+                        : "never fired" + among + ": " + String.join(", ", facts.neverFired()));
+        List<String> most = facts.mostRobots().entrySet().stream()
+                .filter(place -> place.getValue() > 0)
+                .map(place -> words.place(place.getKey()) + " " + place.getValue())
+                .toList();
+        if (!most.isEmpty()) {
+            out.println("most boats at once" + among + ": " + String.join(", ", most));
+        }
+    }
+
+    private void print(PlanQueryAnswer answer) {
+        String name = analysis.kind() == PlanAnalysis.Kind.SAVED
+                ? "\"" + answer.query().name() + "\" (" + answer.query().text() + ", expected "
+                        + answer.query().expected().name().toLowerCase(Locale.ROOT) + ")"
+                : answer.query().text();
+        out.println(
+                name + ": " + (answer.result() == PlanQueryAnswer.Result.FAULT ? "a fault, " : "") + answer.words());
+        answer.witness().ifPresent(this::print);
+        if (answer.states() > 0) {
+            out.printf(Locale.ROOT, "    %d states in %.2f s%n", answer.states(), answer.nanos() / 1e9);
+        }
+    }
+
+    private void print(PlanWitness witness) {
+        witness.firings().forEach(firing -> out.println("    " + words.moves(firing)));
+        List<String> marked = words.marked(witness.end());
+        out.println("    then " + (marked.isEmpty() ? "no token anywhere" : String.join("; ", marked)));
+    }
+}

@@ -1,0 +1,109 @@
+package org.sami.spn.planspace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.TestCase;
+import org.sami.spn.plannet.PlanNet;
+import org.sami.spn.plannet.PlanNetRequest;
+import org.sami.spn.plannet.PlanNetTooLargeException;
+import org.sami.spn.planspace.PlanQueryAnswer.Result;
+import org.sami.spn.stepping.Stepper;
+import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.testing.TestVocabulary;
+
+/** What answers are worth, on plans whose runs can be counted by hand. */
+class PlanQueriesTest {
+    private static final SearchBudget ENOUGH = new SearchBudget(10_000, 64L << 20, Duration.ofMinutes(5));
+
+    private static PlanNet net(NetBuilder plan, String... robots) throws PlanNetTooLargeException {
+        Project project = NetBuilder.project(plan.build());
+        return PlanNet.of(new PlanNetRequest(project, TestVocabulary.TEST, "p", List.of(robots)));
+    }
+
+    private static PlanQueryAnswer answer(PlanNet net, String text, PlanQuery.Expected expected) {
+        return new PlanQueries(net, ENOUGH, GraphWatch.NONE).answer(new PlanQuery("q", text, expected));
+    }
+
+    private static NetBuilder asked() {
+        return new NetBuilder("p")
+                .start("a")
+                .output("a", "ChooseSome")
+                .places("c")
+                .transition("t", "Chosen")
+                .in("a", "t", "relevant all")
+                .out("t", "c", "take all relevant");
+    }
+
+    @Test
+    void runIsTakenOnTheEngineAndCanBePlayed() throws PlanNetTooLargeException {
+        PlanNet net = net(asked(), "A", "B");
+
+        PlanQueryAnswer answer = answer(net, "reachable m(c.B) = 1 and m(a.A) = 1", PlanQuery.Expected.YES);
+
+        assertThat(answer.result()).isEqualTo(Result.EXPECTED);
+        assertThat(answer.words()).contains("and the engine comes there by 1 step");
+        TestCase steps = answer.witness().orElseThrow().steps().orElseThrow();
+        Stepper played =
+                Stepper.startAs(new Engine(TestVocabulary.TEST, net.request().project()), "p", steps);
+        steps.steps().forEach(step -> assertThat(played.take(step).refusal()).isEmpty());
+        assertThat(played.view()
+                        .mission(played.mission())
+                        .orElseThrow()
+                        .marking()
+                        .get("c"))
+                .hasToString("[Proxy[proxy=B]]");
+    }
+
+    @Test
+    void runThatOnlyTheNetHasIsSaidToBeOne() throws PlanNetTooLargeException {
+        PlanNet net = net(
+                new NetBuilder("p")
+                        .start("a")
+                        .places("c")
+                        .transition("t")
+                        .in("a", "t", "generic >= 1", "proxy >= 1")
+                        .out("t", "c", "take 1 generic", "take 1 proxy"),
+                "A",
+                "B");
+
+        PlanQueryAnswer youngest = answer(net, "reachable m(c.B) = 1", PlanQuery.Expected.YES);
+        PlanQueryAnswer oldest = answer(net, "reachable m(c.A) = 1", PlanQuery.Expected.YES);
+
+        assertThat(youngest.verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(youngest.witness().orElseThrow().steps()).isEmpty();
+        assertThat(youngest.words()).contains("it may be so: the engine was not seen to do it");
+        assertThat(oldest.words()).contains("and the engine comes there by its start");
+    }
+
+    @Test
+    void noDeadlockHoldsWhereWhatIsWaitedForComes() throws PlanNetTooLargeException {
+        NetBuilder ends =
+                asked().end("b").transition("u").in("c", "u", "proxy >= 1").out("u", "b", "take all proxy");
+
+        PlanQueryAnswer deadlock = answer(net(ends, "A"), "deadlock", PlanQuery.Expected.NO);
+        PlanQueryAnswer stuck = answer(net(asked(), "A"), "deadlock", PlanQuery.Expected.NO);
+
+        assertThat(deadlock.result()).isEqualTo(Result.EXPECTED);
+        assertThat(deadlock.words()).endsWith("a deadlock is never reached, if what is waited for comes");
+        assertThat(stuck.result()).isEqualTo(Result.UNEXPECTED);
+        assertThat(stuck.isFault()).isTrue();
+        assertThat(stuck.words()).contains("and the engine comes there by 1 step");
+    }
+
+    @Test
+    void faultOfAQueryIsNamedBeforeItIsAsked() throws PlanNetTooLargeException {
+        PlanQueries queries = new PlanQueries(net(asked(), "A"), ENOUGH, GraphWatch.NONE);
+
+        assertThat(queries.fault("reachable m(c) >= 1")).isEmpty();
+        assertThat(queries.fault("reachable m(d) >= 1").orElseThrow()).contains("column 13", "'d'");
+    }
+}
