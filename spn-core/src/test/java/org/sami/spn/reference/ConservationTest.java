@@ -9,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
@@ -29,6 +30,7 @@ import org.sami.spn.testing.TestVocabulary;
 /** What must be true of the engine on every random plan, whatever the rules say in particular. */
 class ConservationTest {
     private static final int SEEDS = 400;
+    private static final Map<Long, List<Scenario.Timed>> INPUTS = new ConcurrentHashMap<>();
 
     /** A random session of the engine, and what it did. */
     private static final class Run {
@@ -43,8 +45,12 @@ class ConservationTest {
         }
     }
 
-    /** Random inputs of a seed, as far as no place overflows. */
+    /** Random inputs of a seed, as far as no place overflows: made once for all tests that use them, as the interpreter chooses them slowly. */
     static List<Scenario.Timed> inputs(long seed) {
+        return INPUTS.computeIfAbsent(seed, ConservationTest::makeInputs);
+    }
+
+    private static List<Scenario.Timed> makeInputs(long seed) {
         Project project = RandomPlans.project(seed);
         Subject interpreter = Differential.interpreter(project);
         RandomInputs world = new RandomInputs(project, seed);
@@ -56,9 +62,9 @@ class ConservationTest {
                 inputs.add(timed);
             }
         } catch (World.TooManyTokens e) {
-            return inputs;
+            return List.copyOf(inputs);
         }
-        return inputs;
+        return List.copyOf(inputs);
     }
 
     @Test
