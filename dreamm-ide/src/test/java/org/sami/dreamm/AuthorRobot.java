@@ -427,6 +427,6 @@ final class AuthorRobot implements AutoCloseable {
             window.end();
             return null;
         });
-        ended.get(60, TimeUnit.SECONDS);
+        ended.get(300, TimeUnit.SECONDS);
     }
 }

@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 
 /** The command of the boats that the build has installed, as a process of its own: DREAMM knows no boat. */
 final class Crw {
-    private static final int WITHIN_S = 120;
+    private static final int WITHIN_S = 300;
 
     private Crw() {}
 

@@ -88,7 +88,7 @@ public final class DreammScreenshotMain {
         }
         picture("try-it");
         act(window::end);
-        ended.get(60, TimeUnit.SECONDS);
+        ended.get(300, TimeUnit.SECONDS);
     }
 
     /** What is found where the events of the plan have lost what they read from variables. */

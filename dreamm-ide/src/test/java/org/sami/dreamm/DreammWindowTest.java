@@ -112,7 +112,7 @@ class DreammWindowTest {
         robot.press(VK_Q, VK_CONTROL);
         robot.click("unsaved-save");
 
-        assertThat(ended.get(60, TimeUnit.SECONDS)).isZero();
+        assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
         assertThat(read(file)).isEqualTo(mine);
     }
 

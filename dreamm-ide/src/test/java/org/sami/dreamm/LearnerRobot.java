@@ -147,6 +147,6 @@ final class LearnerRobot implements AutoCloseable {
             session.window().end();
             return null;
         });
-        ended.get(60, TimeUnit.SECONDS);
+        ended.get(300, TimeUnit.SECONDS);
     }
 }

@@ -84,7 +84,7 @@ final class LessonPictures {
             session.window().end();
             return null;
         });
-        ended.get(60, TimeUnit.SECONDS);
+        ended.get(300, TimeUnit.SECONDS);
     }
 
     private DreammSession open(CompletableFuture<Integer> ended) throws IOException {

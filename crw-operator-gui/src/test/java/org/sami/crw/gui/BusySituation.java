@@ -45,7 +45,7 @@ public final class BusySituation implements AutoCloseable {
             List.of());
     private static final int PASSES = 8; // boats of the team that explores
     private static final int IN_A_ROW = 8;
-    private static final int WITHIN_S = 60;
+    private static final int WITHIN_S = 300;
 
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
     private final LoopbackFleet fleet;

@@ -84,7 +84,7 @@ class EmptyPanelsWindowTest {
                     window.end();
                     return null;
                 });
-                ended.get(60, TimeUnit.SECONDS);
+                ended.get(300, TimeUnit.SECONDS);
             }
         }
         List<Double> kept = Pattern.compile("roportion=\"([0-9.]+)\"")
@@ -137,7 +137,7 @@ class EmptyPanelsWindowTest {
         return window.session()
                 .start("connect-boat", "", Map.of())
                 .toCompletableFuture()
-                .get(60, TimeUnit.SECONDS);
+                .get(300, TimeUnit.SECONDS);
     }
 
     private DockPanel panel(String id) {

@@ -21,6 +21,6 @@ public final class EscapedWindow {
         WindowRobot robot = new WindowRobot();
         robot.untilFocused("resume-go-on");
         robot.press(VK_ESCAPE);
-        System.exit(ended.get(60, TimeUnit.SECONDS));
+        System.exit(ended.get(300, TimeUnit.SECONDS));
     }
 }

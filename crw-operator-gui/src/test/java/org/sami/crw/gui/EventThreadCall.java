@@ -7,7 +7,7 @@ import org.sami.ui.EventThread;
 
 /** Acts on views as the event thread does, and waits for what comes of it: for tests only. */
 public final class EventThreadCall {
-    private static final int WITHIN_S = 60;
+    private static final int WITHIN_S = 300;
 
     private EventThreadCall() {}
 

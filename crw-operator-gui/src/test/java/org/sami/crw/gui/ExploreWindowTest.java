@@ -39,7 +39,7 @@ import org.sami.ui.map.MapView;
 /** A whole mission in the real window, by pointer and keys: the area and the boats are given as they are asked for. */
 @Tag("window")
 class ExploreWindowTest {
-    private static final int THERE_WITHIN_S = 60;
+    private static final int THERE_WITHIN_S = 300;
     private static final double QUAY_LON_DEG = 51.5268;
 
     /** Some tens of metres of free water east of the boats. */
@@ -68,7 +68,7 @@ class ExploreWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

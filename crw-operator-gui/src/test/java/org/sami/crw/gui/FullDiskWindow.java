@@ -51,7 +51,7 @@ public final class FullDiskWindow {
             window.end();
             return null;
         });
-        System.exit(ended.get(60, TimeUnit.SECONDS));
+        System.exit(ended.get(300, TimeUnit.SECONDS));
     }
 
     private static boolean isWell(OperatorWindow window) {

@@ -75,7 +75,7 @@ class KeyboardWindowTest {
                     window.end();
                     return null;
                 });
-                ended.get(60, TimeUnit.SECONDS);
+                ended.get(300, TimeUnit.SECONDS);
             }
             for (BoatServer boat : List.of(anna, bert)) {
                 assertThat(boat.log())

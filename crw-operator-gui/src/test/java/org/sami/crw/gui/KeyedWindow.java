@@ -30,7 +30,7 @@ final class KeyedWindow implements AutoCloseable {
         if (code != 0) {
             throw new AssertionError("the command ends with " + code);
         }
-        window = opened.get(60, TimeUnit.SECONDS);
+        window = opened.get(300, TimeUnit.SECONDS);
     }
 
     /** Where a laptop keeps its keys. */
@@ -58,6 +58,6 @@ final class KeyedWindow implements AutoCloseable {
             window.end();
             return null;
         });
-        ended.get(60, TimeUnit.SECONDS);
+        ended.get(300, TimeUnit.SECONDS);
     }
 }

@@ -58,7 +58,7 @@ class KilledWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

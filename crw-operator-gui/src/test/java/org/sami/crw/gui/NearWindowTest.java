@@ -46,7 +46,7 @@ import picocli.CommandLine;
 @Isolated("what --keys says holds for the whole process")
 class NearWindowTest {
     private static final int BOATS = 20;
-    private static final int WITHIN_S = 120;
+    private static final int WITHIN_S = 300;
     private static final String STRANGER = "stranger";
     private static final List<String> NAMES =
             IntStream.rangeClosed(1, BOATS).mapToObj(number -> "boat" + number).toList();
@@ -91,7 +91,7 @@ class NearWindowTest {
                         (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
                 .execute(args);
         assertThat(code).isZero();
-        window = opened.get(60, TimeUnit.SECONDS);
+        window = opened.get(300, TimeUnit.SECONDS);
     }
 
     @AfterEach
@@ -102,7 +102,7 @@ class NearWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
         if (fleet != null) {
             fleet.close();

@@ -25,7 +25,7 @@ import org.sami.ui.check.WindowRobot;
 /** The real window over a session of its own, as its program opens it; for tests only. */
 public final class OpenedWindow implements AutoCloseable {
     private static final String BEACH = "/org/sami/domain/crw/deployments/katara-beach.json";
-    private static final int WITHIN_S = 60;
+    private static final int WITHIN_S = 300;
 
     private final CompletableFuture<Integer> ended;
     private final OperatorWindow window;

@@ -88,7 +88,7 @@ class PhoneWindowTest {
                         (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
                 .execute(args);
         assertThat(code).isZero();
-        window = opened.get(60, TimeUnit.SECONDS);
+        window = opened.get(300, TimeUnit.SECONDS);
         robot.untilSaid("boats-count", "5 of 5");
     }
 
@@ -100,7 +100,7 @@ class PhoneWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

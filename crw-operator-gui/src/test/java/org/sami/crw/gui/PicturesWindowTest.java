@@ -27,7 +27,7 @@ import org.sami.ui.check.WindowRobot;
 /** The pictures of a panorama come by themselves; the operator looks at them before the answer, small and large. */
 @Tag("window")
 class PicturesWindowTest {
-    private static final int TURNED_WITHIN_S = 120;
+    private static final int TURNED_WITHIN_S = 300;
 
     @TempDir
     private Path folder;
@@ -50,7 +50,7 @@ class PicturesWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
     }
 
@@ -112,6 +112,6 @@ class PicturesWindowTest {
     private static void answer(Session session, PendingDecision decision, Answer answer) throws Exception {
         session.answer(decision.decision().id(), answer, "test")
                 .toCompletableFuture()
-                .get(60, TimeUnit.SECONDS);
+                .get(300, TimeUnit.SECONDS);
     }
 }

@@ -146,7 +146,7 @@ class ReachWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

@@ -106,7 +106,7 @@ class ReplayWindowTest {
         lettersGrowWithTheScale();
 
         robot.press(VK_Q, VK_CONTROL);
-        assertThat(ended.get(60, TimeUnit.SECONDS)).isZero();
+        assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
     }
 
     private void lettersGrowWithTheScale() {
@@ -126,7 +126,7 @@ class ReplayWindowTest {
         try (DataDirectory data = DataDirectory.open(folder);
                 Session session = new SessionOpener(data, List.of(), Optional.of(project)).openNew()) {
             session.begin();
-            session.start("talk", "talk", Map.of()).toCompletableFuture().get(60, TimeUnit.SECONDS);
+            session.start("talk", "talk", Map.of()).toCompletableFuture().get(300, TimeUnit.SECONDS);
             Await.until(
                     "it asks", () -> !session.models().decisions().snapshot().isEmpty());
             PendingDecision pending = session.models().decisions().snapshot().get(0);
@@ -136,7 +136,7 @@ class ReplayWindowTest {
             long answeredMillis = session.scheduler().nowMs();
             session.answer(decision, new Answer.YesNo(true), "test")
                     .toCompletableFuture()
-                    .get(60, TimeUnit.SECONDS);
+                    .get(300, TimeUnit.SECONDS);
             Await.until(
                     "it is over", () -> session.models().messages().snapshot().size() == 2);
             Path journal = data.unfinished().orElseThrow();

@@ -107,7 +107,7 @@ final class ScreenshotMain {
             window.end();
             return null;
         });
-        ended.get(60, TimeUnit.SECONDS);
+        ended.get(300, TimeUnit.SECONDS);
     }
 
     private void answer() {

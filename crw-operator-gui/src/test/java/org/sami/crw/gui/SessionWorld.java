@@ -92,7 +92,7 @@ public final class SessionWorld implements AutoCloseable {
 
     /** What comes of something that the session was asked. */
     public static <T> T get(CompletionStage<T> stage) throws Exception {
-        return stage.toCompletableFuture().get(60, TimeUnit.SECONDS);
+        return stage.toCompletableFuture().get(300, TimeUnit.SECONDS);
     }
 
     /** Editors of values, with plain maps. */

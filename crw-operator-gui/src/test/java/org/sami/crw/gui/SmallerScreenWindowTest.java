@@ -67,7 +67,7 @@ class SmallerScreenWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
     }
 }

@@ -86,7 +86,7 @@ class TextWindowTest {
                 window.end();
                 return null;
             });
-            ended.get(60, TimeUnit.SECONDS);
+            ended.get(300, TimeUnit.SECONDS);
         }
         if (fleet != null) {
             fleet.close();

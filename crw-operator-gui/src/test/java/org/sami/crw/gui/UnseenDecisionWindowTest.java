@@ -76,7 +76,7 @@ class UnseenDecisionWindowTest {
                     window.end();
                     return null;
                 });
-                ended.get(60, TimeUnit.SECONDS);
+                ended.get(300, TimeUnit.SECONDS);
             }
         }
     }

@@ -34,7 +34,7 @@ import org.sami.ui.EventThread;
 /** Drives windows as a person does: looks for components by their names, moves the pointer, clicks, types. */
 public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-    private static final int PATIENCE_S = 60;
+    private static final int PATIENCE_S = 300;
     private static final int STEPS = 8;
     private static final int DRAG_STEP_PX = 8; // the display tells of no drag until the pointer is 4 px away
     private static final int GLIDE_PX = 20;

@@ -58,14 +58,14 @@ final class PanelWorld implements AutoCloseable {
             session.fleet()
                     .connect(simulated.launch(boat, PIER))
                     .toCompletableFuture()
-                    .get(60, TimeUnit.SECONDS);
+                    .get(300, TimeUnit.SECONDS);
             Await.until(
                     boat + " has joined",
                     () -> session.ask(view -> view.proxies().contains(boat))
                             .toCompletableFuture()
                             .join());
         }
-        session.start(plan, plan, java.util.Map.of()).toCompletableFuture().get(60, TimeUnit.SECONDS);
+        session.start(plan, plan, java.util.Map.of()).toCompletableFuture().get(300, TimeUnit.SECONDS);
     }
 
     void until(String what, BooleanSupplier condition) {

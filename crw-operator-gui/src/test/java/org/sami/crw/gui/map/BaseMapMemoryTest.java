@@ -20,7 +20,7 @@ import org.sami.ui.window.WindowSettings;
 
 /** Base maps outlive their window, and are taken off and put on in the menu of layers. */
 class BaseMapMemoryTest {
-    private static final int WITHIN_S = 60;
+    private static final int WITHIN_S = 300;
 
     @TempDir
     private Path folder;

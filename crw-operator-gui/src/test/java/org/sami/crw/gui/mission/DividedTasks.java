@@ -20,7 +20,7 @@ public final class DividedTasks {
 
     /** A task at each location, divided among the session's boats. */
     public static void of(Session session, ListValue locations) throws Exception {
-        session.start("measure", "measure", Map.of()).toCompletableFuture().get(60, TimeUnit.SECONDS);
+        session.start("measure", "measure", Map.of()).toCompletableFuture().get(300, TimeUnit.SECONDS);
         Set<Long> answered = new HashSet<>();
         while (divided(session) < locations.items().size()) {
             Await.until(
@@ -34,7 +34,7 @@ public final class DividedTasks {
                 Answer answer = answer(one.decision().question(), locations);
                 session.answer(one.decision().id(), answer, "test")
                         .toCompletableFuture()
-                        .get(60, TimeUnit.SECONDS);
+                        .get(300, TimeUnit.SECONDS);
             }
         }
     }

@@ -71,6 +71,6 @@ class ReplayedWayTest {
     }
 
     private static <T> T soon(CompletionStage<T> stage) {
-        return stage.toCompletableFuture().orTimeout(60, TimeUnit.SECONDS).join();
+        return stage.toCompletableFuture().orTimeout(300, TimeUnit.SECONDS).join();
     }
 }

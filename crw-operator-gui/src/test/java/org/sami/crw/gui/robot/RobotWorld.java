@@ -51,7 +51,7 @@ final class RobotWorld implements AutoCloseable {
     /** The boats of the built-in fleet. */
     static final List<String> BUILT_IN = List.of("anna", "bert", "carl", "dora", "emil");
 
-    private static final int WITHIN_S = 60;
+    private static final int WITHIN_S = 300;
 
     final WindowRobot robot = new WindowRobot();
     final Path folder;

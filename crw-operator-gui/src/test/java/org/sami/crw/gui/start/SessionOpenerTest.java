@@ -51,7 +51,7 @@ class SessionOpenerTest {
                 errorOf("anna", session);
                 GeoPoint quay = position("anna", session);
                 GeoPoint there = GeoPoint.of(quay.latDeg(), quay.lonDeg() + 0.001);
-                session.byHand().goTo("anna", there).toCompletableFuture().get(60, TimeUnit.SECONDS);
+                session.byHand().goTo("anna", there).toCompletableFuture().get(300, TimeUnit.SECONDS);
                 Await.until("anna is off the quay", () -> Geodesy.distanceM(quay, position("anna", session)) > 25);
                 last = position("anna", session);
             }
@@ -74,7 +74,7 @@ class SessionOpenerTest {
                 .ask(boats ->
                         boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position))
                 .toCompletableFuture()
-                .orTimeout(60, TimeUnit.SECONDS)
+                .orTimeout(300, TimeUnit.SECONDS)
                 .join();
     }
 
@@ -96,7 +96,7 @@ class SessionOpenerTest {
     private static List<GeoPoint> wayOf(String boat, GeoPath path, Session session) {
         return session.way(Ids.NONE, boat, path)
                 .toCompletableFuture()
-                .orTimeout(60, TimeUnit.SECONDS)
+                .orTimeout(300, TimeUnit.SECONDS)
                 .join()
                 .orElseThrow();
     }
@@ -112,7 +112,7 @@ class SessionOpenerTest {
         return session.fleet()
                 .ask(boats -> boats.find(boat).flatMap(BoatProxy::error))
                 .toCompletableFuture()
-                .orTimeout(60, TimeUnit.SECONDS)
+                .orTimeout(300, TimeUnit.SECONDS)
                 .join();
     }
 }
