@@ -49,24 +49,34 @@ final class CopterWords {
     private CopterWords() {}
 
     private static void put(String ofBoats, String ofCopters) {
-        WORDS.put(Pattern.compile(BEFORE + Pattern.quote(ofBoats) + AFTER), Matcher.quoteReplacement(ofCopters));
+        put(WORDS, ofBoats, ofCopters);
+    }
+
+    /** Adds a word or phrase about boats and what stands in its place. */
+    static void put(Map<Pattern, String> words, String ofBoats, String ofOthers) {
+        words.put(Pattern.compile(BEFORE + Pattern.quote(ofBoats) + AFTER), Matcher.quoteReplacement(ofOthers));
     }
 
     /** The text, said of copters. */
     static String of(String text) {
+        return of(text, WORDS);
+    }
+
+    /** The text with other words, apart from what stands in quotes. */
+    static String of(String text, Map<Pattern, String> words) {
         StringBuilder said = new StringBuilder();
         Matcher quoted = QUOTED.matcher(text);
         int end = 0;
         while (quoted.find()) {
-            said.append(replaced(text.substring(end, quoted.start()))).append(quoted.group());
+            said.append(replaced(text.substring(end, quoted.start()), words)).append(quoted.group());
             end = quoted.end();
         }
-        return said.append(replaced(text.substring(end))).toString();
+        return said.append(replaced(text.substring(end), words)).toString();
     }
 
-    private static String replaced(String text) {
+    private static String replaced(String text, Map<Pattern, String> words) {
         String said = text;
-        for (Map.Entry<Pattern, String> word : WORDS.entrySet()) {
+        for (Map.Entry<Pattern, String> word : words.entrySet()) {
             said = word.getKey().matcher(said).replaceAll(word.getValue());
         }
         return said;

@@ -5,7 +5,9 @@ public enum RobotKind {
     /** Boats on the water. */
     BOAT("boat"),
     /** Copters in the air. */
-    COPTER("copter");
+    COPTER("copter"),
+    /** Boats and copters in one fleet; one robot of it is one of the two. */
+    ROBOT("robot");
 
     private final String word;
 
@@ -32,9 +34,27 @@ public enum RobotKind {
         throw new IllegalArgumentException("there are no robots of the kind '" + word + "'");
     }
 
+    /**
+     * What one robot of this kind is.
+     *
+     * @param flies whether it does; looked at only where both kinds are together
+     */
+    public RobotKind of(boolean flies) {
+        return this == ROBOT ? flies ? COPTER : BOAT : this;
+    }
+
+    /** What a simulated robot of a name is: where both kinds are together, the names of copters begin with their word. */
+    public RobotKind ofName(String name) {
+        return of(name.startsWith(COPTER.word));
+    }
+
     /** Says a text about boats of robots of this kind: by their word, and by what they do. Names and paths stay as they are. */
     public String say(String text) {
-        return this == COPTER ? CopterWords.of(text) : text;
+        return switch (this) {
+            case BOAT -> text;
+            case COPTER -> CopterWords.of(text);
+            case ROBOT -> RobotWords.of(text);
+        };
     }
 
     /** The name of a simulated one, counted from 0. */

@@ -41,10 +41,12 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.task.TaskNews;
 import org.sami.crw.task.TaskQueues;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * The boats domain on a host: it registers every handler, passes withdrawals on to the boats, and posts the boats' reports as inputs. All
@@ -127,10 +129,10 @@ public final class CrwDomain implements AutoCloseable {
         listen(host, questions, ways, new UnknownBoats(host, fleet), tasks, batteries, areas, measurements);
     }
 
-    /** What the modules of the host's domain add. */
+    /** What the modules of the host's domain, and of those that it combines, add. */
     private static HandlerParts.Added ofDomain(HandlerParts parts) {
-        String domain = parts.host().ask(view -> view.vocabulary().domain());
-        HandlerModules.of(domain).forEach(module -> module.addTo(parts));
+        Vocabulary vocabulary = parts.host().ask(EngineView::vocabulary);
+        HandlerModules.of(vocabulary).forEach(module -> module.addTo(parts));
         return parts.added();
     }
 

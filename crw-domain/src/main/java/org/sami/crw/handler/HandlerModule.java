@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import java.util.Set;
 import org.sami.crw.fleet.RobotKind;
 
 /**
@@ -12,6 +13,11 @@ public interface HandlerModule {
 
     /** The kind of robots that its plans command. */
     RobotKind robots();
+
+    /** The output events that move robots of this kind: no other robot can do what they ask. */
+    default Set<String> moves() {
+        return Set.of();
+    }
 
     /** Adds the handlers for one host. Called once for each host. */
     void addTo(HandlerParts parts);

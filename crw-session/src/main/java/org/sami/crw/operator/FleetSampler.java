@@ -128,7 +128,8 @@ final class FleetSampler {
                 boat.drift(),
                 stop(boat),
                 boat.wayHome(),
-                boat.settings().inForce());
+                boat.settings().inForce(),
+                boat.isFlying());
     }
 
     /** A stop that is on its way to the boat is none yet. */

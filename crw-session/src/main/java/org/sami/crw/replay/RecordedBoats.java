@@ -63,6 +63,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         private List<GeoPoint> way = List.of(); // along that list
         private List<GeoPoint> wayHome = List.of();
         private Optional<CrossTrackError> error = Optional.empty();
+        private boolean flew; // reported an altitude
         private BoatExplanation why = new BoatExplanation(false, Cause.NO_COMMAND, "not known: the journal is old");
     }
 
@@ -128,19 +129,20 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                 ? Optional.empty()
                 : Optional.of(new BatteryState(boat.percent, boat.level.orElse(BatteryLevel.NOMINAL)));
         return new BoatSnapshot(
-                id,
-                boat.link,
-                boat.heardAtMillis,
-                boat.pose,
-                boat.pose.isPresent() ? boat.poseAtMillis : 0,
-                battery,
-                boat.mode,
-                boat.commander,
-                current.map(CommandQueueSnapshot.Entry::command),
-                current.map(CommandQueueSnapshot.Entry::visited).orElse(0),
-                current.map(CommandQueueSnapshot.Entry::points).orElse(0),
-                boat.why,
-                boat.wayHome);
+                        id,
+                        boat.link,
+                        boat.heardAtMillis,
+                        boat.pose,
+                        boat.pose.isPresent() ? boat.poseAtMillis : 0,
+                        battery,
+                        boat.mode,
+                        boat.commander,
+                        current.map(CommandQueueSnapshot.Entry::command),
+                        current.map(CommandQueueSnapshot.Entry::visited).orElse(0),
+                        current.map(CommandQueueSnapshot.Entry::points).orElse(0),
+                        boat.why,
+                        boat.wayHome)
+                .flying(boat.flew);
     }
 
     // ---- what sessions of all versions wrote
@@ -156,6 +158,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         Recorded boat = of(id);
         boat.pose = Optional.of(
                 new BoatPose(report.position(), report.headingRad(), report.speedMps(), report.boatTimeMs()));
+        boat.flew |= report.position().altM() != 0;
         boat.poseAtMillis = atMillis;
         boat.percent = report.batteryPercent();
         seen(id, boat);

@@ -56,11 +56,7 @@ public final class Replay {
     public Replay(ReplayedJournal journal, Executor owner, Executor computing) {
         this.journal = journal;
         engine = journal.engine();
-        models = new OperatorModels(
-                owner,
-                () -> shownMillis,
-                computing,
-                HandlerModules.robotsOf(journal.vocabulary().domain()));
+        models = new OperatorModels(owner, () -> shownMillis, computing, HandlerModules.robotsOf(journal.vocabulary()));
         feed = models.replayFeed();
         boats = new RecordedBoats(feed, models, SessionPictures.besides(journal.file()));
         begin();

@@ -46,7 +46,7 @@ final class SessionParts {
         threads = toClose(new SessionThreads(setup.runtime(), journal.cameToMillis(), guard));
         engine = toClose(new SessionEngine(setup, threads));
         telemetry = new SessionTelemetry(journal, threads::nowMs);
-        robots = HandlerModules.robotsOf(setup.vocabulary().domain());
+        robots = HandlerModules.robotsOf(setup.vocabulary());
         models = new OperatorModels(threads.front(), threads::nowMs, threads.drawing(), robots);
         if (!threads.isRealTime()) {
             models.showBoatsWhenAsked();

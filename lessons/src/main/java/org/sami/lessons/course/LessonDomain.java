@@ -59,7 +59,8 @@ public record LessonDomain(Set<String> events, Set<String> tasks, Set<String> ma
                         .filter(task -> tasks.contains(task.name()))
                         .toList(),
                 whole.geography(),
-                whole.robotNames());
+                whole.robotNames(),
+                whole.combines());
     }
 
     private EventType event(EventType whole) {

@@ -1,5 +1,6 @@
 package org.sami.spn.component;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -16,6 +17,17 @@ public record ComponentLibrary(List<ComponentType> components, List<WidgetType> 
     public ComponentLibrary {
         components = List.copyOf(components);
         widgets = List.copyOf(widgets);
+    }
+
+    /** These, and those of another domain whose names are not taken here. */
+    public ComponentLibrary and(ComponentLibrary others) {
+        List<ComponentType> all = new ArrayList<>(components);
+        others.components.stream().filter(c -> component(c.name()).isEmpty()).forEach(all::add);
+        List<WidgetType> allWidgets = new ArrayList<>(widgets);
+        others.widgets.stream()
+                .filter(w -> widgets.stream().noneMatch(own -> own.name().equals(w.name())))
+                .forEach(allWidgets::add);
+        return new ComponentLibrary(all, allWidgets);
     }
 
     /** The component of that name. */

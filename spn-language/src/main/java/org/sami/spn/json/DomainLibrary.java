@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
@@ -53,8 +54,8 @@ public record DomainLibrary(
         if (known != null) {
             return known;
         }
-        Reading<DomainLibrary> loaded = load(
-                VocabularyFiles.fromClassPath(folder), folder, name -> VocabularyFiles.resource(folder + "/" + name));
+        Reading<DomainLibrary> loaded =
+                load(VocabularyFiles.fromClassPath(folder), folder, DomainSources.ofClassPath(folder));
         if (loaded.result().isPresent()) {
             OF_CLASS_PATH.put(folder, loaded);
         }
@@ -63,11 +64,10 @@ public record DomainLibrary(
 
     /** Loads a domain from a folder. */
     public static Reading<DomainLibrary> fromFolder(Path folder) {
-        return load(VocabularyFiles.fromFolder(folder), folder.toString(), name -> TextFiles.read(folder, name));
+        return load(VocabularyFiles.fromFolder(folder), folder.toString(), DomainSources.ofFolder(folder));
     }
 
-    private static Reading<DomainLibrary> load(
-            Reading<VocabularyFiles> files, String folder, VocabularyFiles.Source source) {
+    private static Reading<DomainLibrary> load(Reading<VocabularyFiles> files, String folder, DomainSources source) {
         Problems problems = new Problems();
         SourceTexts texts = new SourceTexts();
         Optional<DomainLibrary> library = load(files, folder, source, texts, problems);
@@ -75,11 +75,7 @@ public record DomainLibrary(
     }
 
     private static Optional<DomainLibrary> load(
-            Reading<VocabularyFiles> files,
-            String folder,
-            VocabularyFiles.Source source,
-            SourceTexts texts,
-            Problems problems) {
+            Reading<VocabularyFiles> files, String folder, DomainSources source, SourceTexts texts, Problems problems) {
         problems.addAll(files.findings(), "");
         Optional<Vocabulary> vocabulary = files.result().flatMap(f -> {
             f.texts().forEach((name, text) -> texts.add(name + "#", folder + "/" + name, text));
@@ -90,7 +86,7 @@ public record DomainLibrary(
         return vocabulary.map(v -> {
             VocabularyFiles found = files.orThrow();
             VocabularyFiles.Source located = name -> {
-                Optional<String> text = source.text(name);
+                Optional<String> text = source.with(found.combines()).text(name);
                 text.ifPresent(t -> texts.add(name + "#", folder + "/" + name, t));
                 return text;
             };
@@ -98,26 +94,30 @@ public record DomainLibrary(
                     v,
                     found,
                     readPart(found, VocabularyFiles.COMPONENTS, t -> ComponentReader.read(t, v), located, problems)
+                            .reduce(ComponentLibrary::and)
                             .orElse(ComponentLibrary.EMPTY),
                     readPart(found, VocabularyFiles.AUTHORING, t -> AuthoringReader.read(t, v), located, problems)
+                            .reduce(AuthoringLibrary::and)
                             .orElse(AuthoringLibrary.EMPTY),
                     readProjects(found, v, located, problems));
         });
     }
 
-    /** Reads a file that a member of the index names. */
-    private static <T> Optional<T> readPart(
+    /** Reads the files that a member of the index names, and of the indexes of combined domains. */
+    private static <T> Stream<T> readPart(
             VocabularyFiles files,
             String member,
             Function<String, Reading<T>> reader,
             VocabularyFiles.Source source,
             Problems problems) {
-        return files.named(member)
-                .flatMap(name -> VocabularyFiles.fetch(source, name, problems).flatMap(text -> {
-                    Reading<T> reading = reader.apply(text);
-                    problems.addAll(reading.findings(), name + "#");
-                    return reading.result();
-                }));
+        return files.named(member).stream()
+                .flatMap(name -> VocabularyFiles.fetch(source, name, problems)
+                        .flatMap(text -> {
+                            Reading<T> reading = reader.apply(text);
+                            problems.addAll(reading.findings(), name + "#");
+                            return reading.result();
+                        })
+                        .stream());
     }
 
     private static Map<String, Project> readProjects(

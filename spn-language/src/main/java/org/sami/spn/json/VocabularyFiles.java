@@ -3,6 +3,7 @@ package org.sami.spn.json;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -11,12 +12,15 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The files of one domain as text, by name: {@code domain.json} first, then those that it lists, in its order. A journal
- * stores them as they are, so that a resumed session uses the words with which it began.
+ * The files of one domain as text, by name: {@code domain.json} first, then those that it lists, in its order, then those of the domains that it
+ * combines, as {@code NAME/FILE} (decision 0483). A journal stores them as they are, so that a resumed session uses the words with which it began.
  */
 public record VocabularyFiles(Map<String, String> texts) {
     /** The file that names the others. */
     public static final String INDEX = "domain.json";
+
+    /** The index's member that names the domains whose words are joined; their folders lie beside this domain's. */
+    static final String COMBINES = "combines";
 
     /** The index's member that names the file of components. No vocabulary: a journal does not need it. */
     static final String COMPONENTS = "components";
@@ -34,12 +38,12 @@ public record VocabularyFiles(Map<String, String> texts) {
      * @param folder absolute, such as {@code /org/sami/domain/NAME}
      */
     public static Reading<VocabularyFiles> fromClassPath(String folder) {
-        return load(folder, name -> resource(folder + "/" + name));
+        return load(folder, DomainSources.ofClassPath(folder));
     }
 
     /** Finds the files in a folder. */
     public static Reading<VocabularyFiles> fromFolder(Path folder) {
-        return load(folder.toString(), name -> TextFiles.read(folder, name));
+        return load(folder.toString(), DomainSources.ofFolder(folder));
     }
 
     /** A text by name; empty where there is none. */
@@ -55,23 +59,52 @@ public record VocabularyFiles(Map<String, String> texts) {
 
     /** The plan files that the index lists, by name. */
     List<String> library() {
+        return texts("library", texts.getOrDefault(INDEX, "{}"));
+    }
+
+    /** The names of the domains whose words are joined. */
+    List<String> combines() {
+        return texts(COMBINES, texts.getOrDefault(INDEX, "{}"));
+    }
+
+    private static List<String> texts(String member, String index) {
         Problems ignored = new Problems();
-        return JsonText.parse(texts.getOrDefault(INDEX, "{}"), ignored)
+        return JsonText.parse(index, ignored)
                 .flatMap(node -> JsonObjectReader.of(node, "", ignored))
-                .map(m -> m.texts("library"))
+                .filter(m -> m.has(member))
+                .map(m -> m.texts(member))
                 .orElse(List.of());
     }
 
-    /** The name of the file that a member of the index gives; empty where it names none. */
-    Optional<String> named(String member) {
+    private static String indexOf(String domain) {
+        return domain + "/" + INDEX;
+    }
+
+    /** Whether a name is that of the index of a combined domain, whose members are not this domain's. */
+    boolean isCombinedIndex(String name) {
+        return combines().stream().anyMatch(domain -> indexOf(domain).equals(name));
+    }
+
+    /** The names of the files that a member of the index gives, and of the indexes of the combined domains after it. */
+    List<String> named(String member) {
+        List<String> names = new ArrayList<>();
+        file(member, texts.getOrDefault(INDEX, "{}")).ifPresent(names::add);
+        for (String domain : combines()) {
+            file(member, texts.getOrDefault(indexOf(domain), "{}")).ifPresent(name -> names.add(domain + "/" + name));
+        }
+        return names;
+    }
+
+    private static Optional<String> file(String member, String index) {
         Problems ignored = new Problems();
-        return JsonText.parse(texts.getOrDefault(INDEX, "{}"), ignored)
+        return JsonText.parse(index, ignored)
                 .flatMap(node -> JsonObjectReader.of(node, "", ignored))
                 .map(m -> m.text(member, ""))
                 .filter(name -> !name.isEmpty());
     }
 
-    private static Reading<VocabularyFiles> load(String folder, Source source) {
+    private static Reading<VocabularyFiles> load(String folder, DomainSources domain) {
+        Source source = domain.own();
         Problems problems = new Problems();
         SourceTexts sources = new SourceTexts();
         Map<String, String> texts = new LinkedHashMap<>();
@@ -84,10 +117,29 @@ public record VocabularyFiles(Map<String, String> texts) {
                     .ifPresent(m -> m.texts("files")
                             .forEach(name -> fetch(source, name, problems).ifPresent(t -> texts.put(name, t))));
             problems.addAll(inIndex.findings(), INDEX + "#");
+            List<String> combines = texts(COMBINES, texts.get(INDEX));
+            combines.forEach(other -> join(other, domain.with(combines), texts, problems));
         }
         return new Reading<>(
                 problems.none() ? Optional.of(new VocabularyFiles(texts)) : Optional.empty(),
                 sources.locate(problems.findings()));
+    }
+
+    private static void join(String domain, Source source, Map<String, String> texts, Problems problems) {
+        String index = indexOf(domain);
+        Optional<String> text = fetch(source, index, problems);
+        text.ifPresent(t -> texts.put(index, t));
+        if (text.isPresent() && !texts(COMBINES, text.get()).isEmpty()) {
+            problems.add(
+                    Codes.BAD_VALUE,
+                    INDEX + "#/" + COMBINES,
+                    "The domain " + domain + " combines others itself: name those, " + texts(COMBINES, text.get()));
+        } else if (text.isPresent()) {
+            for (String file : texts("files", text.get())) {
+                String name = domain + "/" + file;
+                fetch(source, name, problems).ifPresent(t -> texts.put(name, t));
+            }
+        }
     }
 
     static Optional<String> fetch(Source source, String name, Problems problems) {

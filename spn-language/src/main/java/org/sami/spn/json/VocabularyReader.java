@@ -27,6 +27,7 @@ public final class VocabularyReader {
     private final Problems problems = new Problems();
     private final Map<String, JsonObjectReader> roots = new LinkedHashMap<>();
     private final Map<String, NamedType> types = new LinkedHashMap<>();
+    private final JoinedWords joined = new JoinedWords(problems);
 
     private VocabularyReader(VocabularyFiles files) {
         this.files = files;
@@ -53,11 +54,14 @@ public final class VocabularyReader {
                     .ifPresent(m -> roots.put(name, m));
             problems.addAll(syntax.findings(), name + "#");
         });
+        roots.keySet().removeIf(files::isCombinedIndex);
         JsonObjectReader index = roots.get(VocabularyFiles.INDEX);
         if (index == null) {
             return Reading.nothing(problems);
         }
         String domain = readIndex(index);
+        List<String> combines = index.texts(VocabularyFiles.COMBINES);
+        joined.join(combines, roots);
         Optional<Geography> geography = index.object("geography").flatMap(VocabularyReader::geography);
         Map<String, String> robotNames = index.textMap("robotNames");
         readTypes();
@@ -70,8 +74,8 @@ public final class VocabularyReader {
             root.text(ProjectReader.SCHEMA, "");
             root.done();
         });
-        Vocabulary vocabulary =
-                new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks, geography, robotNames);
+        Vocabulary vocabulary = new Vocabulary(
+                domain, List.copyOf(types.values()), events, markups, tasks, geography, robotNames, combines);
         if (problems.none()) {
             new VocabularyChecks(vocabulary, eventNames, problems).check();
             robotNames.forEach((of, field) -> checkRobotName(vocabulary, of, field, index.at("robotNames") + "/" + of));
@@ -139,10 +143,12 @@ public final class VocabularyReader {
         List<T> items = new ArrayList<>();
         for (JsonObjectReader root : roots.values()) {
             if (root.has(member)) {
-                root.objects(member).forEach(m -> {
-                    reader.apply(m, taken).ifPresent(items::add);
-                    m.done();
-                });
+                root.objects(member).stream()
+                        .filter(m -> !joined.isReplaced(m.pointer()))
+                        .forEach(m -> {
+                            reader.apply(m, taken).ifPresent(items::add);
+                            m.done();
+                        });
             }
         }
         return items;

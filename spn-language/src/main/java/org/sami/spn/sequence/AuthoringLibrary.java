@@ -1,6 +1,8 @@
 package org.sami.spn.sequence;
 
 import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +36,29 @@ public record AuthoringLibrary(
     /** Groups and sequences without help on requirements. */
     public AuthoringLibrary(List<EventCategory> categories, List<Sequence> sequences) {
         this(categories, sequences, Map.of());
+    }
+
+    /** These, and those of another domain: groups of one id become one, and an event stays in the group in which it stands here. */
+    public AuthoringLibrary and(AuthoringLibrary others) {
+        Map<String, EventCategory> groups = new LinkedHashMap<>();
+        Set<String> placed = new HashSet<>();
+        for (EventCategory category :
+                Stream.of(categories, others.categories).flatMap(List::stream).toList()) {
+            List<String> events = new ArrayList<>(
+                    groups.containsKey(category.id())
+                            ? groups.get(category.id()).events()
+                            : List.of());
+            category.events().stream().filter(placed::add).forEach(events::add);
+            String name = groups.getOrDefault(category.id(), category).name();
+            groups.put(category.id(), new EventCategory(category.id(), name, events));
+        }
+        List<Sequence> all = new ArrayList<>(sequences);
+        others.sequences.stream()
+                .filter(s -> sequences.stream().noneMatch(own -> own.event().equals(s.event())))
+                .forEach(all::add);
+        Map<String, String> help = new LinkedHashMap<>(others.requirementHelp);
+        help.putAll(requirementHelp);
+        return new AuthoringLibrary(List.copyOf(groups.values()), all, help);
     }
 
     /**

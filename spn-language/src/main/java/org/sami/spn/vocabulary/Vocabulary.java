@@ -21,6 +21,7 @@ public final class Vocabulary {
     private final Map<String, TaskClass> taskClasses = new LinkedHashMap<>();
     private final Optional<Geography> geography;
     private final Map<String, String> robotNames;
+    private final List<String> combines;
 
     /** A vocabulary of a domain that says nothing of distances and of names of robots. */
     public Vocabulary(
@@ -29,7 +30,7 @@ public final class Vocabulary {
             List<EventType> events,
             List<MarkupType> markups,
             List<TaskClass> taskClasses) {
-        this(domain, types, events, markups, taskClasses, Optional.empty(), Map.of());
+        this(domain, types, events, markups, taskClasses, Optional.empty(), Map.of(), List.of());
     }
 
     /** A vocabulary; the reader has checked before that names are unique and references resolve. */
@@ -40,7 +41,9 @@ public final class Vocabulary {
             List<MarkupType> markups,
             List<TaskClass> taskClasses,
             Optional<Geography> geography,
-            Map<String, String> robotNames) {
+            Map<String, String> robotNames,
+            List<String> combines) {
+        this.combines = List.copyOf(combines);
         this.robotNames = Collections.unmodifiableMap(new LinkedHashMap<>(robotNames));
         this.geography = Objects.requireNonNull(geography, "geography");
         this.domain = Objects.requireNonNull(domain, "domain");
@@ -59,6 +62,11 @@ public final class Vocabulary {
     /** Id of the domain, such as {@code crw}. */
     public String domain() {
         return domain;
+    }
+
+    /** The ids of the domains whose words it joins; empty for a domain with words of its own alone. */
+    public List<String> combines() {
+        return combines;
     }
 
     /** How far the domain's robots get; empty where it does not say. */

@@ -1,5 +1,7 @@
 package org.sami.uav.handler;
 
+import java.util.Set;
+
 /** The names of the domain's events that handlers take and post, as {@code events.json} has them. */
 final class UavEvents {
     static final String TAKE_OFF = "TakeOff";
@@ -16,6 +18,10 @@ final class UavEvents {
     static final String PLAN_LANES = "PlanLanes";
     static final String WATCH_WIND = "WatchWind";
     static final String WATCH_TARGETS = "WatchTargets";
+
+    /** Those of the events above that move aircraft. */
+    static final Set<String> MOVES =
+            Set.of(TAKE_OFF, CLIMB_TO, FLY_TO, FLY_PATH, HOVER, LAND, RETURN_HOME, LOOK_AROUND, SEARCH_AROUND, FOLLOW);
 
     static final String AIRBORNE = "Airborne";
     static final String ALTITUDE_REACHED = "AltitudeReached";

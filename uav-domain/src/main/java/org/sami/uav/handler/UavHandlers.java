@@ -10,6 +10,7 @@ import org.sami.crw.handler.HandlerModule;
 import org.sami.crw.handler.HandlerParts;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RealValue;
 
 /** The handlers of the aircraft domain. */
@@ -25,6 +26,11 @@ public final class UavHandlers implements HandlerModule {
     @Override
     public RobotKind robots() {
         return RobotKind.COPTER;
+    }
+
+    @Override
+    public Set<String> moves() {
+        return UavEvents.MOVES;
     }
 
     @Override
@@ -86,7 +92,11 @@ public final class UavHandlers implements HandlerModule {
         parts.add(UavEvents.WATCH_TARGETS, targets::begin);
         parts.listen(targets);
         sightings.listen((aircraft, number, at) -> targets.observed(
-                aircraft, "target " + number, UavEvents.TARGET_SIGHTED, Map.of("at", at), watching -> true));
+                aircraft,
+                "target " + number,
+                UavEvents.TARGET_SIGHTED,
+                Map.of("at", at, "places", new ListValue(List.of(at))),
+                watching -> true));
     }
 
     private static void windReported(Watches watches, String aircraft, BoatReading reading) {

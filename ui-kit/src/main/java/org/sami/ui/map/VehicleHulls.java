@@ -6,6 +6,7 @@ import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.util.function.Function;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.map.Sprites.Sprite;
 
@@ -17,12 +18,13 @@ final class VehicleHulls {
     private static final int HEADINGS = 120; // three degrees apart
 
     private final Sprites<Hull> sprites = new Sprites<>();
-    private final VehicleShape form;
+    private final Function<String, VehicleShape> forms;
 
-    private record Hull(Color color, boolean stale, int heading) {}
+    private record Hull(VehicleShape form, Color color, boolean stale, int heading) {}
 
-    VehicleHulls(VehicleShape form) {
-        this.form = form;
+    /** What each vehicle looks like, by its id. */
+    VehicleHulls(Function<String, VehicleShape> forms) {
+        this.forms = forms;
     }
 
     /** From the middle to the bow, in logical pixels at the scale in force. */
@@ -61,7 +63,7 @@ final class VehicleHulls {
 
     private Sprite sprite(Graphics2D g, ShownVehicle vehicle) {
         int heading = Math.floorMod(Math.round(vehicle.headingRad() / (2 * Math.PI) * HEADINGS), HEADINGS);
-        Hull hull = new Hull(vehicle.mark().color(), vehicle.isStale(), heading);
+        Hull hull = new Hull(forms.apply(vehicle.id()), vehicle.mark().color(), vehicle.isStale(), heading);
         double side = 2 * halfPx() + 4;
         return sprites.get(g, hull, side, side, own -> paint(own, hull, side / 2));
     }
@@ -70,7 +72,7 @@ final class VehicleHulls {
         AffineTransform place = AffineTransform.getTranslateInstance(middle, middle);
         place.rotate(hull.heading() * 2 * Math.PI / HEADINGS);
         place.scale(Painting.px(1), Painting.px(1));
-        Shape shape = place.createTransformedShape(form.outline());
+        Shape shape = place.createTransformedShape(hull.form().outline());
         g.setColor(hull.stale() ? Painting.alpha(hull.color(), 0.35) : hull.color());
         g.fill(shape);
         g.setStroke(Painting.line(1.5));

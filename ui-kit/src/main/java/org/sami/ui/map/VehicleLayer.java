@@ -3,6 +3,7 @@ package org.sami.ui.map;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Snapping;
@@ -21,8 +22,17 @@ public final class VehicleLayer extends MapLayer {
     }
 
     public VehicleLayer(String id, String title, VehicleShape form) {
+        this(id, title, vehicle -> form);
+    }
+
+    /**
+     * A layer of vehicles of several kinds.
+     *
+     * @param forms what each looks like, by its id
+     */
+    public VehicleLayer(String id, String title, Function<String, VehicleShape> forms) {
         super(id, title);
-        hulls = new VehicleHulls(form);
+        hulls = new VehicleHulls(forms);
     }
 
     /** Shows these vehicles instead of those before; later ones lie on top. */

@@ -25,8 +25,9 @@ public final class DomainOption {
             names = "--domain",
             paramLabel = "NAME|FOLDER",
             defaultValue = "",
-            description = "The words of another domain: uav, which comes with crw, or a folder with domain.json. "
-                    + "Without it those of the boats.")
+            description =
+                    "The words of another domain: uav or team, which come with crw, or a folder with domain.json. "
+                            + "Without it those of the boats.")
     private String domain = "";
 
     public boolean isGiven() {
@@ -71,7 +72,7 @@ public final class DomainOption {
             return Optional.empty();
         }
         DomainLibrary library = reading.orThrow();
-        if (!HandlerModules.isHandled(library.vocabulary().domain())) {
+        if (!HandlerModules.isHandled(library.vocabulary())) {
             throw new UsageFault("--domain: nothing here does what the plans of "
                     + library.vocabulary().domain() + " ask; 'crw check' and 'crw test' take it");
         }

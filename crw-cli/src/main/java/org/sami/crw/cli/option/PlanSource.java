@@ -93,7 +93,7 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
     private static List<Finding> checked(DomainLibrary library, Project project) {
         Vocabulary vocabulary = library.vocabulary();
         List<Finding> all = new ArrayList<>(PlanChecks.check(project, vocabulary));
-        if (HandlerModules.isHandled(vocabulary.domain())) {
+        if (HandlerModules.isHandled(vocabulary)) {
             all.addAll(PlanChecks.checkHandled(project, vocabulary, HandledEvents.of(vocabulary)));
         }
         return all;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.RunPlan;
@@ -99,6 +100,15 @@ public final class RunOptions {
         } catch (IllegalArgumentException e) {
             throw new UsageFault(String.valueOf(e.getMessage()));
         }
+    }
+
+    /**
+     * The settings with a fleet of what a domain commands.
+     *
+     * @throws UsageFault for copters where the domain has none, or not in addition
+     */
+    public RunSettings withRobots(RunSettings settings, RobotKind robots) {
+        return options.withRobots(settings, robots);
     }
 
     /**

@@ -11,6 +11,7 @@ import java.util.OptionalLong;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.settings.InitialCharges;
@@ -32,12 +33,20 @@ import picocli.CommandLine.Option;
 /** The options that decide a mission and its fleet, whatever its seed, its water and its speed are. */
 public final class ScenarioOptions {
     private static final int DEFAULT_BOATS = 3;
+    private static final int DEFAULT_COPTERS = 2;
 
     @Option(
             names = "--boats",
             paramLabel = "N",
             description = "How many boats, named boat1, boat2, ...; 1 to 250 (default 3).")
     private @Nullable Integer boats;
+
+    @Option(
+            names = "--copters",
+            paramLabel = "N",
+            description = "How many copters, named copter1, copter2, ..., in addition to the boats; with --domain team "
+                    + "(default 2 there).")
+    private @Nullable Integer copters;
 
     @Option(
             names = "--locations",
@@ -157,10 +166,12 @@ public final class ScenarioOptions {
                 ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS)
                 : rest.addresses().size();
         within("--boats", count, 1, RunSettings.Fleet.MOST_BOATS);
+        int more = rest.addresses().isEmpty() && copters != null ? copters : 0;
+        within("--copters", more, 0, RunSettings.Fleet.MOST_BOATS - count);
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
         within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
         try {
-            return RunSettings.of(plan, mission, fleet(count, rest))
+            return RunSettings.of(plan, mission, fleet(count + more, rest))
                     .speed(rest.speed())
                     .limit(Optional.ofNullable(limitMillis)
                             .map(OptionalLong::of)
@@ -244,6 +255,30 @@ public final class ScenarioOptions {
         RunSettings.Fleet fleet =
                 new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site());
         return rangeM == null ? fleet : fleet.withRangeM(rangeM);
+    }
+
+    /**
+     * A fleet of what a domain commands.
+     *
+     * @throws UsageFault for copters where the domain has none, or not in addition
+     */
+    public RunSettings withRobots(RunSettings settings, RobotKind robots) {
+        if (copters != null && (robots != RobotKind.ROBOT || settings.isConnected())) {
+            throw new UsageFault(
+                    settings.isConnected()
+                            ? "--copters is for simulated copters, not for robots that are connected"
+                            : "--copters is for --domain team; with one kind of robots --boats says how many");
+        }
+        if (robots != RobotKind.ROBOT || settings.isConnected()) {
+            return settings.withFleet(settings.fleet().of(robots));
+        }
+        RunSettings.Fleet fleet = settings.fleet();
+        int ofBoats = fleet.boats() - (copters == null ? 0 : copters);
+        try {
+            return settings.withFleet(fleet.team(ofBoats, copters == null ? DEFAULT_COPTERS : copters));
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault(e.getMessage());
+        }
     }
 
     private Site site() {

@@ -387,10 +387,11 @@ final class Execution {
         RunSettings.Fleet fleet = settings.fleet();
         err.printf(
                 Locale.ROOT,
-                "running %s: %ss %d, locations %d, area %.0f m, seed %d, speed %s%n",
+                "running %s: %ss %d%s, locations %d, area %.0f m, seed %d, speed %s%n",
                 settings.plan(),
                 fleet.robots().word(),
                 fleet.boats(),
+                fleet.copters() > 0 ? " (of them copters " + fleet.copters() + ")" : "",
                 fleet.locations(),
                 fleet.areaM(),
                 fleet.seed(),

@@ -158,8 +158,7 @@ public final class ExperimentRuns {
         }
         ScenarioOptions.Rest rest = new ScenarioOptions.Rest(1, Conditions.CALM, Speed.MAX, List.of());
         RunSettings given = options.settings(plan.id(), plan.title(), rest, folder);
-        RunSettings settings = given.withFleet(
-                given.fleet().of(HandlerModules.robotsOf(library.vocabulary().domain())));
+        RunSettings settings = options.withRobots(given, HandlerModules.robotsOf(library.vocabulary()));
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {
             throw new FaultyFile(options.answersFile(), answers.findings());

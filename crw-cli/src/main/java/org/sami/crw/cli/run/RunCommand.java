@@ -134,8 +134,7 @@ public final class RunCommand implements Callable<Integer> {
             }
         }
         RunSettings given = options.settings(plan.id(), plan.title(), found);
-        RunSettings settings = given.withFleet(
-                given.fleet().of(HandlerModules.robotsOf(library.vocabulary().domain())));
+        RunSettings settings = options.withRobots(given, HandlerModules.robotsOf(library.vocabulary()));
         options.checkScript(new RunPlan(library.vocabulary(), source.project().get(), plan), settings);
         Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
         if (answers.hasErrors()) {

@@ -245,8 +245,8 @@ public final class SessionCommand implements Callable<Integer> {
             boolean goesOn)
             throws IOException {
         Conditions ofSimulated = water.map(NamedConditions::conditions).orElse(Conditions.CALM);
-        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
-                1, ofSimulated, HandlerModules.robotsOf(setup.vocabulary().domain()));
+        SimulatedBoatsOnTcp simulated =
+                new SimulatedBoatsOnTcp(1, ofSimulated, HandlerModules.robotsOf(setup.vocabulary()));
         StationLinks stations = new StationLinks(simulated);
         if (mavlink != null && simulated.robots() != RobotKind.BOAT) {
             throw new UsageFault("--mavlink shows boats, and this session has none");

@@ -92,6 +92,9 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                 settled.addAll(one.completed());
             } else if (boat.isEmpty()) {
                 settled.addAll(failed(one, UNKNOWN_BOAT));
+            } else if (BoatMoves.refusal(activation.type(), boat.get()).isPresent()) {
+                settled.addAll(failed(
+                        one, BoatMoves.refusal(activation.type(), boat.get()).orElseThrow()));
             } else {
                 sent.put(move.command().commandId(), one);
                 boat.get().commands().submit(SpeedChoice.of(activation, move.command(), boat.get()));

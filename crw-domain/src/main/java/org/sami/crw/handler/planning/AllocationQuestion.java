@@ -44,7 +44,7 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
 
     /**
      * Reads the request. The work is the rest of the field {@code previous}, otherwise the field {@code locations}, otherwise the entering tasks. The
-     * boats are those that entered, or those of the mission where only tasks did.
+     * boats are those that entered, or those of the mission where only tasks did; robots that fly are left out.
      *
      * @param reach how far and how fast each boat gets, and where it returns to
      * @param keepWaysHome whether charges have to last for the ways home too
@@ -62,7 +62,11 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
                 previous.map(one -> left(one, activation, context)).orElse(Map.of());
         List<Candidate> candidates = new ArrayList<>();
         List<String> unknown = new ArrayList<>();
-        for (String boat : boats(activation, context)) {
+        Set<String> boats = boats(activation, context);
+        if (boats.removeIf(reach::isFlying) && boats.isEmpty()) {
+            throw new IllegalArgumentException("Only robots that fly are there: nobody to allocate to");
+        }
+        for (String boat : boats) {
             List<WorkItem> begun = previous.isPresent()
                     ? left.getOrDefault(boat, List.of()).stream().limit(1).toList()
                     : otherTasks(boat, activation, context);
@@ -72,7 +76,7 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
                             at -> candidates.add(new Candidate(
                                     boat,
                                     at,
-                                    BoatDemands.offers(offers(boat, activation), reach.capabilities(boat)),
+                                    BoatDemands.offers(offers(boat, activation), reach.capabilities(boat), false),
                                     begun,
                                     reach.rangeM(boat),
                                     keepWaysHome ? reach.home(boat) : Optional.empty(),

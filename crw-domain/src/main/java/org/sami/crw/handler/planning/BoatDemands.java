@@ -17,6 +17,12 @@ public final class BoatDemands {
     /** The word with which tasks need a camera. */
     static final String CAMERA = "camera";
 
+    /** The word for what only robots that fly offer. */
+    public static final String FLIGHT = "flight";
+
+    /** The word for what only robots on the water offer. */
+    public static final String WATER = "water";
+
     private static final Map<String, String> WORDS = Map.of(
             BoatCapabilities.PANORAMA, "take pictures all round", BoatCapabilities.GAINS, "take gains from here");
     private static final Map<String, String> BY_EVENT =
@@ -68,6 +74,18 @@ public final class BoatDemands {
                 .sorted()
                 .flatMap(what -> cannot(boatCan, what).stream())
                 .toList();
+    }
+
+    /**
+     * The same, and the word for where a robot moves: {@link #FLIGHT} or {@link #WATER}.
+     *
+     * @param stated by the plan
+     * @param flies whether the robot does
+     */
+    public static Set<String> offers(Set<String> stated, BoatCapabilities robotCan, boolean flies) {
+        Set<String> offers = offers(stated, robotCan);
+        offers.add(flies ? FLIGHT : WATER);
+        return offers;
     }
 
     /**

@@ -34,6 +34,11 @@ public final class BoatReach {
         return boats.find(boat).map(BoatProxy::capabilities).orElse(BoatCapabilities.UNKNOWN);
     }
 
+    /** Whether it flies, so that work on the water is not for it. */
+    boolean isFlying(String robot) {
+        return boats.find(robot).map(BoatProxy::isFlying).orElse(false);
+    }
+
     /** Where a boat returns to; empty for one that has not said. */
     Optional<GeoPoint> home(String boat) {
         return boats.find(boat).flatMap(BoatProxy::home);

@@ -19,7 +19,6 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.PlainText;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.look.WidthTrackingPanel;
@@ -128,11 +127,11 @@ public final class BoatPanel extends FoldingPanel {
         }
         BoatSnapshot now = boat.get();
         name.setText(now.boat());
-        name.setIcon(new MarkIcon(context.marks().of(now.boat())));
-        why.setText(context.say(BoatWords.state(now)));
+        name.setIcon(BoatTables.icon(context, now.boat()));
+        why.setText(context.sayOf(now.boat(), BoatWords.state(now)));
         why.setToolTipText(why.getText());
         LookColors.foreground(why, BoatWords.color(BoatWords.trouble(now)));
-        facts.setText(context.say(facts(now)));
+        facts.setText(context.sayOf(now.boat(), facts(now)));
         facts.setVisible(!low.isFolded());
         facts.setToolTipText(facts.getText());
         name.setToolTipText(facts.getText());

@@ -71,7 +71,8 @@ public final class BoatsPanel extends JPanel {
     private List<RowColumn<Shown>> columns(OperatorContext of) {
         List<RowColumn<Shown>> columns = new ArrayList<>(List.of(
                 BoatTables.names(of, Shown::name),
-                RowColumn.<Shown>words("What it does", 0, shown -> of.say(BoatWords.brief(shown.boat())))
+                RowColumn.<Shown>words(
+                                "What it does", 0, shown -> of.sayOf(shown.name(), BoatWords.brief(shown.boat())))
                         .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
                 number("Battery", 68, shown -> BoatWords.battery(shown.boat())).colored(shown -> batteryColor(shown)),
                 number("Speed", 72, shown -> BoatWords.speed(shown.boat())).asSpare(),
@@ -79,8 +80,15 @@ public final class BoatsPanel extends JPanel {
                 RowColumn.<Shown>number("Link", 90, Shown::link)
                         .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)
                         .asLastSpare())); // what it does says when the link is lost
-        if (of.robots() == RobotKind.COPTER) {
-            columns.add(ALTITUDE_COLUMN, number("Altitude", 76, shown -> BoatWords.altitude(shown.boat())));
+        if (of.robots() != RobotKind.BOAT) {
+            columns.add(
+                    ALTITUDE_COLUMN,
+                    number(
+                            "Altitude",
+                            76,
+                            shown -> of.kindOf(shown.name()) == RobotKind.COPTER
+                                    ? BoatWords.altitude(shown.boat())
+                                    : ""));
         }
         return columns;
     }

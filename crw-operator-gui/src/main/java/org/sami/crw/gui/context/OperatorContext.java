@@ -6,6 +6,7 @@ import java.util.concurrent.CompletionStage;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
@@ -59,12 +60,22 @@ public record OperatorContext(
 
     /** What the session's plans command: what they are called. */
     public RobotKind robots() {
-        return HandlerModules.robotsOf(vocabulary().domain());
+        return HandlerModules.robotsOf(vocabulary());
     }
 
     /** A text about boats, with the word for the session's robots. */
     public String say(String text) {
         return robots().say(text);
+    }
+
+    /** What one robot is; where both kinds are together, one that has not reported yet is taken for a boat. */
+    public RobotKind kindOf(String robot) {
+        return robots().of(models().fleet().boat(robot).map(BoatSnapshot::flies).orElse(false));
+    }
+
+    /** A text about one boat, with the word for what that robot is. */
+    public String sayOf(String robot, String text) {
+        return kindOf(robot).say(text);
     }
 
     /** The session's models. */

@@ -8,16 +8,24 @@ public final class RobotIcons {
 
     /** Of one of them. */
     public static String one(RobotKind robots) {
-        return robots == RobotKind.COPTER ? "copter" : "boat";
+        return switch (robots) {
+            case BOAT -> "boat";
+            case COPTER -> "copter";
+            case ROBOT -> "team";
+        };
     }
 
     /** Of several. */
     public static String some(RobotKind robots) {
-        return robots == RobotKind.COPTER ? "copters" : "fleet";
+        return switch (robots) {
+            case BOAT -> "fleet";
+            case COPTER -> "copters";
+            case ROBOT -> "team";
+        };
     }
 
     /** Of staying where they are: an anchor holds boats only. */
     public static String hold(RobotKind robots) {
-        return robots == RobotKind.COPTER ? "pause" : "hold";
+        return robots == RobotKind.BOAT ? "hold" : "pause";
     }
 }

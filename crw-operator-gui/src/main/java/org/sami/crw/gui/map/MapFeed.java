@@ -62,7 +62,7 @@ final class MapFeed {
         boats = new VehicleLayer(
                 "boats",
                 context.say("Boats"),
-                context.robots() == RobotKind.COPTER ? VehicleShape.COPTER : VehicleShape.HULL);
+                robot -> context.kindOf(robot) == RobotKind.COPTER ? VehicleShape.COPTER : VehicleShape.HULL);
         List.of(data, areas, tracks, paths, waysHome, places, boats).forEach(layers::add);
     }
 

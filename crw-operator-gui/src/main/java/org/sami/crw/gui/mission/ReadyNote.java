@@ -60,8 +60,8 @@ final class ReadyNote extends JLabel {
     void refresh(Optional<Plan> plan, Optional<Project> project) {
         List<BoatSnapshot> boats = List.copyOf(context.models().fleet().snapshot());
         FleetCheck check = FleetCheck.of(boats, context.models().alarms().snapshot(), context.nowMillis());
-        List<String> missing = plan.flatMap(chosen -> project.map(
-                        loaded -> PlanCheck.of(chosen, loaded, boats).missing()))
+        List<String> missing = plan.flatMap(chosen -> project.map(loaded ->
+                        PlanCheck.of(chosen, loaded, boats, context.robots()).missing()))
                 .orElse(List.of());
         String words = check.words();
         List<String> told = new ArrayList<>();

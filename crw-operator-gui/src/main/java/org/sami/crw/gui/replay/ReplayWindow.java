@@ -84,7 +84,7 @@ public final class ReplayWindow {
         this.ended = ended;
         Replay replay = new Replay(journal, EventThread.executor(), computing);
         player = new PlaybackTimer(journal.timeLine(), replay::goTo, worker);
-        RobotKind robots = HandlerModules.robotsOf(journal.vocabulary().domain());
+        RobotKind robots = HandlerModules.robotsOf(journal.vocabulary());
         OperatorContext context = new OperatorContext(
                 new ReplayedSession(replay, worker, computing, player::goTo),
                 new CommandRegistry(CommandPolicy.ALL, robots::say),

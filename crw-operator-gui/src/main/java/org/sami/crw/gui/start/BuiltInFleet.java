@@ -6,15 +6,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
 import org.sami.spn.value.GeoPoint;
 
-/** The five simulated boats that a window without real ones has, in the shallows of Katara Beach. */
+/** The five simulated robots that a window without real ones has, in the shallows of Katara Beach: where both kinds are together, three boats and two copters. */
 final class BuiltInFleet {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
     private static final double SPACING_DEG = 0.0002; // 22 m
+    private static final int BOATS_OF_TEAM = 3;
+
     /** Boats, by their ids. */
     static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
 
@@ -22,9 +25,15 @@ final class BuiltInFleet {
 
     /** The names of those of a kind. */
     static List<String> names(RobotKind robots) {
-        return robots == RobotKind.BOAT
-                ? NAMES
-                : IntStream.range(0, NAMES.size()).mapToObj(robots::nameOf).toList();
+        int boats = switch (robots) {
+            case BOAT -> NAMES.size();
+            case COPTER -> 0;
+            case ROBOT -> BOATS_OF_TEAM;
+        };
+        return Stream.concat(
+                        NAMES.stream().limit(boats),
+                        IntStream.range(0, NAMES.size() - boats).mapToObj(RobotKind.COPTER::nameOf))
+                .toList();
     }
 
     /**

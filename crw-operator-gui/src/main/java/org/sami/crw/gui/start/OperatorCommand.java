@@ -16,6 +16,7 @@ import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.json.BoundedFile;
+import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.FileTooLargeException;
 import org.sami.ui.window.LookOptions;
 import org.sami.ui.window.WindowStart;
@@ -78,7 +79,8 @@ public final class OperatorCommand implements Callable<Integer> {
             names = "--domain",
             paramLabel = "NAME",
             defaultValue = StartOptions.BOATS,
-            description = "Whose plans are run: uav opens the window on five simulated copters (default: the boats').")
+            description = "Whose plans are run: uav opens the window on five simulated copters, "
+                    + "team on three boats and two copters (default: the boats').")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String domain;
 
@@ -188,11 +190,18 @@ public final class OperatorCommand implements Callable<Integer> {
     private String shipped() {
         if (!domain.matches("[a-z][a-z0-9-]*")
                 || OperatorCommand.class.getResource("/org/sami/domain/" + domain + "/domain.json") == null
-                || !HandlerModules.isHandled(domain)) {
+                || !isHandled(domain)) {
             throw new ParameterException(
-                    spec.commandLine(), "--domain: '" + domain + "' does not come with this program; uav does");
+                    spec.commandLine(), "--domain: '" + domain + "' does not come with this program; uav and team do");
         }
         return domain;
+    }
+
+    private static boolean isHandled(String shipped) {
+        return DomainLibrary.fromClassPath("/org/sami/domain/" + shipped)
+                .result()
+                .filter(library -> HandlerModules.isHandled(library.vocabulary()))
+                .isPresent();
     }
 
     private static List<BoatAddress> addressesIn(Path file) throws IOException {

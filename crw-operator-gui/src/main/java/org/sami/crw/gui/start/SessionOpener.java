@@ -181,7 +181,7 @@ public final class SessionOpener {
 
     private Session opened(SessionSetup setup, boolean builtIn, Optional<NamedConditions> water) throws IOException {
         named = water;
-        RobotKind robots = HandlerModules.robotsOf(setup.vocabulary().domain());
+        RobotKind robots = HandlerModules.robotsOf(setup.vocabulary());
         SimulatedBoatsOnTcp launcher = new SimulatedBoatsOnTcp(
                 1, water.map(NamedConditions::conditions).orElse(Conditions.CALM), robots);
         simulated = Optional.of(launcher);

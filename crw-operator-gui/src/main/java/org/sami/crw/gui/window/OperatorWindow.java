@@ -71,7 +71,7 @@ public final class OperatorWindow {
         this.ended = ended;
         this.session = session;
         this.data = data;
-        RobotKind robots = HandlerModules.robotsOf(session.setup().vocabulary().domain());
+        RobotKind robots = HandlerModules.robotsOf(session.setup().vocabulary());
         context = new OperatorContext(
                 session,
                 new CommandRegistry(CommandPolicy.ALL, robots::say),

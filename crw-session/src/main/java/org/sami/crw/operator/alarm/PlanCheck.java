@@ -7,9 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.sami.boat.link.BoatCapabilities;
+import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.BoatTuning;
@@ -30,19 +33,38 @@ public record PlanCheck(List<String> missing) {
     }
 
     /**
-     * Goes through all output events for all boats.
+     * Goes through all output events for all boats. In a fleet of several kinds a plan chooses for each event who can do it: there only what no robot
+     * can do is missing.
      *
      * @param project with the plans of its sub-missions
+     * @param robots what the fleet is
      */
-    public static PlanCheck of(Plan plan, Project project, Collection<BoatSnapshot> boats) {
+    public static PlanCheck of(Plan plan, Project project, Collection<BoatSnapshot> boats, RobotKind robots) {
         Set<String> missing = new LinkedHashSet<>();
         withSubMissions(plan, project).stream()
                 .flatMap(one -> one.places().stream())
                 .flatMap(place -> place.outputs().stream())
-                .forEach(event -> boats.forEach(
-                        boat -> BoatDemands.missing(boat.boat(), capabilities(boat), event.type(), fixed(event))
-                                .ifPresent(missing::add)));
+                .forEach(event -> {
+                    List<String> reasons = boats.stream()
+                            .flatMap(boat -> missing(boat, event, robots).stream())
+                            .toList();
+                    if (robots != RobotKind.ROBOT) {
+                        missing.addAll(reasons);
+                    } else if (!boats.isEmpty() && reasons.size() == boats.size()) {
+                        missing.add("no robot can do " + event.type() + ": " + String.join(", ", reasons));
+                    }
+                });
         return new PlanCheck(List.copyOf(missing));
+    }
+
+    private static Optional<String> missing(BoatSnapshot boat, OutputEventSpec event, RobotKind robots) {
+        if (robots == RobotKind.ROBOT && boat.pose().isPresent()) {
+            Optional<RobotKind> moved = HandlerModules.moving(event.type());
+            if (moved.isPresent() && moved.get() != robots.of(boat.flies())) {
+                return Optional.of(boat.boat() + (boat.flies() ? " flies" : " does not fly"));
+            }
+        }
+        return BoatDemands.missing(boat.boat(), capabilities(boat), event.type(), fixed(event));
     }
 
     private static Collection<Plan> withSubMissions(Plan plan, Project project) {

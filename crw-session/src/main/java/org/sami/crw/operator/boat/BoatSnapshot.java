@@ -34,6 +34,7 @@ import org.sami.spn.value.GeoPoint;
  * @param stop whether it is stopped until a release
  * @param wayHome its expected way home, from its last position with the turns between, while it returns by itself; otherwise empty
  * @param settings the settings that it last reported to be in force; empty before the first report
+ * @param flies whether it does; false before its first report
  */
 public record BoatSnapshot(
         String boat,
@@ -51,7 +52,8 @@ public record BoatSnapshot(
         Optional<Drift> drift,
         StopLatch stop,
         List<GeoPoint> wayHome,
-        Optional<BoatTuning> settings) {
+        Optional<BoatTuning> settings,
+        boolean flies) {
 
     /** Who commands a boat. */
     public enum Commander {
@@ -97,6 +99,66 @@ public record BoatSnapshot(
                 StopLatch.NONE,
                 wayHome,
                 Optional.empty());
+    }
+
+    /** One that does not fly. */
+    public BoatSnapshot(
+            String boat,
+            LinkState link,
+            OptionalLong heardAtMillis,
+            Optional<BoatPose> pose,
+            long poseAtMillis,
+            Optional<BatteryState> battery,
+            Optional<BoatMode> mode,
+            Commander commander,
+            Optional<BoatCommand> command,
+            int visited,
+            int points,
+            BoatExplanation why,
+            Optional<Drift> drift,
+            StopLatch stop,
+            List<GeoPoint> wayHome,
+            Optional<BoatTuning> settings) {
+        this(
+                boat,
+                link,
+                heardAtMillis,
+                pose,
+                poseAtMillis,
+                battery,
+                mode,
+                commander,
+                command,
+                visited,
+                points,
+                why,
+                drift,
+                stop,
+                wayHome,
+                settings,
+                false);
+    }
+
+    /** The same of one that flies, or does not. */
+    public BoatSnapshot flying(boolean does) {
+        return new BoatSnapshot(
+                boat,
+                link,
+                heardAtMillis,
+                pose,
+                poseAtMillis,
+                battery,
+                mode,
+                commander,
+                command,
+                visited,
+                points,
+                why,
+                drift,
+                stop,
+                wayHome,
+                settings,
+                does);
     }
 
     /** A boat of which nothing has been heard. */

@@ -15,6 +15,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
 import org.sami.crw.operator.alarm.LaunchCheck.Subject;
 import org.sami.crw.operator.boat.BoatSnapshot;
@@ -160,14 +161,16 @@ class LaunchCheckTest {
         assertThat(PlanCheck.of(
                                 parent,
                                 team.withPlans(List.of(parent, child)),
-                                List.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind)))
+                                List.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind)),
+                                RobotKind.BOAT)
                         .missing())
                 .containsExactly("anna cannot take pictures all round: there is no camera on board");
     }
 
     private static List<String> missing(DomainLibrary library, String id, List<BoatSnapshot> boats) {
         Project project = library.projectOf(id).orElseThrow();
-        return PlanCheck.of(project.plan(id).orElseThrow(), project, boats).missing();
+        return PlanCheck.of(project.plan(id).orElseThrow(), project, boats, RobotKind.BOAT)
+                .missing();
     }
 
     @Test

@@ -65,7 +65,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
         this(seed, conditions, RobotKind.BOAT);
     }
 
-    /** Nobody is launched yet; who is launched is of a kind. */
+    /** Nobody is launched yet; who is launched is of a kind, or of the one that its name says where both are together. */
     public SimulatedBoatsOnTcp(long seed, Conditions conditions, RobotKind robots) {
         this.seed = seed;
         this.conditions = conditions;
@@ -79,8 +79,8 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
         }
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         BoatSettings settings = BoatSettings.of(boat, anyPort, at, seed + boats.size())
-                .of(robots)
-                .on(conditions)
+                .of(robots.ofName(boat))
+                .on(conditions.of(robots))
                 .withPicturesIn(pictures().resolve(boat));
         BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water);
         boats.add(launched);

@@ -12,6 +12,7 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TrafficRelay;
 import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.crw.sim.picture.Scene.SeenBoat;
@@ -102,10 +103,14 @@ public final class SimulatedFleet {
     }
 
     private SimulatedHull add(String id, double eastM, double northM) {
+        return add(id, eastM, northM, config.hull());
+    }
+
+    private SimulatedHull add(String id, double eastM, double northM, HullConfig hull) {
         SimulatedBoat boat = new SimulatedBoat(
                 id,
                 clock,
-                config,
+                config.withHull(hull),
                 frame,
                 eastM,
                 northM,
@@ -124,10 +129,19 @@ public final class SimulatedFleet {
      * @throws IllegalArgumentException if there is one with its id
      */
     public SimulatedBoat join(String id, double eastM, double northM) {
+        return join(id, eastM, northM, config.hull());
+    }
+
+    /**
+     * Another robot joins, which may be of another kind.
+     *
+     * @throws IllegalArgumentException if there is one with its id
+     */
+    public SimulatedBoat join(String id, double eastM, double northM, HullConfig hull) {
         if (boat(id).isPresent()) {
             throw new IllegalArgumentException("there is a boat " + id + " already");
         }
-        add(id, eastM, northM).setQuay(new Quay(eastM, eastM, northM, Quay.REACH_M));
+        add(id, eastM, northM, hull).setQuay(new Quay(eastM, eastM, northM, Quay.REACH_M));
         return boats.get(boats.size() - 1);
     }
 

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.sami.boat.link.TrackingError;
 import org.sami.boat.server.ServerConfig;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**
@@ -62,6 +63,7 @@ public record Conditions(
     private static final String CURRENT = "current";
     private static final String WIND = "wind";
     private static final String SENSORS = "sensors";
+    private static final List<SensorSetting> OF_TEAMS = List.of(new SensorSetting(SensorKind.TEMPERATURE, 1));
     private static final String DISCHARGE_INTERVAL = "dischargeIntervalS";
 
     /** Conditions under which positions do not jump and a battery is drawn on as usual. */
@@ -98,6 +100,11 @@ public record Conditions(
         if (!(value >= 0 && value <= most)) {
             throw new IllegalArgumentException(what + " is 0 to " + most + ", not " + value);
         }
+    }
+
+    /** The same for a kind of fleet: boats of a team measure temperature where no sensors are named, as somebody there has to sample. */
+    public Conditions of(RobotKind robots) {
+        return robots == RobotKind.ROBOT && sensors.isEmpty() ? measuring(OF_TEAMS) : this;
     }
 
     /** The same water, in which boats measure something. */

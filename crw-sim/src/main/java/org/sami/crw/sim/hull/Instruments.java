@@ -45,12 +45,13 @@ public final class Instruments implements Vehicle {
         eastM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         northM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         headingRad = new GaussMarkovError(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
-        for (SensorSetting setting : conditions.sensors()) {
-            sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
-        }
         if (hull.altM().isPresent()) {
             sensors.add(new TargetCamera(hull, fieldSeed));
             sensors.add(new WindSensor(hull::windMps));
+        } else {
+            for (SensorSetting setting : conditions.sensors()) {
+                sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
+            }
         }
         jump = new JumpingError(conditions.gpsJumpM(), GPS_S, new SplittableRandom(seed ^ JUMP_SEED));
     }

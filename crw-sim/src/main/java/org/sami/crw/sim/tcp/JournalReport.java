@@ -142,7 +142,7 @@ public final class JournalReport {
     private RunHeader header() {
         return runPlan()
                 .map(plan -> RunHeaders.of(plan, run.orElseThrow(), plane))
-                .orElseGet(() -> RunHeaders.ofSession(project, plane));
+                .orElseGet(() -> RunHeaders.ofSession(project, vocabulary, plane));
     }
 
     /** A session goes on until somebody ends it; a run until its mission is over. */

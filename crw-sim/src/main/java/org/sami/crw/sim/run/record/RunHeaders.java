@@ -10,6 +10,7 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** Headers of reports: what was run. */
 public final class RunHeaders {
@@ -36,7 +37,7 @@ public final class RunHeaders {
                 settings.speed().toString(),
                 fleet.areaM(),
                 new RunPlace(centre(plane), quay.map(at -> point(at, plane))),
-                HandlerModules.robotsOf(plan.vocabulary().domain()));
+                HandlerModules.robotsOf(plan.vocabulary()));
     }
 
     /**
@@ -44,7 +45,7 @@ public final class RunHeaders {
      *
      * @param plane around the area's centre
      */
-    public static RunHeader ofSession(Project project, LocalFrame plane) {
+    public static RunHeader ofSession(Project project, Vocabulary vocabulary, LocalFrame plane) {
         return new RunHeader(
                 project.id(),
                 project.name(),
@@ -54,7 +55,7 @@ public final class RunHeaders {
                 "1",
                 0,
                 new RunPlace(centre(plane), Optional.empty()),
-                HandlerModules.robotsOf(project.domain()));
+                HandlerModules.robotsOf(vocabulary));
     }
 
     private static MapPoint centre(LocalFrame plane) {

@@ -54,8 +54,10 @@ public record RunSettings(
      *     planned with
      * @param charges of the batteries of boats in this process; others have their own
      * @param site where on earth that is
+     * @param boats how many robots in all, of whatever kind
      * @param robots what they are; those of boats are named boats in this record
      * @param rangeM how far a full battery takes boats in this process on average, in metres; empty for the usual range
+     * @param copters how many of them, the last ones, are copters where both kinds are together; 0 otherwise
      */
     public record Fleet(
             int boats,
@@ -66,7 +68,8 @@ public record RunSettings(
             InitialCharges charges,
             Site site,
             RobotKind robots,
-            OptionalDouble rangeM) {
+            OptionalDouble rangeM,
+            int copters) {
         /** The greatest number of boats. */
         public static final int MOST_BOATS = 250;
 
@@ -103,9 +106,10 @@ public record RunSettings(
             if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
                 throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
             }
-            if (rangeM.isPresent() && robots != RobotKind.BOAT) {
+            if (rangeM.isPresent() && robots == RobotKind.COPTER) {
                 throw new IllegalArgumentException("only boats have a range; copters fly for a time");
             }
+            within("copters", copters, 0, robots == RobotKind.ROBOT ? boats : 0);
         }
 
         /** A fleet of boats. */
@@ -117,7 +121,7 @@ public record RunSettings(
                 Conditions conditions,
                 InitialCharges charges,
                 Site site) {
-            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT, OptionalDouble.empty());
+            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT, OptionalDouble.empty(), 0);
         }
 
         /** A fleet with full batteries in calm water. */
@@ -127,43 +131,77 @@ public record RunSettings(
 
         /** The same fleet with more or fewer boats. */
         Fleet of(int otherBoats) {
-            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM);
+            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots, rangeM);
+            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots, rangeM, copters);
         }
 
         /** The same fleet, with other locations, batteries and all else that is drawn. */
         public Fleet drawnFrom(long otherSeed) {
-            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM);
+            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM, copters);
         }
 
         /** The same fleet with other charges. */
         public Fleet with(InitialCharges others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots, rangeM);
+            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots, rangeM, copters);
         }
 
         /** The same fleet with batteries that last for so many metres on average when they are full. */
         public Fleet withRangeM(double metres) {
             return new Fleet(
-                    boats, locations, areaM, seed, conditions, charges, site, robots, OptionalDouble.of(metres));
+                    boats,
+                    locations,
+                    areaM,
+                    seed,
+                    conditions,
+                    charges,
+                    site,
+                    robots,
+                    OptionalDouble.of(metres),
+                    copters);
         }
 
         /** The same fleet elsewhere. */
         public Fleet at(Site other) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots, rangeM);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots, rangeM, copters);
         }
 
-        /** The same fleet of other robots. */
+        /** The same fleet of other robots of one kind. */
         public Fleet of(RobotKind others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others, rangeM);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others, rangeM, 0);
         }
 
-        /** The names of the boats, in order. */
+        /** A fleet of boats and copters together, the rest the same. */
+        public Fleet team(int ofBoats, int ofCopters) {
+            return new Fleet(
+                    ofBoats + ofCopters,
+                    locations,
+                    areaM,
+                    seed,
+                    conditions,
+                    charges,
+                    site,
+                    RobotKind.ROBOT,
+                    rangeM,
+                    ofCopters);
+        }
+
+        /** The names of the robots, in order: boat1, boat2, ..., copter1, ... where both kinds are together. */
         public List<String> boatNames() {
-            return IntStream.range(0, boats).mapToObj(robots::nameOf).toList();
+            return IntStream.range(0, boats).mapToObj(this::nameOf).toList();
+        }
+
+        private String nameOf(int index) {
+            int first = boats - copters;
+            return kindOf(index).nameOf(robots == RobotKind.ROBOT && index >= first ? index - first : index);
+        }
+
+        /** What a robot is, counted from 0. */
+        public RobotKind kindOf(int index) {
+            return robots.of(index >= boats - copters);
         }
 
         private static void within(String what, int value, int least, int most) {

@@ -20,6 +20,7 @@ public final class SettingsMap {
     private static final String ALSO = "also.";
     private static final String RANGE = "rangeM";
     private static final String ROBOTS = "robots";
+    private static final String COPTERS = "copters";
 
     private SettingsMap() {}
 
@@ -51,6 +52,9 @@ public final class SettingsMap {
         if (fleet.robots() != RobotKind.BOAT) {
             map.put(ROBOTS, fleet.robots().word());
         }
+        if (fleet.copters() > 0) {
+            map.put(COPTERS, String.valueOf(fleet.copters()));
+        }
         settings.parameters().forEach((name, value) -> map.put(PARAMETER + name, value));
         number(map, INTERRUPT, settings.interrupts());
         number(map, ALSO, settings.also());
@@ -80,7 +84,8 @@ public final class SettingsMap {
                 map.containsKey(ROBOTS) ? RobotKind.of(map.get(ROBOTS)) : RobotKind.BOAT,
                 map.containsKey(RANGE)
                         ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
-                        : OptionalDouble.empty());
+                        : OptionalDouble.empty(),
+                Integer.parseInt(map.getOrDefault(COPTERS, "0")));
         RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
                 .speed(Speed.parse(needed(map, "speed")))
                 .parameters(parameters)

@@ -160,7 +160,7 @@ public final class SimulatedBoatConnector implements FleetConnector {
         if (fleet().boats().size() >= RunSettings.Fleet.MOST_BOATS) {
             throw new IllegalArgumentException("a run has at most " + RunSettings.Fleet.MOST_BOATS + " boats");
         }
-        fleet().join(id, eastM, northM);
+        fleet().join(id, eastM, northM, water.orElseThrow().hullOf(id));
         meetNewBoats();
     }
 

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
@@ -23,32 +24,47 @@ import org.sami.spn.value.GeoPoint;
 /** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
 public final class SimulatedWater {
     private static final double SPACING_M = 5;
+    private static final double COPTERS_NORTH_M = 10;
 
     private final VirtualClock clock;
     private final LocalFrame plane;
     private final GeoPoint quay;
     private final SimulatedFleet fleet;
+    private final RunSettings.Fleet settings;
 
-    /** Water with boats in a line from west to east, whose middle is the quay. */
+    /** Water with boats in a line from west to east, whose middle is the quay; copters of the same fleet stand north of them. */
     public SimulatedWater(
             VirtualClock clock, RunSettings.Fleet settings, Function<String, Consumer<FleetEvent>> listeners) {
         this.clock = clock;
+        this.settings = settings;
         GeoPoint centre = settings.site().centreInProcess();
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
         quay = settings.site().quayInProcess(settings.areaM());
-        double eastM = plane.eastM(quay.latDeg(), quay.lonDeg()) - (settings.boats() - 1) * SPACING_M / 2;
+        double eastM = plane.eastM(quay.latDeg(), quay.lonDeg()) - (boats(settings) - 1) * SPACING_M / 2;
         double northM = plane.northM(quay.latDeg(), quay.lonDeg());
         fleet = new SimulatedFleet(
                 clock,
                 settings.seed(),
-                settings.boats(),
+                boats(settings),
                 plane.latDeg(eastM, northM),
                 plane.lonDeg(eastM, northM),
                 listeners,
-                FleetConfig.DEFAULT.withHull(hull(settings)).withoutTracks().withConditions(settings.conditions()));
+                FleetConfig.DEFAULT
+                        .withHull(hull(settings))
+                        .withoutTracks()
+                        .withConditions(settings.conditions().of(settings.robots())));
+        for (int i = boats(settings); i < settings.boats(); i++) {
+            String copter = settings.boatNames().get(i);
+            fleet.join(copter, (i - boats(settings)) * SPACING_M, COPTERS_NORTH_M, HullConfig.COPTER);
+        }
         for (int i = 0; i < settings.boats(); i++) {
             fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
         }
+    }
+
+    /** How many of the fleet lie in the line; all where there is one kind. */
+    private static int boats(RunSettings.Fleet settings) {
+        return settings.boats() - settings.copters();
     }
 
     private static HullConfig hull(RunSettings.Fleet settings) {
@@ -60,6 +76,13 @@ public final class SimulatedWater {
 
     public VirtualClock clock() {
         return clock;
+    }
+
+    /** The hull of a robot that joins, by its name. */
+    HullConfig hullOf(String name) {
+        return settings.robots() == RobotKind.ROBOT && settings.robots().ofName(name) == RobotKind.COPTER
+                ? HullConfig.COPTER
+                : hull(settings);
     }
 
     /** The middle of the quay, where the boats lie at the start. */
