@@ -277,7 +277,7 @@ public final class ScenarioOptions {
         try {
             return settings.withFleet(fleet.team(ofBoats, copters == null ? DEFAULT_COPTERS : copters));
         } catch (IllegalArgumentException e) {
-            throw new UsageFault(e.getMessage());
+            throw new UsageFault(String.valueOf(e.getMessage()));
         }
     }
 
