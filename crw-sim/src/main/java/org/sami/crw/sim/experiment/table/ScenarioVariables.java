@@ -74,7 +74,8 @@ public final class ScenarioVariables {
                 Site.USUAL,
                 RobotKind.BOAT,
                 OptionalDouble.of(number(
-                        variables, "range", RunSettings.Fleet.SHORTEST_RANGE_M, RunSettings.Fleet.LONGEST_RANGE_M)));
+                        variables, "range", RunSettings.Fleet.SHORTEST_RANGE_M, RunSettings.Fleet.LONGEST_RANGE_M)),
+                0);
     }
 
     private static Conditions conditions(Map<String, String> variables) {
