@@ -33,6 +33,18 @@ public final class Vocabulary {
         this(domain, types, events, markups, taskClasses, Optional.empty(), Map.of(), List.of());
     }
 
+    /** A vocabulary of a domain that combines no others. */
+    public Vocabulary(
+            String domain,
+            List<NamedType> types,
+            List<EventType> events,
+            List<MarkupType> markups,
+            List<TaskClass> taskClasses,
+            Optional<Geography> geography,
+            Map<String, String> robotNames) {
+        this(domain, types, events, markups, taskClasses, geography, robotNames, List.of());
+    }
+
     /** A vocabulary; the reader has checked before that names are unique and references resolve. */
     public Vocabulary(
             String domain,
