@@ -14,6 +14,7 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.PlannedMission;
 import org.sami.crw.sim.run.settings.RunInput;
@@ -151,6 +152,14 @@ public final class ScenarioOptions {
                     "How far a full battery takes each boat of this process on average; 100 to 1000000 (default 3500).")
     private @Nullable Double rangeM;
 
+    @Option(
+            names = "--radio",
+            paramLabel = "loss=PERCENT,range=METRES,lost-link=ACTION",
+            description = "The radio of the boats of this process, all of it or parts: how many messages are lost, how"
+                    + " far from the quay it reaches, and what boats do without a link: hold, return, continue or"
+                    + " drift (default: nothing is lost, it reaches everywhere, hold).")
+    private @Nullable String radio;
+
     /** What determines a run in addition to these options. */
     public record Rest(long seed, Conditions water, Speed speed, List<BoatAddress> addresses) {}
 
@@ -254,7 +263,16 @@ public final class ScenarioOptions {
     private RunSettings.Fleet fleet(int count, Rest rest) {
         RunSettings.Fleet fleet =
                 new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site());
-        return rangeM == null ? fleet : fleet.withRangeM(rangeM);
+        RunSettings.Fleet ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
+        return radio == null ? ranging : ranging.over(radio(radio));
+    }
+
+    private static Radio radio(String text) {
+        try {
+            return Radio.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--radio: " + e.getMessage());
+        }
     }
 
     /**

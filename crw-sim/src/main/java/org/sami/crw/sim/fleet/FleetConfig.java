@@ -8,6 +8,7 @@ import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.link.PipeConfig;
+import org.sami.crw.sim.link.Radio;
 
 /**
  * What is set for the boats of a simulated fleet; the same for all.
@@ -15,6 +16,7 @@ import org.sami.crw.sim.link.PipeConfig;
  * @param conditions on the water; the seed of what there is to be measured is the fleet's
  * @param server changes the boat servers' defaults
  * @param trackEveryMs virtual time between two points of the recorded tracks
+ * @param radio over which the links are: a boat out of its range has no link
  */
 public record FleetConfig(
         HullConfig hull,
@@ -22,7 +24,8 @@ public record FleetConfig(
         PipeConfig pipe,
         ProxyConfig proxy,
         UnaryOperator<ServerConfig.Builder> server,
-        long trackEveryMs) {
+        long trackEveryMs,
+        Radio radio) {
 
     /** The defaults of all parts; tracks at 1 Hz. */
     public static final FleetConfig DEFAULT = new FleetConfig(
@@ -31,7 +34,8 @@ public record FleetConfig(
             PipeConfig.DEFAULT,
             ProxyConfig.DEFAULT,
             UnaryOperator.identity(),
-            1000);
+            1000,
+            Radio.PERFECT);
 
     /** Refuses tracks without a period. */
     public FleetConfig {
@@ -40,6 +44,7 @@ public record FleetConfig(
         Objects.requireNonNull(pipe, "pipe");
         Objects.requireNonNull(proxy, "proxy");
         Objects.requireNonNull(server, "server");
+        Objects.requireNonNull(radio, "radio");
         if (trackEveryMs < SimulatedFleet.TICK_MS) {
             throw new IllegalArgumentException("a track point every " + trackEveryMs + " ms");
         }
@@ -52,31 +57,44 @@ public record FleetConfig(
 
     /** The same with other hulls. */
     public FleetConfig withHull(HullConfig newHull) {
-        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs);
+        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs, radio);
     }
 
     /** The same on other water. */
     public FleetConfig withConditions(Conditions newConditions) {
-        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs);
+        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs, radio);
     }
 
     /** The same for who notes down tracks otherwise: boats only know where they began. */
     public FleetConfig withoutTracks() {
-        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE);
+        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE, radio);
     }
 
     /** The same with other links. */
     public FleetConfig withPipe(PipeConfig newPipe) {
-        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs);
+        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs, radio);
     }
 
     /** The same with another base side. */
     public FleetConfig withProxy(ProxyConfig newProxy) {
-        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs);
+        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs, radio);
     }
 
     /** The same with other boat servers. */
     public FleetConfig withServer(UnaryOperator<ServerConfig.Builder> newServer) {
-        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs);
+        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs, radio);
+    }
+
+    /** The same with links over a radio. */
+    public FleetConfig withRadio(Radio newRadio) {
+        UnaryOperator<ServerConfig.Builder> before = server;
+        return new FleetConfig(
+                hull,
+                conditions,
+                newRadio.over(pipe),
+                proxy,
+                builder -> before.apply(builder).lostLinkAction(newRadio.lostLink()),
+                trackEveryMs,
+                newRadio);
     }
 }

@@ -139,6 +139,12 @@ public final class SimulatedBoat {
         return toBase;
     }
 
+    /** The boat is, or is not, within range of the base's radio. */
+    void setInRange(boolean isInRange) {
+        toBoat.setCut(!isInRange);
+        toBase.setCut(!isInRange);
+    }
+
     /** Where the boat truly is. */
     public GeoPoint position() {
         awaitTick.run();

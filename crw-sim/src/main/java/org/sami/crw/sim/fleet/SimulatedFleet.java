@@ -52,6 +52,7 @@ public final class SimulatedFleet {
     private final Function<String, Consumer<FleetEvent>> listeners;
     private final FleetConfig config;
     private final LocalFrame frame;
+    private final double shoreEastM; // the base's radio, in the middle of the quay
     private final List<SimulatedBoat> boats = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
     private final TrafficRelay traffic = new TrafficRelay();
@@ -95,6 +96,7 @@ public final class SimulatedFleet {
         this.listeners = listeners;
         this.config = config;
         frame = new LocalFrame(baseLatDeg, baseLonDeg);
+        shoreEastM = Math.max(0, boatCount - 1) * SPACING_M / 2;
         seeds = new SplittableRandom(seed);
         for (int i = 0; i < boatCount; i++) {
             add(config.robots().nameOf(i), i * SPACING_M, 0)
@@ -211,6 +213,9 @@ public final class SimulatedFleet {
         }
         long nowMs = clock.nowMs();
         awaitTick();
+        if (config.radio().rangeM().isPresent()) {
+            boats.forEach(this::reach);
+        }
         ticked.forEach(boat -> boat.endTick(this::others));
         beginTick(nowMs);
         for (SimulatedBoat boat : ticked) {
@@ -218,6 +223,11 @@ public final class SimulatedFleet {
         }
         traffic.tick(proxies.all(), nowMs);
         clock.after(TICK_MS, () -> tick(started));
+    }
+
+    private void reach(SimulatedBoat boat) {
+        SimulatedHull hull = boat.hull();
+        boat.setInRange(config.radio().reaches(Math.hypot(hull.eastM() - shoreEastM, hull.northM())));
     }
 
     private List<SeenBoat> others(String boat) {

@@ -11,7 +11,9 @@ import org.sami.crw.report.LinkResult.Uploads;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
+import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.crw.sim.run.record.RunProgress;
@@ -110,11 +112,13 @@ final class InProcessFleet implements RunFleet {
     @Override
     public LinkResult link(String boat) {
         BoatProxy proxy = water.fleet().proxies().find(boat).orElseThrow();
+        FleetHistory.Link history = session.fleet().history().link(boat);
+        Radio radio = settings.fleet().radio();
         return new LinkResult(
-                LINK,
+                radio.isPerfect() ? LINK : LINK + ", radio " + radio,
                 proxy.status().bootId(),
-                0,
-                0,
+                history.lost(),
+                history.reconnected(),
                 Uploads.of(proxy.commands().uploads()),
                 proxy.explain().text());
     }

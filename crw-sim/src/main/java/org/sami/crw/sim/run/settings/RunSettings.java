@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.link.Radio;
 
 /**
  * Everything that determines a run, in addition to its plans and its vocabulary. A run in process is a function of these; of the speed only
@@ -58,6 +59,7 @@ public record RunSettings(
      * @param robots what they are; those of boats are named boats in this record
      * @param rangeM how far a full battery takes boats in this process on average, in metres; empty for the usual range
      * @param copters how many of them, the last ones, are copters where both kinds are together; 0 otherwise
+     * @param radio between base and boats in this process; the base's is in the middle of the quay
      */
     public record Fleet(
             int boats,
@@ -69,7 +71,8 @@ public record RunSettings(
             Site site,
             RobotKind robots,
             OptionalDouble rangeM,
-            int copters) {
+            int copters,
+            Radio radio) {
         /** The greatest number of boats. */
         public static final int MOST_BOATS = 250;
 
@@ -102,6 +105,7 @@ public record RunSettings(
             }
             Objects.requireNonNull(site, "site");
             Objects.requireNonNull(robots, "robots");
+            Objects.requireNonNull(radio, "radio");
             double metres = rangeM.orElse(SHORTEST_RANGE_M);
             if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
                 throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
@@ -121,7 +125,21 @@ public record RunSettings(
                 Conditions conditions,
                 InitialCharges charges,
                 Site site) {
-            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT, OptionalDouble.empty(), 0);
+            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT, OptionalDouble.empty());
+        }
+
+        /** A fleet of robots of one kind, with a perfect radio. */
+        public Fleet(
+                int boats,
+                int locations,
+                double areaM,
+                long seed,
+                Conditions conditions,
+                InitialCharges charges,
+                Site site,
+                RobotKind robots,
+                OptionalDouble rangeM) {
+            this(boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0, Radio.PERFECT);
         }
 
         /** A fleet with full batteries in calm water. */
@@ -131,22 +149,22 @@ public record RunSettings(
 
         /** The same fleet with more or fewer boats. */
         Fleet of(int otherBoats) {
-            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0);
+            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0, radio);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots, rangeM, copters);
+            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots, rangeM, copters, radio);
         }
 
         /** The same fleet, with other locations, batteries and all else that is drawn. */
         public Fleet drawnFrom(long otherSeed) {
-            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM, copters);
+            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM, copters, radio);
         }
 
         /** The same fleet with other charges. */
         public Fleet with(InitialCharges others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots, rangeM, copters);
+            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots, rangeM, copters, radio);
         }
 
         /** The same fleet with batteries that last for so many metres on average when they are full. */
@@ -161,17 +179,24 @@ public record RunSettings(
                     site,
                     robots,
                     OptionalDouble.of(metres),
-                    copters);
+                    copters,
+                    radio);
+        }
+
+        /** The same fleet with links over another radio. */
+        public Fleet over(Radio other) {
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, other);
         }
 
         /** The same fleet elsewhere. */
         public Fleet at(Site other) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots, rangeM, copters);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots, rangeM, copters, radio);
         }
 
         /** The same fleet of other robots of one kind. */
         public Fleet of(RobotKind others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others, rangeM, 0);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others, rangeM, 0, radio);
         }
 
         /** A fleet of boats and copters together, the rest the same. */
@@ -186,7 +211,8 @@ public record RunSettings(
                     site,
                     RobotKind.ROBOT,
                     rangeM,
-                    ofCopters);
+                    ofCopters,
+                    radio);
         }
 
         /** The names of the robots, in order: boat1, boat2, ..., copter1, ... where both kinds are together. */
@@ -238,6 +264,9 @@ public record RunSettings(
         }
         if (!connect.isEmpty() && fleet.rangeM().isPresent()) {
             throw new IllegalArgumentException("boats behind TCP say their range themselves: see crw boat --help");
+        }
+        if (!connect.isEmpty() && !fleet.radio().isPerfect()) {
+            throw new IllegalArgumentException("boats behind TCP have a network of their own, and no simulated radio");
         }
         if (!connect.isEmpty() && fleet.site().quay().isPresent()) {
             throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");

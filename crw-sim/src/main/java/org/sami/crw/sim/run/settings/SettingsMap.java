@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.run.settings.RunSettings.Fleet;
 
 /** The settings of a run as text by name, as they stand in the header of its journal. */
@@ -21,6 +22,7 @@ public final class SettingsMap {
     private static final String RANGE = "rangeM";
     private static final String ROBOTS = "robots";
     private static final String COPTERS = "copters";
+    private static final String RADIO = "radio";
 
     private SettingsMap() {}
 
@@ -49,6 +51,9 @@ public final class SettingsMap {
             map.put(BATTERY, fleet.charges().toString());
         }
         fleet.rangeM().ifPresent(metres -> map.put(RANGE, String.valueOf(metres)));
+        if (!fleet.radio().isPerfect()) {
+            map.put(RADIO, fleet.radio().toString());
+        }
         if (fleet.robots() != RobotKind.BOAT) {
             map.put(ROBOTS, fleet.robots().word());
         }
@@ -85,7 +90,8 @@ public final class SettingsMap {
                 map.containsKey(RANGE)
                         ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
                         : OptionalDouble.empty(),
-                Integer.parseInt(map.getOrDefault(COPTERS, "0")));
+                Integer.parseInt(map.getOrDefault(COPTERS, "0")),
+                map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT);
         RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
                 .speed(Speed.parse(needed(map, "speed")))
                 .parameters(parameters)

@@ -52,7 +52,8 @@ public final class SimulatedWater {
                 FleetConfig.DEFAULT
                         .withHull(hull(settings))
                         .withoutTracks()
-                        .withConditions(settings.conditions().of(settings.robots())));
+                        .withConditions(settings.conditions().of(settings.robots()))
+                        .withRadio(settings.radio()));
         for (int i = boats(settings); i < settings.boats(); i++) {
             String copter = settings.boatNames().get(i);
             fleet.join(copter, (i - boats(settings)) * SPACING_M, COPTERS_NORTH_M, HullConfig.COPTER);
