@@ -60,6 +60,18 @@ class ExperimentTableCommandTest {
         assertThat(ran.out()).contains("Table " + name).contains("divide locations by auction");
     }
 
+    /** Boats that drive to safety at twice their speed need less time, though not half of it: they turn and speed up in both versions. */
+    @Test
+    void markupShortensTheTimeInAHazard() throws IOException {
+        CommandResult ran = table("8.1", "hazard", "--set", "side=70");
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(mean("hazard", "hazard (-)")).isBetween(-50.0, -15.0);
+        assertThat(mean("hazard", "time (-)")).isBetween(-15.0, 0.0);
+        assertThat(mean("hazard", "G measurements")).isPositive();
+        assertThat(ran.out()).contains("Table 8.1", "-47 %", "safe place");
+    }
+
     @Test
     void tableIsTheSameWithOneJobAndWithTwoAndGoesOnWhereItWasCut() throws IOException {
         String[] alarm = {"--set", "alarms=1", "--alarm-length", "10"};

@@ -71,7 +71,7 @@ final class ExperimentTableCommand implements Callable<Integer> {
             names = "--table",
             paramLabel = "NUMBER",
             split = ",",
-            description = "Tables of the thesis: 7.1, 7.2, 7.3, 7.4, or all.")
+            description = "Tables of the thesis: 7.1, 7.2, 7.3, 7.4, 8.1, or all.")
     private List<String> tables = new ArrayList<>();
 
     @Option(
