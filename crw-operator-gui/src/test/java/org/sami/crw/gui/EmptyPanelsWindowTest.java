@@ -69,7 +69,7 @@ class EmptyPanelsWindowTest {
                 robot.until("what is asked has room", () -> height("decisions") > Look.px(300));
 
                 robot.clickAt(panel("decisions"), 20, 45);
-                window.session().abort(mission).toCompletableFuture().get(60, TimeUnit.SECONDS);
+                window.session().abort(mission).toCompletableFuture().get(300, TimeUnit.SECONDS);
                 boolean isMoved = moveUntilNothingWaits();
                 int asked = WindowRobot.ask(() -> height("decisions"));
                 assertThat(asked > 300 || !isMoved)

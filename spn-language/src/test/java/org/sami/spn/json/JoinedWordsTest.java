@@ -15,9 +15,9 @@ import org.sami.spn.vocabulary.Vocabulary;
 /** A domain that combines others has the words of all, and says what holds where they differ. */
 class JoinedWordsTest {
     private static final String LAND = "{\"types\": [{\"enum\": \"Colour\", \"constants\": [\"RED\"]}, {\"enum\":"
-        + " \"Size\", \"constants\": [\"S\", \"L\"]}], \"taskClasses\": [{\"name\": \"Dig\", \"help\": \"Digs.\"}]}";
+            + " \"Size\", \"constants\": [\"S\", \"L\"]}], \"taskClasses\": [{\"name\": \"Dig\", \"help\": \"Digs.\"}]}";
     private static final String SEA = "{\"types\": [{\"enum\": \"Colour\", \"constants\": [\"BLUE\"]}, {\"enum\":"
-        + " \"Size\", \"constants\": [\"S\", \"L\"]}], \"taskClasses\": [{\"name\": \"Dive\", \"help\": \"Dives.\"}]}";
+            + " \"Size\", \"constants\": [\"S\", \"L\"]}], \"taskClasses\": [{\"name\": \"Dive\", \"help\": \"Dives.\"}]}";
 
     @TempDir
     private Path folder;

@@ -74,8 +74,7 @@ public final class ScenarioVariables {
                 Site.USUAL,
                 RobotKind.BOAT,
                 OptionalDouble.of(number(
-                        variables, "range", RunSettings.Fleet.SHORTEST_RANGE_M, RunSettings.Fleet.LONGEST_RANGE_M)),
-                0);
+                        variables, "range", RunSettings.Fleet.SHORTEST_RANGE_M, RunSettings.Fleet.LONGEST_RANGE_M)));
     }
 
     private static Conditions conditions(Map<String, String> variables) {

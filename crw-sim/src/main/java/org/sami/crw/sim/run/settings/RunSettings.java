@@ -159,7 +159,8 @@ public record RunSettings(
 
         /** The same fleet, with other locations, batteries and all else that is drawn. */
         public Fleet drawnFrom(long otherSeed) {
-            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM, copters, radio);
+            return new Fleet(
+                    boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM, copters, radio);
         }
 
         /** The same fleet with other charges. */
@@ -185,8 +186,7 @@ public record RunSettings(
 
         /** The same fleet with links over another radio. */
         public Fleet over(Radio other) {
-            return new Fleet(
-                    boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, other);
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, other);
         }
 
         /** The same fleet elsewhere. */
