@@ -10,6 +10,7 @@ public final class ConditionsConverter implements ITypeConverter<NamedConditions
     @Override
     public NamedConditions convert(String name) {
         return NamedConditions.named(name.toLowerCase(Locale.ROOT))
-                .orElseThrow(() -> new TypeConversionException("expected is calm, field or rough, not '" + name + "'"));
+                .orElseThrow(() ->
+                        new TypeConversionException("expected is calm, field, rough or logged, not '" + name + "'"));
     }
 }

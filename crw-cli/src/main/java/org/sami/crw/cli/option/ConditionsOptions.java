@@ -20,7 +20,7 @@ public final class ConditionsOptions {
             paramLabel = "NAME",
             converter = ConditionsConverter.class,
             description = "Water and instruments: calm, field (a lake on an ordinary day, noise as "
-                    + "measured), rough; the options below change single values (default: calm). With connected "
+                    + "measured), rough, logged (field, with positions as rare as in the boats' logs); the options below change single values (default: calm). With connected "
                     + "boats: the errors assumed for those that do not report theirs (default: field).")
     private @Nullable NamedConditions named;
 
@@ -90,7 +90,8 @@ public final class ConditionsOptions {
                 current == null ? all.current() : current,
                 wind == null ? all.wind() : wind,
                 sensors,
-                dischargeIntervalS);
+                dischargeIntervalS,
+                all.receiver());
     }
 
     /**

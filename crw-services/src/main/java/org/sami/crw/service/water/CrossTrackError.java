@@ -25,7 +25,7 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     public static final CrossTrackError CALM = of(0, 0);
 
     /**
-     * A lake on an ordinary day. Positions are as in logs of the boats of 2013 to 2015: they wander by 1.4 m along each axis and jump by up to 2.1 m.
+     * A lake on an ordinary day. Positions wander by 1.4 m along each axis, as in a log of 2016 within a minute, and jump by up to 2.1 m.
      * There is a current of 0.15 m/s, and a wind of 3 m/s that carries a hull at 3 % of its speed.
      */
     public static final CrossTrackError FIELD = of(Math.hypot(1.4, 2.1 / 3), 0.15 + 0.03 * 3);

@@ -22,6 +22,7 @@ import org.sami.crw.service.water.CrossTrackError;
  * @param sensors what boats measure, each kind at most once
  * @param dischargeIntervalS for how many seconds the cost of a metre stays the same for a boat before its random part is drawn again, the interval τ
  *     of thesis 7.1.1; 0 = with each step
+ * @param receiver when boats get new positions, and how their compasses begin
  */
 public record Conditions(
         double gpsNoiseM,
@@ -30,7 +31,8 @@ public record Conditions(
         Flow current,
         Flow wind,
         List<SensorSetting> sensors,
-        double dischargeIntervalS) {
+        double dischargeIntervalS,
+        Receiver receiver) {
     /** The largest standard deviation of a position: with more no boat finds a waypoint. */
     public static final double MOST_GPS_NOISE_M = 100;
 
@@ -47,8 +49,8 @@ public record Conditions(
     public static final Conditions CALM = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of());
 
     /**
-     * A lake on an ordinary day: position as in the logs of the boats of 2013 to 2015 (1.4 m along each axis, jumps to 2.1 m), the compass of
-     * a phone, a light current and breeze.
+     * A lake on an ordinary day: position with the deviation that a log of 2016 shows within a minute (1.4 m along each axis) and jumps to 2.1 m, the
+     * compass of a phone, a light current and breeze. {@link #LOGGED} is closer to that log.
      */
     public static final Conditions FIELD = new Conditions(
             1.4, 2.1, 4, Flow.parse("0.15@90"), Flow.parse("3@270"), List.of(), USUAL_DISCHARGE_INTERVAL_S);
@@ -57,14 +59,41 @@ public record Conditions(
     public static final Conditions ROUGH =
             new Conditions(2.5, 4, 8, Flow.parse("0.4@60"), Flow.parse("7@300"), List.of(), USUAL_DISCHARGE_INTERVAL_S);
 
+    /**
+     * Positions as in the logs, on the water of {@link #FIELD}. A boat at rest for 57 s showed 1.4 m along each axis within a window of 6.5 by 7 m,
+     * which an error of 1.9 m that wanders within 20 s does in a minute; jumps of 12 m.
+     */
+    public static final Conditions LOGGED = new Conditions(
+            1.9,
+            12,
+            4,
+            Flow.parse("0.15@90"),
+            Flow.parse("3@270"),
+            List.of(),
+            USUAL_DISCHARGE_INTERVAL_S,
+            Receiver.LOGGED);
+
     private static final String GPS = "gpsNoiseM";
     private static final String GPS_JUMP = "gpsJumpM";
     private static final String COMPASS = "compassNoiseDeg";
     private static final String CURRENT = "current";
     private static final String WIND = "wind";
     private static final String SENSORS = "sensors";
+    private static final String RECEIVER = "receiver";
     private static final List<SensorSetting> OF_TEAMS = List.of(new SensorSetting(SensorKind.TEMPERATURE, 1));
     private static final String DISCHARGE_INTERVAL = "dischargeIntervalS";
+
+    /** Conditions under which positions come at any time. */
+    public Conditions(
+            double gpsNoiseM,
+            double gpsJumpM,
+            double compassNoiseDeg,
+            Flow current,
+            Flow wind,
+            List<SensorSetting> sensors,
+            double dischargeIntervalS) {
+        this(gpsNoiseM, gpsJumpM, compassNoiseDeg, current, wind, sensors, dischargeIntervalS, Receiver.STEADY);
+    }
 
     /** Conditions under which positions do not jump and a battery is drawn on as usual. */
     public Conditions(double gpsNoiseM, double compassNoiseDeg, Flow current, Flow wind, List<SensorSetting> sensors) {
@@ -90,6 +119,7 @@ public record Conditions(
         within("the discharge interval in seconds", dischargeIntervalS, LONGEST_DISCHARGE_INTERVAL_S);
         Objects.requireNonNull(current, "current");
         Objects.requireNonNull(wind, "wind");
+        Objects.requireNonNull(receiver, "receiver");
         sensors = List.copyOf(sensors);
         if (sensors.stream().map(SensorSetting::kind).distinct().count() < sensors.size()) {
             throw new IllegalArgumentException("each kind of sensor is there once, not " + sensors);
@@ -109,12 +139,13 @@ public record Conditions(
 
     /** The same water, in which boats measure something. */
     public Conditions measuring(List<SensorSetting> others) {
-        return new Conditions(gpsNoiseM, gpsJumpM, compassNoiseDeg, current, wind, others, dischargeIntervalS);
+        return new Conditions(
+                gpsNoiseM, gpsJumpM, compassNoiseDeg, current, wind, others, dischargeIntervalS, receiver);
     }
 
     /** Whether boats know where they are. */
     public boolean hasExactPositions() {
-        return gpsNoiseM == 0 && gpsJumpM == 0;
+        return gpsNoiseM == 0 && gpsJumpM == 0 && receiver == Receiver.STEADY;
     }
 
     /** The cross-track error of boats in it, for planners. */
@@ -157,6 +188,9 @@ public record Conditions(
         if (dischargeIntervalS != USUAL_DISCHARGE_INTERVAL_S) {
             map.put(DISCHARGE_INTERVAL, String.valueOf(dischargeIntervalS));
         }
+        if (receiver != Receiver.STEADY) {
+            map.put(RECEIVER, receiver.toString());
+        }
         return map;
     }
 
@@ -173,7 +207,8 @@ public record Conditions(
                 read(map, CURRENT, Flow::parse, Flow.NONE),
                 read(map, WIND, Flow::parse, Flow.NONE),
                 read(map, SENSORS, Conditions::sensors, List.of()),
-                read(map, DISCHARGE_INTERVAL, Double::parseDouble, USUAL_DISCHARGE_INTERVAL_S));
+                read(map, DISCHARGE_INTERVAL, Double::parseDouble, USUAL_DISCHARGE_INTERVAL_S),
+                read(map, RECEIVER, Receiver::parse, Receiver.STEADY));
     }
 
     private static <T> T read(Map<String, String> map, String name, Function<String, T> reader, T absent) {

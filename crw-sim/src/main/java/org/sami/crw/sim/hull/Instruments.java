@@ -18,6 +18,7 @@ import org.sami.boat.server.vehicle.Vehicle;
 public final class Instruments implements Vehicle {
     private static final double GPS_S = 20; // a receiver filters: its error is nearly the same a second later
     private static final long JUMP_SEED = 0x6a756d70L; // drawn apart, so that what does not jump is as it always was
+    private static final long FIXES_SEED = 0x66697865L; // likewise
     private static final double COMPASS_S = 2; // waves
 
     private final SimulatedHull hull;
@@ -26,11 +27,13 @@ public final class Instruments implements Vehicle {
     private final GaussMarkovError headingRad;
     private final JumpingError jump;
     private final boolean exactGps;
+    private final Optional<LoggedFixes> fixes; // empty: a position at any time
     private final List<Sensor> sensors = new ArrayList<>();
     private double trueLatDeg = Double.NaN; // where the hull was when the next two were computed
     private double trueLonDeg;
     private double shownLatDeg;
     private double shownLonDeg;
+    private boolean hasFix; // these two are of the newest position
 
     /**
      * The instruments of a hull.
@@ -41,7 +44,10 @@ public final class Instruments implements Vehicle {
     public Instruments(SimulatedHull hull, Conditions conditions, long seed, long fieldSeed) {
         this.hull = hull;
         SplittableRandom seeds = new SplittableRandom(seed);
-        exactGps = conditions.hasExactPositions();
+        fixes = conditions.receiver() == Receiver.LOGGED
+                ? Optional.of(new LoggedFixes(new SplittableRandom(seed ^ FIXES_SEED)))
+                : Optional.empty();
+        exactGps = conditions.hasExactPositions() && fixes.isEmpty();
         eastM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         northM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         headingRad = new GaussMarkovError(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
@@ -53,7 +59,11 @@ public final class Instruments implements Vehicle {
                 sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
             }
         }
-        jump = new JumpingError(conditions.gpsJumpM(), GPS_S, new SplittableRandom(seed ^ JUMP_SEED));
+        jump = new JumpingError(
+                conditions.gpsJumpM(),
+                GPS_S,
+                conditions.receiver().jumpIntervalS(),
+                new SplittableRandom(seed ^ JUMP_SEED));
     }
 
     /** Lets time pass for the errors; the hull's own time passes elsewhere. */
@@ -61,8 +71,11 @@ public final class Instruments implements Vehicle {
         eastM.step(seconds);
         northM.step(seconds);
         headingRad.step(seconds);
-        trueLatDeg = Double.NaN;
         jump.step(seconds);
+        if (fixes.isEmpty() || fixes.get().step(seconds)) {
+            trueLatDeg = Double.NaN;
+            hasFix = false;
+        }
     }
 
     @Override
@@ -84,6 +97,10 @@ public final class Instruments implements Vehicle {
     }
 
     private void receive() {
+        if (fixes.isPresent() && hasFix) {
+            return;
+        }
+        hasFix = true;
         if (trueLatDeg != hull.latDeg() || trueLonDeg != hull.lonDeg()) {
             trueLatDeg = hull.latDeg();
             trueLonDeg = hull.lonDeg();
@@ -96,7 +113,9 @@ public final class Instruments implements Vehicle {
 
     @Override
     public double headingRad() {
-        return PlaneMath.sameTurn(hull.headingRad() + headingRad.value());
+        return PlaneMath.sameTurn(hull.headingRad()
+                + headingRad.value()
+                + fixes.map(LoggedFixes::compassOffRad).orElse(0.0));
     }
 
     @Override

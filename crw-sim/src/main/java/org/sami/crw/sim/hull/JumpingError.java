@@ -7,10 +7,9 @@ import java.util.SplittableRandom;
  * within some seconds.
  */
 final class JumpingError {
-    private static final double MEAN_INTERVAL_S = 30; // on the average
-
     private final double mostM;
     private final double fadingS;
+    private final double meanIntervalS;
     private final SplittableRandom random;
     private double eastM;
     private double northM;
@@ -20,10 +19,12 @@ final class JumpingError {
      *
      * @param mostM the largest; with 0 it stays zero and nothing is drawn
      * @param fadingS seconds after which a third of a jump is left
+     * @param meanIntervalS seconds from one jump to the next, on the average
      */
-    JumpingError(double mostM, double fadingS, SplittableRandom random) {
+    JumpingError(double mostM, double fadingS, double meanIntervalS, SplittableRandom random) {
         this.mostM = mostM;
         this.fadingS = fadingS;
+        this.meanIntervalS = meanIntervalS;
         this.random = random;
     }
 
@@ -42,7 +43,7 @@ final class JumpingError {
         double left = StrictMath.exp(-seconds / fadingS);
         eastM *= left;
         northM *= left;
-        if (random.nextDouble() < 1 - StrictMath.exp(-seconds / MEAN_INTERVAL_S)) {
+        if (random.nextDouble() < 1 - StrictMath.exp(-seconds / meanIntervalS)) {
             double sizeM = mostM * random.nextDouble();
             double directionRad = 2 * Math.PI * random.nextDouble();
             eastM = sizeM * StrictMath.sin(directionRad);

@@ -13,7 +13,9 @@ public enum NamedConditions {
     /** A lake on an ordinary day. */
     FIELD(Conditions.FIELD),
     /** What a hull of 3 m/s still makes headway in. */
-    ROUGH(Conditions.ROUGH);
+    ROUGH(Conditions.ROUGH),
+    /** The water of a lake on an ordinary day, with a receiver and a compass as the boats' logs have them. */
+    LOGGED(Conditions.LOGGED);
 
     private static final String SETTING = "conditions";
     private static final String WATER = "water";

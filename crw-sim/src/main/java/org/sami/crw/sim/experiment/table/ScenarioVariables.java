@@ -81,7 +81,7 @@ public final class ScenarioVariables {
         Optional<NamedConditions> named = NamedConditions.named(text(variables, "conditions"));
         if (named.isEmpty()) {
             throw new IllegalArgumentException(
-                    "conditions are calm, field or rough, not '" + variables.get("conditions") + "'");
+                    "conditions are calm, field, rough or logged, not '" + variables.get("conditions") + "'");
         }
         Conditions water = named.get().conditions();
         double hz = number(variables, "sensor-rate", 0, SensorSetting.MOST_HZ);
