@@ -23,6 +23,7 @@ import org.sami.spn.json.ValueJson;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -36,7 +37,8 @@ import picocli.CommandLine.Spec;
         sortOptions = false,
         description = "Shows the state of a session after any entry of its journal: missions with their tokens, open"
                 + " decisions, interrupts, and why each transition of a marked place cannot fire. Or saves the"
-                + " values that global variables had then to a project's file.",
+                + " values that global variables had then to a project's file. Or, of one or several journals,"
+                + " prints what the missions of each plan needed.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:shown, or saved",
@@ -49,16 +51,21 @@ import picocli.CommandLine.Spec;
             "  crw journal clv.journal",
             "  crw journal clv.journal --at 5",
             "  crw journal clv.journal --entries",
-            "  crw journal clv.journal --save-globals lake.json"
+            "  crw journal clv.journal --save-globals lake.json",
+            "  crw journal monday.journal tuesday.journal --statistics"
         })
 public final class JournalCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "JOURNAL", description = "A file that 'crw run --journal' wrote.")
+    @Parameters(
+            paramLabel = "JOURNAL",
+            arity = "1..*",
+            description =
+                    "A file that 'crw run --journal' or 'crw session --journal' wrote; several with --statistics.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
-    private Path file;
+    private List<Path> files;
 
     @Option(
             names = "--at",
@@ -77,11 +84,27 @@ public final class JournalCommand implements Callable<Integer> {
                             + " file, and list what changes.")
     private @Nullable Path saveGlobals;
 
+    @ArgGroup(exclusive = false)
+    private @Nullable StatisticsOptions statistics;
+
     @Override
     public Integer call() throws IOException {
-        if (!Files.isRegularFile(file)) {
-            throw new UsageFault("there is no journal " + file);
+        for (Path one : files) {
+            if (!Files.isRegularFile(one)) {
+                throw new UsageFault("there is no journal " + one);
+            }
         }
+        if (statistics != null) {
+            if (at != null || entries || saveGlobals != null) {
+                throw new UsageFault(
+                        "--statistics is of whole journals: give it without --at, --entries, --save-globals");
+            }
+            return statistics.print(files, spec.commandLine());
+        }
+        if (files.size() > 1) {
+            throw new UsageFault("several journals are read with --statistics only");
+        }
+        Path file = files.get(0);
         PrintWriter out = spec.commandLine().getOut();
         try (JournalReader journal = JournalReader.open(file)) {
             long last = journal.lastIndex();
