@@ -19,6 +19,7 @@ final class StatisticsOptions {
             required = true,
             description = "Print what the missions of each plan needed, of all journals together: number, times,"
                     + " decisions, clicks, interrupts, boats, distance.")
+    @SuppressWarnings("UnusedVariable") // without it there are no such options
     private boolean isAsked;
 
     @Option(names = "--json", description = "Print the statistics as one JSON object.")

@@ -126,7 +126,7 @@ public final class StatisticsFormats {
                     plan.answered(),
                     plan.meanAnswerMillis().isEmpty()
                             ? ""
-                            : seconds(plan.meanAnswerMillis().getAsDouble()),
+                            : seconds(Math.round(plan.meanAnswerMillis().getAsDouble())),
                     plan.clicks(),
                     plan.boats(),
                     number(plan.distanceM()),
@@ -135,8 +135,8 @@ public final class StatisticsFormats {
         return text.toString();
     }
 
-    private static String seconds(double millis) {
-        return CsvRow.fixed(millis / 1000, 3);
+    private static String seconds(long millis) {
+        return CsvRow.fixed(millis / 1000.0, 3);
     }
 
     private static String number(OptionalDouble value) {
