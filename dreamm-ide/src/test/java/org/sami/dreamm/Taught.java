@@ -87,6 +87,7 @@ final class Taught {
         in(NEVER, "kind:Enter With Nobody", "inspector-task", "plan-task*", "plan-add-task", "project-*");
         in(NEVER, "menu:project-new", "menu:project-open", "menu:project-save-folder", "menu:library-open");
         in(NEVER, "menu:import-*", "menu:plan-compare-*", "menu:pattern-*", "menu:replay-*", "menu:panel-replay");
+        in(NEVER, "menu:panel-queries", "menu:query-*", "query-*");
         in(NEVER, "menu:panel-comparison", "menu:deep-*", "menu:issue-fix", "menu:net-append", "menu:net-disable");
         in(NEVER, "menu:net-add-note", "menu:net-add-frame", "inspector-frame-*", "inspector-disabled");
         in(NEVER, "inspector-locked", "inspector-compute", "inspector-propose-requirement", "inspector-ends-shared");

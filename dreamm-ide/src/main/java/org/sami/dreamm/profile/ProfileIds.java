@@ -120,6 +120,10 @@ public final class ProfileIds {
             "case-keep",
             "case-play",
             "case-remove",
+            "query-name",
+            "query-text",
+            "query-expected",
+            "query-keep",
             "replay-speed");
 
     private static final List<String> SOURCES = List.of("value", "asked", "locked", "variable", "task");

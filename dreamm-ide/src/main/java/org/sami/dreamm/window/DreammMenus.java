@@ -117,6 +117,15 @@ final class DreammMenus {
                 "try-cases",
                 "try-coverage",
                 "",
+                "query-all",
+                "query-one",
+                "query-stop",
+                "query-show",
+                "query-back",
+                "query-next",
+                "query-play",
+                "query-remove",
+                "",
                 "replay-open",
                 "replay-close"));
         JMenu issues =

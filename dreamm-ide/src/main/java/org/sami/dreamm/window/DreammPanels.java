@@ -30,8 +30,9 @@ final class DreammPanels {
             .below("issues", "model-view", 0.36)
             .behind("try-out", "issues")
             .behind("replay", "issues")
+            .behind("queries", "issues")
             .behind("comparison", "model-view")
-            .folding("issues", "try-out", "replay", "comparison");
+            .folding("issues", "try-out", "replay", "queries", "comparison");
 
     /** The net alone; panels open in one stack next to it. */
     private static final Arrangement COMPACT = nextToOneStack(0.42);
@@ -53,8 +54,9 @@ final class DreammPanels {
                     .below("issues", "model-view", 0.36)
                     .behind("try-out", "issues")
                     .behind("replay", "issues")
+                    .behind("queries", "issues")
                     .behind("comparison", "model-view")
-                    .folding("issues", "try-out", "replay", "comparison"),
+                    .folding("issues", "try-out", "replay", "queries", "comparison"),
             nextToCourse(0.42),
             nextToCourse(0.5),
             new Dimension(1400, 0),
@@ -70,7 +72,9 @@ final class DreammPanels {
                 .behind("issues", "inspector")
                 .behind("try-out", "inspector")
                 .behind("replay", "inspector")
-                .folding("inspector", "mission-tree", "palette", "issues", "try-out", "replay", "comparison");
+                .behind("queries", "inspector")
+                .folding(
+                        "inspector", "mission-tree", "palette", "issues", "try-out", "replay", "queries", "comparison");
     }
 
     private static Arrangement nextToOneStack(double part) {
@@ -82,7 +86,9 @@ final class DreammPanels {
                 .behind("issues", "inspector")
                 .behind("try-out", "inspector")
                 .behind("replay", "inspector")
-                .folding("inspector", "mission-tree", "palette", "issues", "try-out", "replay", "comparison");
+                .behind("queries", "inspector")
+                .folding(
+                        "inspector", "mission-tree", "palette", "issues", "try-out", "replay", "queries", "comparison");
     }
 
     private final List<DockPanel> all;
@@ -115,6 +121,7 @@ final class DreammPanels {
                 new DockPanel("comparison", "Comparison", "compare", comparison)));
         learn.ifPresent(
                 content -> every.add(new DockPanel(LEARN, "Learn", "help", content).withFocusOn(content.first())));
+        every.add(new DockPanel("queries", "Queries", "search", run.queries()));
         profileIds = every.stream().map(DreammPanels::profileId).toList();
         all = every.stream()
                 .filter(panel -> context.profile().shows(profileId(panel)))

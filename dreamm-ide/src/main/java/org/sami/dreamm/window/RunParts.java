@@ -15,6 +15,10 @@ import org.sami.dreamm.issues.IssueList;
 import org.sami.dreamm.issues.IssuesPanel;
 import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.dreamm.query.QueriesView;
+import org.sami.dreamm.query.QueryAnswers;
+import org.sami.dreamm.query.QueryCommands;
+import org.sami.dreamm.query.WitnessOnNet;
 import org.sami.dreamm.replay.ReplayPanel;
 import org.sami.dreamm.tryout.NextStepSearch;
 import org.sami.dreamm.tryout.SavedCases;
@@ -42,6 +46,9 @@ final class RunParts implements AutoCloseable {
     private final SavedCases cases;
     private final TryOutOverlay overlay;
     private final TryOutCommands tryOutCommands;
+    private final QueryAnswers queries;
+    private final WitnessOnNet witness;
+    private final QueryCommands queryCommands;
 
     /**
      * Parts of a window, whose commands are added to its context.
@@ -67,6 +74,18 @@ final class RunParts implements AutoCloseable {
             context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));
             show("panel-try-out");
         });
+        queries = new QueryAnswers(context.document(), context.editor(), searching, EventThread.executor());
+        witness = new WitnessOnNet(context.overlay(), overlay);
+        queryCommands = new QueryCommands(
+                context,
+                queries,
+                witness,
+                tryOut::robotNames,
+                () -> issues.all().stream().anyMatch(issue -> issue.finding().isError()),
+                run -> {
+                    context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));
+                    show("panel-try-out");
+                });
     }
 
     private static ExecutorService worker(String name) {
@@ -120,6 +139,10 @@ final class RunParts implements AutoCloseable {
             }
         });
         return panel;
+    }
+
+    JComponent queries() {
+        return new QueriesView(context, queries, witness, queryCommands);
     }
 
     ReplayPanel replay() {

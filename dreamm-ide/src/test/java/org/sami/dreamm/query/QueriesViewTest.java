@@ -1,0 +1,155 @@
+package org.sami.dreamm.query;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.sami.dreamm.OnEventThread;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.profile.Profile;
+import org.sami.dreamm.tryout.SavedCases;
+import org.sami.dreamm.tryout.StartMarkingSetup;
+import org.sami.dreamm.tryout.TryOut;
+import org.sami.dreamm.tryout.TryOutOverlay;
+import org.sami.palette.Theme;
+import org.sami.spn.edit.RemoveElements;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.TestCase;
+import org.sami.ui.check.Layout;
+import org.sami.ui.look.Look;
+
+/** Queries are kept, answered and shown by the names of fields and commands; the search waits until it is let go on. */
+@ExtendWith(OnEventThread.class)
+class QueriesViewTest {
+    private static final DomainLibrary BOATS =
+            DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+
+    private final Deque<Runnable> searches = new ArrayDeque<>();
+    private final AtomicReference<TestCase> played = new AtomicReference<>();
+    private DreammContext context;
+    private QueriesView view;
+    private boolean hasErrors;
+
+    @BeforeEach
+    void open() {
+        Look.apply(Theme.LIGHT, 100);
+        context = new DreammContext(
+                BOATS,
+                new ProjectDocument(BOATS.vocabulary(), BOATS.projectOf("clv").orElseThrow(), Optional.empty()),
+                Profile.ALL);
+        TryOut tryOut = new TryOut(context.document());
+        SavedCases cases = new SavedCases(context.document(), context.editor(), Runnable::run, Runnable::run);
+        QueryAnswers answers = new QueryAnswers(context.document(), context.editor(), searches::add, Runnable::run);
+        WitnessOnNet witness =
+                new WitnessOnNet(context.overlay(), new TryOutOverlay(context, tryOut, new StartMarkingSetup(), cases));
+        QueryCommands commands = new QueryCommands(
+                context, answers, witness, () -> List.of("robot-1", "robot-2"), () -> hasErrors, played::set);
+        view = new QueriesView(context, answers, witness, commands);
+        Layout.layOut(view, 800, 300);
+    }
+
+    @AfterEach
+    void close() {
+        context.close();
+    }
+
+    private void keep(String name, String text) {
+        Layout.find(view, "query-name", JTextField.class).orElseThrow().setText(name);
+        Layout.find(view, "query-text", JTextField.class).orElseThrow().setText(text);
+        Layout.find(view, "query-keep", JButton.class).orElseThrow().doClick();
+    }
+
+    private JTable table() {
+        return Layout.find(view, "queries-table", JTable.class).orElseThrow();
+    }
+
+    private String message() {
+        return Layout.find(view, "queries-message", JLabel.class).orElseThrow().getText();
+    }
+
+    private boolean can(String command) {
+        return context.commands().get(command).isEnabled();
+    }
+
+    private List<PlanQuery> saved() {
+        return context.editor().plan().orElseThrow().queries();
+    }
+
+    @Test
+    void queryIsKeptAnsweredAndItsRunIsShownOnTheNetAndPlayed() {
+        keep("both sail", "reachable m(execute.robots) = 2");
+        assertThat(saved()).extracting(PlanQuery::name).containsExactly("both sail");
+        assertThat(can("query-show")).isFalse();
+
+        context.commands().get("query-one").run();
+        assertThat(message()).isEqualTo("Asking…");
+        assertThat(can("query-stop")).isTrue();
+        searches.remove().run();
+
+        assertThat(table().getValueAt(0, 0)).hasToString("met");
+        assertThat(table().getValueAt(0, 2).toString()).contains("and the engine comes there by 4 steps");
+        context.commands().get("query-show").run();
+        assertThat(shown()).containsExactly("select");
+        for (int i = 0; i < 4; i++) {
+            context.commands().get("query-next").run();
+        }
+        assertThat(shown()).containsExactly("execute");
+        assertThat(message()).startsWith("firing 4 of 4: accepted(robot-1, robot-2)");
+        assertThat(can("query-next")).isFalse();
+        context.commands().get("query-play").run();
+        assertThat(shown()).isEmpty();
+        assertThat(played.get().steps()).hasSize(4);
+    }
+
+    private List<String> shown() {
+        return List.copyOf(context.overlay().shown().marking().tokens().keySet());
+    }
+
+    @Test
+    void answersAreForgottenWhereThePlanRunsOtherwiseAndUndoBringsAQueryBack() {
+        keep("misspelt", "reachable m(exceute) >= 1");
+        keep("never stuck", "deadlock");
+        context.commands().get("query-all").run();
+        searches.remove().run();
+        assertThat(table().getValueAt(0, 0)).hasToString("fault");
+        assertThat(table().getValueAt(1, 0)).hasToString("NOT MET");
+
+        context.apply(new RemoveElements("clv", Set.of("rejected")));
+        assertThat(table().getValueAt(0, 0)).hasToString("not asked");
+
+        context.undo();
+        table().setRowSelectionInterval(0, 0);
+        context.commands().get("query-remove").run();
+        assertThat(saved()).extracting(PlanQuery::name).containsExactly("never stuck");
+        context.undo();
+        assertThat(saved()).hasSize(2);
+    }
+
+    @Test
+    void searchThatIsStoppedAnswersNothingAndPlansWithErrorsAreNotSearched() {
+        keep("never stuck", "deadlock");
+        context.commands().get("query-all").run();
+        context.commands().get("query-stop").run();
+        searches.remove().run();
+
+        assertThat(table().getValueAt(0, 0)).hasToString("not asked");
+        assertThat(message()).isEqualTo("Stopped");
+        hasErrors = true;
+        context.commands().refresh();
+        assertThat(can("query-all")).isFalse();
+    }
+}
