@@ -54,6 +54,8 @@ enum SamiModule {
                     "org.sami.spn.stepping..",
                     "org.sami.spn.testcase.."),
             List.of(SPN_LANGUAGE)),
+    /** Journals in PostgreSQL. */
+    JOURNAL_POSTGRES("journal-postgres", 12, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Place/transition nets and their analysis: no plan and no boat. */
     PETRI("petri", 120, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */

@@ -25,6 +25,7 @@ import org.sami.crw.cli.plan.PhasesCommand;
 import org.sami.crw.cli.plan.PlansCommand;
 import org.sami.crw.cli.plan.SchemaCommand;
 import org.sami.crw.cli.plan.TestCommand;
+import org.sami.crw.cli.record.CopyJournalCommand;
 import org.sami.crw.cli.record.ExportCommand;
 import org.sami.crw.cli.record.ImportLegacyCommand;
 import org.sami.crw.cli.record.ImportLocationsCommand;
@@ -75,6 +76,7 @@ import picocli.CommandLine.Spec;
             ResumeCommand.class,
             SessionCommand.class,
             JournalCommand.class,
+            CopyJournalCommand.class,
             ExportCommand.class,
             DemoCommand.class,
             BoatServerCommand.class,

@@ -40,6 +40,7 @@ class ThirdPartyNoticeTest {
             "crw-session",
             "crw-sim",
             "domain-config",
+            "journal-postgres",
             "lessons",
             "net-picture",
             "petri",

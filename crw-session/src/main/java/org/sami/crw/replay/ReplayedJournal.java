@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.Telemetry;
@@ -35,8 +36,8 @@ public final class ReplayedJournal {
 
     private ReplayedJournal(Path file, JournalReader reader) throws IOException {
         this.file = file;
-        vocabulary = JournalPlans.vocabulary(file, reader.header());
-        project = JournalPlans.project(file, reader.header(), vocabulary);
+        vocabulary = JournalPlans.vocabulary(JournalAddress.of(file), reader.header());
+        project = JournalPlans.project(JournalAddress.of(file), reader.header(), vocabulary);
         engine = new Engine(vocabulary, project);
         entries = List.copyOf(reader.entries());
         Telemetry telemetry = reader.telemetry();

@@ -66,7 +66,7 @@ final class FleetPictures implements Closeable {
     /** Where a session keeps pictures; empty where nobody would look at them. */
     static Optional<SessionPictures> folder(SessionSetup setup) {
         return setup.pictures()
-                .or(() -> setup.journal().sqlite().map(file -> SessionPictures.besides(file.file())))
+                .or(() -> setup.journal().file().map(SessionPictures::besides))
                 .or(() -> setup.runtime() instanceof SessionRuntime.RealTime
                                 && setup.onFault().equals(FaultPolicy.ATTENDED)
                         ? Optional.of(SessionPictures.temporary())

@@ -33,7 +33,7 @@ final class SessionMonitor implements Closeable {
                 fleet::boats,
                 policy.boats(),
                 reason -> messages.each(listener -> listener.onBroken(reason)));
-        system = new SystemWatch(journal.sqlite(), health, guard);
+        system = new SystemWatch(journal.stored(), health, guard);
         host.addListener(engine);
     }
 

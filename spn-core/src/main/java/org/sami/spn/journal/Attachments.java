@@ -21,8 +21,9 @@ final class Attachments {
     }
 
     void writeSnapshot(long index, Checksum entryChecksum, byte[] state) throws SQLException {
-        try (PreparedStatement insert =
-                connection.prepareStatement("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?)")) {
+        try (PreparedStatement insert = connection.prepareStatement(
+                "INSERT INTO snapshots VALUES (?, ?, ?) ON CONFLICT (idx) DO UPDATE SET state = excluded.state,"
+                        + " checksum = excluded.checksum")) {
             insert.setLong(1, index);
             insert.setBytes(2, state);
             insert.setBytes(3, chain.attached(entryChecksum, SNAPSHOT, state).bytes());
@@ -40,7 +41,9 @@ final class Attachments {
     }
 
     void writeMark(long index, Checksum entryChecksum, String text) throws SQLException {
-        try (PreparedStatement insert = connection.prepareStatement("INSERT OR REPLACE INTO marks VALUES (?, ?, ?)")) {
+        try (PreparedStatement insert = connection.prepareStatement(
+                "INSERT INTO marks VALUES (?, ?, ?) ON CONFLICT (idx) DO UPDATE SET mark = excluded.mark,"
+                        + " checksum = excluded.checksum")) {
             insert.setLong(1, index);
             insert.setString(2, text);
             insert.setBytes(

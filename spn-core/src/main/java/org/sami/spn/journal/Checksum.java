@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.HexFormat;
 
 /** The 16 bytes that a journal keeps of a SHA-256. */
-record Checksum(long high, long low) {
+public record Checksum(long high, long low) {
     static final int BYTES = 2 * Long.BYTES;
 
     static Checksum of(byte[] digest) {
@@ -12,7 +12,8 @@ record Checksum(long high, long low) {
         return new Checksum(buffer.getLong(), buffer.getLong());
     }
 
-    byte[] bytes() {
+    /** As they are stored. */
+    public byte[] bytes() {
         return ByteBuffer.allocate(BYTES).putLong(high).putLong(low).array();
     }
 

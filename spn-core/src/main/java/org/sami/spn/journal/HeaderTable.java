@@ -1,6 +1,5 @@
 package org.sami.spn.journal;
 
-import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.ResultSet;
@@ -41,7 +40,7 @@ final class HeaderTable {
     }
 
     /** Reads it; refuses whatever is not exactly as it was written. */
-    static Read read(Path file, Connection connection) throws JournalException {
+    static Read read(String where, Connection connection) throws JournalException {
         List<Row> rows = new ArrayList<>();
         try (Statement statement = connection.createStatement();
                 ResultSet found = statement.executeQuery("SELECT kind, name, content FROM header ORDER BY pos")) {
@@ -49,17 +48,17 @@ final class HeaderTable {
                 rows.add(new Row(text(found, 1), text(found, 2), text(found, 3)));
             }
         } catch (SQLException damage) {
-            throw new JournalException(file, 0, "cannot be read: " + damage.getMessage(), damage);
+            throw new JournalException(where, 0, "cannot be read: " + damage.getMessage(), damage);
         }
         if (rows.isEmpty()) {
-            throw new JournalException(file, 0, "is missing");
+            throw new JournalException(where, 0, "is missing");
         }
         Row last = rows.remove(rows.size() - 1);
         Checksum checksum = checksum(rows);
         if (!last.kind.equals(CHECKSUM) || !last.content.equals(checksum.hex())) {
-            throw new JournalException(file, 0, "is damaged: its checksum does not hold");
+            throw new JournalException(where, 0, "is damaged: its checksum does not hold");
         }
-        return new Read(header(file, rows), checksum);
+        return new Read(header(where, rows), checksum);
     }
 
     private static String text(ResultSet row, int column) throws SQLException {
@@ -76,7 +75,7 @@ final class HeaderTable {
         return rows;
     }
 
-    private static JournalHeader header(Path file, List<Row> rows) throws JournalException {
+    private static JournalHeader header(String where, List<Row> rows) throws JournalException {
         String project = "";
         int version = 0;
         Map<String, String> vocabulary = new LinkedHashMap<>();
@@ -87,12 +86,14 @@ final class HeaderTable {
                 case PROJECT -> project = row.content;
                 case VOCABULARY -> vocabulary.put(row.name, row.content);
                 case SETTING -> settings.put(row.name, row.content);
-                default -> throw new JournalException(file, 0, "has a part of unknown kind: " + row.kind);
+                default -> throw new JournalException(where, 0, "has a part of unknown kind: " + row.kind);
             }
         }
         if (version != JournalHeader.CURRENT_VERSION) {
             throw new JournalException(
-                    file, 0, "has format version " + version + "; this program reads " + JournalHeader.CURRENT_VERSION);
+                    where,
+                    0,
+                    "has format version " + version + "; this program reads " + JournalHeader.CURRENT_VERSION);
         }
         return new JournalHeader(version, project, vocabulary, settings);
     }

@@ -1,6 +1,5 @@
 package org.sami.spn.journal;
 
-import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.ResultSet;
@@ -20,14 +19,14 @@ import org.sami.spn.protocol.Effect;
 
 /** The past of a session: its valid entries, and the state after any of them by snapshot and replay. */
 final class History {
-    private final Path file;
+    private final String where;
     private final Connection connection;
     private final Contents contents;
     private final Attachments attachments;
     private final ProjectDocuments documents;
 
-    History(Path file, Connection connection, Contents contents) {
-        this.file = file;
+    History(String where, Connection connection, Contents contents) {
+        this.where = where;
         this.connection = connection;
         this.contents = contents;
         this.attachments = new Attachments(connection);
@@ -73,7 +72,7 @@ final class History {
                 }
             }
         } catch (SQLException fault) {
-            throw new JournalException(file, after + 1, "cannot be read: " + fault.getMessage(), fault);
+            throw new JournalException(where, after + 1, "cannot be read: " + fault.getMessage(), fault);
         }
     }
 
@@ -83,15 +82,19 @@ final class History {
             String text = attachments
                     .mark(mark.getKey(), mark.getValue())
                     .orElseThrow(() -> new JournalException(
-                            file, mark.getKey(), "its mark is damaged: the checksum does not hold"));
+                            where, mark.getKey(), "its mark is damaged: the checksum does not hold"));
             marks.add(new WorldMark(mark.getKey(), text));
         }
         return marks;
     }
 
+    Optional<byte[]> snapshot(long index) {
+        return Optional.ofNullable(contents.snapshots().get(index)).flatMap(sum -> attachments.snapshot(index, sum));
+    }
+
     private JournalEntry entry(ResultSet row) throws SQLException, JournalException {
         long index = row.getLong(1);
-        return new JournalEntry(index, row.getLong(2), InputText.read(file, index, row.getString(3), documents));
+        return new JournalEntry(index, row.getLong(2), InputText.read(where, index, row.getString(3), documents));
     }
 
     private EngineState goOn(Engine engine, EngineState state, long after, long last) throws JournalException {

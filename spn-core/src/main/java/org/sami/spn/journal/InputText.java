@@ -1,7 +1,6 @@
 package org.sami.spn.journal;
 
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -31,18 +30,18 @@ final class InputText {
      *
      * @throws JournalException where this program cannot read it: it was written by one that speaks otherwise
      */
-    static Input read(Path file, long index, String text, ProjectDocuments documents) throws JournalException {
+    static Input read(String where, long index, String text, ProjectDocuments documents) throws JournalException {
         Optional<String> loaded = documentOf(text);
         if (loaded.isPresent()) {
             return documents
                     .find(loaded.get())
                     .map(Input.LoadProject::new)
-                    .orElseThrow(() -> new JournalException(file, index, "loads a project whose document is damaged"));
+                    .orElseThrow(() -> new JournalException(where, index, "loads a project whose document is damaged"));
         }
         try {
             return ProtocolJson.readInput(text);
         } catch (UnreadableJsonException unknown) {
-            throw new JournalException(file, index, "is no input of this program: " + unknown.getMessage(), unknown);
+            throw new JournalException(where, index, "is no input of this program: " + unknown.getMessage(), unknown);
         }
     }
 

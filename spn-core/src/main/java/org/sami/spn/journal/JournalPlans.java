@@ -1,6 +1,5 @@
 package org.sami.spn.journal;
 
-import java.nio.file.Path;
 import java.util.stream.Collectors;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.finding.Finding;
@@ -19,38 +18,39 @@ public final class JournalPlans {
     /**
      * The vocabulary with which the session ran.
      *
-     * @param file named in the fault
+     * @param journal named in the fault
      * @throws JournalException where this program cannot read it
      */
-    public static Vocabulary vocabulary(Path file, JournalHeader header) throws JournalException {
-        return usable(file, "vocabulary", VocabularyReader.read(new VocabularyFiles(header.vocabulary())));
+    public static Vocabulary vocabulary(JournalAddress journal, JournalHeader header) throws JournalException {
+        return usable(journal, "vocabulary", VocabularyReader.read(new VocabularyFiles(header.vocabulary())));
     }
 
     /**
      * The project that ran.
      *
-     * @param file named in the fault
+     * @param journal named in the fault
      * @throws JournalException where this program cannot read it
      */
-    public static Project project(Path file, JournalHeader header, Vocabulary vocabulary) throws JournalException {
-        return usable(file, "project", new ProjectReader(vocabulary).read(header.project()));
+    public static Project project(JournalAddress journal, JournalHeader header, Vocabulary vocabulary)
+            throws JournalException {
+        return usable(journal, "project", new ProjectReader(vocabulary).read(header.project()));
     }
 
     /**
      * An engine for the session's plans.
      *
-     * @param file named in the fault
+     * @param journal named in the fault
      * @throws JournalException where this program cannot read them
      */
-    public static Engine engine(Path file, JournalHeader header) throws JournalException {
-        Vocabulary vocabulary = vocabulary(file, header);
-        return new Engine(vocabulary, project(file, header, vocabulary));
+    public static Engine engine(JournalAddress journal, JournalHeader header) throws JournalException {
+        Vocabulary vocabulary = vocabulary(journal, header);
+        return new Engine(vocabulary, project(journal, header, vocabulary));
     }
 
-    private static <T> T usable(Path file, String what, Reading<T> reading) throws JournalException {
+    private static <T> T usable(JournalAddress journal, String what, Reading<T> reading) throws JournalException {
         return reading.result()
                 .orElseThrow(() -> new JournalException(
-                        file,
+                        journal.toString(),
                         0,
                         "its " + what + " cannot be read: "
                                 + reading.findings().stream()

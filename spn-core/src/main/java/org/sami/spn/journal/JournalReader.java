@@ -1,9 +1,13 @@
 package org.sami.spn.journal;
 
 import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.HostListener;
@@ -14,14 +18,23 @@ import org.sami.spn.host.JournalException;
  * Reads a journal, also one that is being written: what was durable when it was opened. Used by one thread at a time.
  */
 public final class JournalReader implements AutoCloseable {
-    private final Database database;
     private final Contents contents;
     private final History history;
+    private final Supplier<Telemetry> telemetry;
+    private final Closing closing;
 
-    private JournalReader(Database database, Contents contents) {
-        this.database = database;
+    private JournalReader(
+            String where, Connection connection, Contents contents, Supplier<Telemetry> telemetry, Closing closing) {
         this.contents = contents;
-        this.history = new History(database.file(), database.connection(), contents);
+        this.history = new History(where, connection, contents);
+        this.telemetry = telemetry;
+        this.closing = closing;
+    }
+
+    /** How what a reader reads is closed. */
+    @FunctionalInterface
+    private interface Closing {
+        void close() throws JournalException;
     }
 
     /**
@@ -33,10 +46,37 @@ public final class JournalReader implements AutoCloseable {
         JournalLock.checkName(file);
         Database database = Database.open(file);
         try {
-            return new JournalReader(database, Scan.of(file, database.connection()));
+            Contents contents = Scan.of(file.toString(), database.connection());
+            return new JournalReader(
+                    file.toString(),
+                    database.connection(),
+                    contents,
+                    () -> new TelemetryScan(database).run(),
+                    database::close);
         } catch (JournalException refused) {
             database.close();
             throw refused;
+        }
+    }
+
+    /**
+     * Reads the tables of a journal in a database.
+     *
+     * @param where named in faults
+     * @param connection on the journal's tables; nothing is written by it, and it is closed with the reader
+     * @throws JournalException where not even the header is true
+     */
+    public static JournalReader over(String where, Connection connection) throws JournalException {
+        Contents contents = Scan.of(where, connection);
+        return new JournalReader(
+                where, connection, contents, () -> new TelemetryScan(connection).run(), () -> close(where, connection));
+    }
+
+    private static void close(String where, Connection connection) throws JournalException {
+        try {
+            connection.close();
+        } catch (SQLException fault) {
+            throw new JournalException(where, 0, "cannot be closed: " + fault.getMessage(), fault);
         }
     }
 
@@ -58,6 +98,16 @@ public final class JournalReader implements AutoCloseable {
     /** The session's time of the last valid entry; 0 where there is none. */
     public long lastMillis() {
         return contents.lastMillis();
+    }
+
+    /** The end of the chain of checksums, in hexadecimal digits: equal for journals of equal header and entries, wherever they are. */
+    public String checksum() {
+        return contents.lastChecksum().hex();
+    }
+
+    /** A snapshot's bytes; empty where its checksum does not hold. */
+    Optional<byte[]> snapshot(long index) {
+        return history.snapshot(index);
     }
 
     /** All valid entries, in order. */
@@ -101,11 +151,11 @@ public final class JournalReader implements AutoCloseable {
 
     /** The telemetry, in the order in which it was added, without what is damaged. Read again at each call. */
     public Telemetry telemetry() {
-        return new TelemetryScan(database).run();
+        return telemetry.get();
     }
 
     @Override
     public void close() throws JournalException {
-        database.close();
+        closing.close();
     }
 }

@@ -10,7 +10,7 @@ import org.sami.spn.protocol.Input;
 
 /**
  * Documents of the projects that were loaded during the session, by their SHA-256: an equal document is stored once
- * (docs/decisions 0177). The table is made with the first of them; a journal of a session that loads nothing has none.
+ * (docs/decisions 0177). In a file the table is made with the first of them; that of a session that loads nothing has none.
  */
 final class ProjectDocuments {
     private static final String TABLE =
@@ -22,13 +22,18 @@ final class ProjectDocuments {
         this.connection = connection;
     }
 
-    /** Adds a document, within the transaction of the caller. */
-    void add(Input.LoadProject load) throws SQLException {
+    /** Makes the table in a file, within the transaction of the caller. */
+    void makeTable() throws SQLException {
         try (Statement statement = connection.createStatement()) {
             statement.execute(TABLE);
         }
+    }
+
+    /** Adds a document, within the transaction of the caller. */
+    void add(Input.LoadProject load) throws SQLException {
         // A copy that was damaged since is replaced.
-        try (PreparedStatement insert = connection.prepareStatement("INSERT OR REPLACE INTO documents VALUES (?, ?)")) {
+        try (PreparedStatement insert = connection.prepareStatement(
+                "INSERT INTO documents VALUES (?, ?) ON CONFLICT (sha256) DO UPDATE SET content = excluded.content")) {
             insert.setString(1, load.sha256());
             insert.setString(2, load.document());
             insert.executeUpdate();

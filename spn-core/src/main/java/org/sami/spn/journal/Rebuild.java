@@ -102,6 +102,7 @@ final class Rebuild {
                     Optional<String> document =
                             InputText.documentOf(rows.getString(3)).flatMap(old::find);
                     if (document.isPresent()) {
+                        fresh.makeTable();
                         fresh.add(new Input.LoadProject(document.get()));
                     }
                 }

@@ -1,6 +1,5 @@
 package org.sami.spn.journal;
 
-import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.ResultSet;
 import java.sql.SQLException;
@@ -17,7 +16,7 @@ import org.sami.spn.host.JournalException;
  * damage in its own pages it reports some, and gives the rest back as data.
  */
 final class Scan {
-    private final Path file;
+    private final String where;
     private final Connection connection;
     private final HashChain chain = new HashChain();
     private final ProjectDocuments documents;
@@ -30,8 +29,8 @@ final class Scan {
     private Checksum checksum = new Checksum(0, 0);
     private Optional<String> damage = Optional.empty();
 
-    private Scan(Path file, Connection connection) {
-        this.file = file;
+    private Scan(String where, Connection connection) {
+        this.where = where;
         this.connection = connection;
         this.documents = new ProjectDocuments(connection);
     }
@@ -41,12 +40,12 @@ final class Scan {
      *
      * @throws JournalException where not even the header is
      */
-    static Contents of(Path file, Connection connection) throws JournalException {
-        return new Scan(file, connection).run();
+    static Contents of(String where, Connection connection) throws JournalException {
+        return new Scan(where, connection).run();
     }
 
     private Contents run() throws JournalException {
-        HeaderTable.Read header = HeaderTable.read(file, connection);
+        HeaderTable.Read header = HeaderTable.read(where, connection);
         checksum = header.checksum();
         snapshotIndexes = indexes("snapshots");
         markIndexes = indexes("marks");

@@ -3,19 +3,15 @@ package org.sami.spn.journal;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.sql.PreparedStatement;
 import java.sql.SQLException;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
-import org.sami.spn.engine.RuleVersion;
 import org.sami.spn.host.Durability;
-import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Input;
@@ -28,7 +24,7 @@ import org.sami.spn.protocol.Input;
  * <p>What a committed batch survives: the death of the process always; the loss of power within
  * {@link JournalOptions#syncWithinMillis()}, or before {@link #append} returns where that was asked for.
  */
-public final class SqliteJournal implements InputJournal {
+public final class SqliteJournal implements StoredJournal {
     private static final String CLOSED = "the journal is closed";
     private static final String CANNOT = "cannot be written: ";
 
@@ -36,27 +32,14 @@ public final class SqliteJournal implements InputJournal {
     private final JournalLock lock;
     private final Database database;
     private final JournalOptions options;
-    private final JournalHeader header;
-    private final Recovery recovery;
     private final PowerSync power;
     private final EntryTable entries;
-    private final Attachments attachments;
     private final ProjectDocuments documents;
-    private final TelemetryTable telemetry = new TelemetryTable();
+    private final JournalTables tables;
     private final History history;
-    private Checksum checksum;
-    private long lastIndex;
-    private long lastMillis;
-    private final Deque<Long> snapshots;
-    private long lastSnapshot;
-    private long keptForGood;
     private boolean broken;
     private String failure = "";
-    private Optional<End> attempted = Optional.empty();
     private volatile boolean closed;
-
-    /** Where the journal ends after a batch. */
-    private record End(Checksum checksum, long index, long millis) {}
 
     private SqliteJournal(
             JournalLock lock, Database database, Contents contents, Optional<String> damage, JournalOptions options)
@@ -65,19 +48,34 @@ public final class SqliteJournal implements InputJournal {
         this.lock = lock;
         this.database = database;
         this.options = options;
-        this.header = contents.header();
-        this.recovery = new Recovery(contents.lastValid(), damage);
         this.entries = new EntryTable(database.connection());
-        this.attachments = new Attachments(database.connection());
         this.documents = new ProjectDocuments(database.connection());
-        this.history = new History(file, database.connection(), contents);
+        this.tables = new JournalTables(
+                file.toString(),
+                database.connection(),
+                new Rows(),
+                contents,
+                new Recovery(contents.lastValid(), damage),
+                options);
+        this.history = new History(file.toString(), database.connection(), contents);
         this.power = new PowerSync(Database.log(file), options.syncWithinMillis(), this::writeTelemetry);
-        this.checksum = contents.lastChecksum();
-        this.lastIndex = contents.lastValid();
-        this.lastMillis = contents.lastMillis();
-        this.snapshots = new ArrayDeque<>(contents.snapshots().keySet());
-        this.lastSnapshot =
-                contents.snapshots().isEmpty() ? 0 : contents.snapshots().lastKey();
+    }
+
+    /** As many rows a statement as are quick in a file. */
+    private final class Rows implements RowWriter {
+        @Override
+        public void entries(List<EntryRow> rows) throws SQLException {
+            entries.write(rows);
+        }
+
+        @Override
+        public void telemetry(List<SummedTelemetry> rows) throws SQLException {
+            try (PreparedStatement insert = TelemetryTable.insertion(database.connection())) {
+                for (SummedTelemetry row : rows) {
+                    TelemetryTable.insert(insert, row.row(), row.sum());
+                }
+            }
+        }
     }
 
     /**
@@ -102,7 +100,7 @@ public final class SqliteJournal implements InputJournal {
      * valid part is written again and the damaged file is kept next to it; {@link #recovery()} says so.
      *
      * @throws JournalException if it is written by somebody else, its header does not hold, or its missions ran by other rules of firing
-     *     ({@link RuleVersion})
+     *     ({@link org.sami.spn.engine.RuleVersion})
      */
     public static SqliteJournal open(Path name, JournalOptions options) throws IOException {
         Path file = JournalLock.file(name);
@@ -115,8 +113,8 @@ public final class SqliteJournal implements InputJournal {
             Contents contents;
             Optional<String> damage;
             try {
-                contents = Scan.of(file, database.connection());
-                refuseOtherRules(file, contents.header());
+                contents = Scan.of(file.toString(), database.connection());
+                JournalTables.refuseOtherRules(file.toString(), contents.header());
                 damage = contents.damage().or(() -> unsound(database));
             } catch (JournalException refused) {
                 database.close();
@@ -131,17 +129,10 @@ public final class SqliteJournal implements InputJournal {
                     + anew.telemetryDamage().map(lost -> "; " + lost).orElse("") + "; the damaged file is kept as "
                     + anew.kept().getFileName());
             Database rebuilt = Database.open(file);
-            return opened(lock, rebuilt, Scan.of(file, rebuilt.connection()), told, options);
+            return opened(lock, rebuilt, Scan.of(file.toString(), rebuilt.connection()), told, options);
         } catch (IOException fault) {
             lock.close();
             throw fault;
-        }
-    }
-
-    private static void refuseOtherRules(Path file, JournalHeader header) throws JournalException {
-        Optional<String> other = RuleVersion.difference(header.settings());
-        if (other.isPresent()) {
-            throw new JournalException(file, 0, other.get());
         }
     }
 
@@ -163,14 +154,19 @@ public final class SqliteJournal implements InputJournal {
         }
     }
 
-    /** Its header. */
+    @Override
     public JournalHeader header() {
-        return header;
+        return tables.header();
     }
 
-    /** What was found when it was opened. */
+    @Override
     public Recovery recovery() {
-        return recovery;
+        return tables.recovery();
+    }
+
+    @Override
+    public JournalAddress address() {
+        return JournalAddress.of(file);
     }
 
     /** Its file. */
@@ -180,30 +176,26 @@ public final class SqliteJournal implements InputJournal {
 
     @Override
     public synchronized long lastIndex() {
-        return lastIndex;
+        return tables.lastIndex();
     }
 
     @Override
     public synchronized long lastMillis() {
-        return lastMillis;
+        return tables.lastMillis();
     }
 
     @Override
     public synchronized void append(List<JournalEntry> batch, Durability durability) throws IOException {
-        checkFollows(batch);
+        tables.checkFollows(batch);
         if (batch.isEmpty()) {
             return;
         }
-        JournalEntry last = batch.get(batch.size() - 1);
-        commit(lastIndex + 1, () -> {
-            for (JournalEntry entry : batch) {
-                if (entry.input() instanceof Input.LoadProject load) {
-                    documents.add(load);
-                }
+        commit(lastIndex() + 1, () -> {
+            if (batch.stream().anyMatch(entry -> entry.input() instanceof Input.LoadProject)) {
+                documents.makeTable();
             }
-            attempted = Optional.of(new End(entries.write(batch, checksum), last.index(), last.atMillis()));
+            tables.write(batch);
         });
-        attempted.ifPresent(this::endsAt);
         if (durability == Durability.POWER && options.syncCommands()) {
             sync();
         } else {
@@ -211,16 +203,9 @@ public final class SqliteJournal implements InputJournal {
         }
     }
 
-    private void endsAt(End end) {
-        checksum = end.checksum();
-        lastIndex = end.index();
-        lastMillis = end.millis();
-        attempted = Optional.empty();
-    }
-
     @Override
     public synchronized void check() throws IOException {
-        checkWritable(lastIndex);
+        checkWritable(lastIndex());
     }
 
     @Override
@@ -232,27 +217,20 @@ public final class SqliteJournal implements InputJournal {
     @Override
     public synchronized void recover() throws IOException {
         if (closed) {
-            throw new JournalException(file, lastIndex, CLOSED);
+            throw new JournalException(file, lastIndex(), CLOSED);
         }
         try {
             database.rollBack();
-            Optional<End> tried = attempted;
-            if (tried.isPresent()
-                    && entries.endsWith(tried.get().index(), tried.get().checksum())) {
-                endsAt(tried.get()); // it was written, and only the word for it did not come
-            } else if (!entries.endsWith(lastIndex, checksum)) {
-                throw new JournalException(file, lastIndex, "ends otherwise than it was written");
-            }
-            attempted = Optional.empty();
+            tables.findEnd();
             entries.renew();
             if (power.hasFailed()) {
                 database.rewriteLog();
                 power.recovered();
             }
             broken = false;
-            commit(lastIndex, () -> {});
+            commit(lastIndex(), () -> {});
         } catch (SQLException fault) {
-            throw new JournalException(file, lastIndex, CANNOT + Database.words(fault), fault);
+            throw new JournalException(file, lastIndex(), CANNOT + Database.words(fault), fault);
         }
     }
 
@@ -261,13 +239,13 @@ public final class SqliteJournal implements InputJournal {
         try {
             return database.bytes();
         } catch (SQLException fault) {
-            throw new JournalException(file, lastIndex, "cannot be read: " + fault.getMessage(), fault);
+            throw new JournalException(file, lastIndex(), "cannot be read: " + fault.getMessage(), fault);
         }
     }
 
     /** How many rows of telemetry were let go, since the file could not be written for too long. */
     public long telemetryLost() {
-        return telemetry.lost();
+        return tables.telemetryLost();
     }
 
     /** For tests: a disk on which the file has room for so many further pages. */
@@ -277,47 +255,26 @@ public final class SqliteJournal implements InputJournal {
 
     @Override
     public synchronized void offerSnapshot(Supplier<byte[]> state) throws IOException {
-        if (options.snapshotEvery() > 0 && lastIndex - lastSnapshot >= options.snapshotEvery()) {
+        if (tables.isSnapshotDue()) {
             byte[] bytes = state.get();
-            commit(lastIndex, () -> {
-                attachments.writeSnapshot(lastIndex, checksum, bytes);
-                snapshots.add(lastIndex);
-                if (snapshots.size() > JournalOptions.NEWEST_SNAPSHOTS) {
-                    attachments.dropSnapshots(thinOut());
-                }
-            });
-            lastSnapshot = lastIndex;
+            commit(lastIndex(), () -> tables.writeSnapshot(bytes));
+            tables.snapshotCommitted();
         }
     }
 
-    /** Which snapshots between the newest and the last that stays for good are given up. */
-    private List<Long> thinOut() {
-        List<Long> dropped = new ArrayList<>();
-        long staying = keptForGood;
-        while (snapshots.size() > JournalOptions.NEWEST_SNAPSHOTS) {
-            long oldest = snapshots.removeFirst();
-            if (oldest - staying >= (long) options.snapshotEvery() * JournalOptions.KEPT_SNAPSHOT) {
-                staying = oldest;
-            } else {
-                dropped.add(oldest);
-            }
-        }
-        keptForGood = staying;
-        return dropped;
-    }
-
-    /** Notes what a simulated world says of itself after the last entry; a second mark there replaces the first. */
+    @Override
     public synchronized void mark(String text) throws IOException {
         Objects.requireNonNull(text, "text");
-        commit(lastIndex, () -> attachments.writeMark(lastIndex, checksum, text));
+        commit(lastIndex(), () -> tables.writeMark(text));
     }
 
-    /** Adds telemetry, from any thread; it is in the file within the time of a sync, or with the next batch. */
+    /** It is in the file within the time of a sync, or with the next batch. */
+    @Override
     public void addTelemetry(List<TelemetryRow> rows) throws IOException {
         if (closed) {
             throw new JournalException(file, lastIndex(), CLOSED);
         }
-        telemetry.add(rows);
+        tables.addTelemetry(rows);
         if (!power.hasFailed()) {
             power.soon();
         }
@@ -330,31 +287,14 @@ public final class SqliteJournal implements InputJournal {
         }
     }
 
-    /**
-     * The state after the last entry that was there when the journal was opened: what a resume hosts.
-     *
-     * @param engine built from this journal's plans and vocabulary ({@link #header()})
-     */
+    @Override
     public synchronized EngineState restore(Engine engine) throws JournalException {
-        return history.stateAt(recovery.lastValid(), engine);
-    }
-
-    private void checkFollows(List<JournalEntry> batch) {
-        long expected = lastIndex;
-        long millis = lastMillis;
-        for (JournalEntry entry : batch) {
-            expected++;
-            if (entry.index() != expected || entry.atMillis() < millis) {
-                throw new IllegalArgumentException("entry " + expected + " at or after " + millis
-                        + " ms expected, not entry " + entry.index() + " at " + entry.atMillis() + " ms");
-            }
-            millis = entry.atMillis();
-        }
+        return history.stateAt(recovery().lastValid(), engine);
     }
 
     private synchronized void writeTelemetry() throws IOException {
-        if (!closed && !broken && !telemetry.isEmpty()) {
-            commit(lastIndex, () -> {});
+        if (!closed && !broken && tables.hasTelemetry()) {
+            commit(lastIndex(), () -> {});
         }
     }
 
@@ -365,9 +305,9 @@ public final class SqliteJournal implements InputJournal {
         try {
             database.run("BEGIN IMMEDIATE");
             writing.run();
-            telemetry.write(database.connection());
+            tables.writeTelemetry();
             database.run("COMMIT");
-            telemetry.committed();
+            tables.committed();
             broken = false;
         } catch (SQLException fault) {
             failure = Database.words(fault);
@@ -399,7 +339,7 @@ public final class SqliteJournal implements InputJournal {
                 database.checkpoint();
             }
         } catch (SQLException fault) {
-            throw new JournalException(file, lastIndex, "cannot be closed: " + fault.getMessage(), fault);
+            throw new JournalException(file, lastIndex(), "cannot be closed: " + fault.getMessage(), fault);
         } finally {
             closed = true;
         }

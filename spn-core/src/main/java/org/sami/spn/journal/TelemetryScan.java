@@ -1,5 +1,6 @@
 package org.sami.spn.journal;
 
+import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
@@ -21,7 +22,8 @@ final class TelemetryScan {
     /** After so many steps without a row the rest is given up: the table's inner pages are damaged. */
     private static final int MOST_STEPS = 2000;
 
-    private final Database database;
+    private final Connection connection;
+    private final Sums sums;
     private final List<TelemetryRow> rows = new ArrayList<>();
     private final List<Long> positions = new ArrayList<>();
     private final List<Boolean> summed = new ArrayList<>();
@@ -30,18 +32,37 @@ final class TelemetryScan {
     private Optional<String> unreadable = Optional.empty();
     private long at;
 
+    /** Of a file. */
     TelemetryScan(Database database) {
-        this.database = database;
+        this(database.connection(), () -> new SumsOfTable(database.hasTelemetrySums(), database.hasAllTelemetrySums()));
+    }
+
+    /** Of a database whose rows all have checksums. */
+    TelemetryScan(Connection connection) {
+        this(connection, () -> new SumsOfTable(true, true));
+    }
+
+    private TelemetryScan(Connection connection, Sums sums) {
+        this.connection = connection;
+        this.sums = sums;
+    }
+
+    /** What a table says of the checksums of its rows. */
+    private record SumsOfTable(boolean some, boolean all) {}
+
+    @FunctionalInterface
+    private interface Sums {
+        SumsOfTable find() throws SQLException;
     }
 
     /** What is true of the file's telemetry. */
     Telemetry run() {
         try {
-            boolean sums = database.hasTelemetrySums();
-            sumsBegan = database.hasAllTelemetrySums();
+            SumsOfTable found = sums.find();
+            sumsBegan = found.all();
             long step = 1;
             int steps = 0;
-            while (steps < MOST_STEPS && !readOn(sums)) {
+            while (steps < MOST_STEPS && !readOn(found.some())) {
                 boolean gotOn = !positions.isEmpty() && positions.get(positions.size() - 1) >= at;
                 steps = gotOn ? 0 : steps + 1;
                 step = gotOn ? 1 : Math.min(LONGEST_STEP, step * 2);
@@ -55,10 +76,10 @@ final class TelemetryScan {
     }
 
     /** Reads from a position to the end; false if something on the way cannot be read. */
-    private boolean readOn(boolean sums) {
-        String sql = "SELECT pos, at_millis, proxy, kind, json, " + (sums ? "sum" : "NULL")
+    private boolean readOn(boolean hasSums) {
+        String sql = "SELECT pos, at_millis, proxy, kind, json, " + (hasSums ? "sum" : "NULL")
                 + " FROM telemetry WHERE pos >= ? ORDER BY pos";
-        try (PreparedStatement select = database.connection().prepareStatement(sql)) {
+        try (PreparedStatement select = connection.prepareStatement(sql)) {
             select.setLong(1, at);
             try (ResultSet found = select.executeQuery()) {
                 while (found.next()) {

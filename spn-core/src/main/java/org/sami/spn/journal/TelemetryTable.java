@@ -45,17 +45,14 @@ final class TelemetryTable {
     }
 
     /** Writes what waits; the caller commits, and says so by {@link #committed}, else it is written again the next time. */
-    void write(Connection connection) throws SQLException {
+    void write(RowWriter writer) throws SQLException {
         for (TelemetryRow row = waiting.poll(); row != null; row = waiting.poll()) {
             uncommitted.add(row);
         }
-        if (uncommitted.isEmpty()) {
-            return;
-        }
-        try (PreparedStatement insert = insertion(connection)) {
-            for (TelemetryRow row : uncommitted) {
-                insert(insert, row);
-            }
+        if (!uncommitted.isEmpty()) {
+            writer.telemetry(uncommitted.stream()
+                    .map(row -> new RowWriter.SummedTelemetry(row, sum(row)))
+                    .toList());
         }
     }
 
@@ -71,11 +68,15 @@ final class TelemetryTable {
     }
 
     static void insert(PreparedStatement insert, TelemetryRow row) throws SQLException {
+        insert(insert, row, sum(row));
+    }
+
+    static void insert(PreparedStatement insert, TelemetryRow row, long sum) throws SQLException {
         insert.setLong(1, row.atMillis());
         insert.setString(2, row.proxy());
         insert.setString(3, row.kind());
         insert.setString(4, row.json());
-        insert.setLong(5, sum(row));
+        insert.setLong(5, sum);
         insert.executeUpdate();
     }
 

@@ -14,6 +14,7 @@ import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.model.Project;
@@ -39,8 +40,9 @@ public final class JournalRun {
 
     private JournalRun(Path file, JournalReader reader) throws IOException {
         this.file = file;
-        Vocabulary vocabulary = JournalPlans.vocabulary(file, reader.header());
-        engine = new Engine(vocabulary, JournalPlans.project(file, reader.header(), vocabulary));
+        JournalAddress journal = JournalAddress.of(file);
+        Vocabulary vocabulary = JournalPlans.vocabulary(journal, reader.header());
+        engine = new Engine(vocabulary, JournalPlans.project(journal, reader.header(), vocabulary));
         entries = List.copyOf(reader.entries());
         damage = reader.recovery().damage();
         TimeLineBuilder line = new TimeLineBuilder();

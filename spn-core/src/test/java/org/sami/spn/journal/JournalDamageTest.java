@@ -146,7 +146,7 @@ class JournalDamageTest {
                 journal.append(entries.subList(index, entries.size()), Durability.PROCESS);
             }
         } catch (JournalException named) {
-            assertThat(named.file()).isEqualTo(copy);
+            assertThat(named.where()).isEqualTo(copy.toString());
             assertThat(named.entry()).isBetween(0L, (long) entries.size());
             refused.add(named.getMessage());
             return -1;

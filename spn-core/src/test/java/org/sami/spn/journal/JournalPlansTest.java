@@ -56,11 +56,14 @@ class JournalPlansTest {
         SqliteJournal.create(file, header(EVENTS), JournalOptions.DEFAULT).close();
 
         try (SqliteJournal journal = SqliteJournal.open(file, JournalOptions.DEFAULT)) {
-            Engine engine = JournalPlans.engine(file, journal.header());
+            Engine engine = JournalPlans.engine(JournalAddress.of(file), journal.header());
             List<Effect> effects =
                     engine.step(journal.restore(engine), 0, new Input.StartMission("trip", "Trip", Map.of()));
             assertThat(effects).hasAtLeastOneElementOfType(Effect.Activated.class);
-            assertThat(JournalPlans.project(file, journal.header(), JournalPlans.vocabulary(file, journal.header())))
+            assertThat(JournalPlans.project(
+                            JournalAddress.of(file),
+                            journal.header(),
+                            JournalPlans.vocabulary(JournalAddress.of(file), journal.header())))
                     .isEqualTo(PROJECT);
         }
     }
@@ -69,12 +72,12 @@ class JournalPlansTest {
     void plansThatThisProgramCannotReadAreNamed() {
         Path file = folder.resolve("session.journal");
 
-        assertThatThrownBy(() -> JournalPlans.engine(file, header("{\"events\": 7}")))
+        assertThatThrownBy(() -> JournalPlans.engine(JournalAddress.of(file), header("{\"events\": 7}")))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining(file.toString())
                 .hasMessageContaining("vocabulary");
         JournalHeader noProject = JournalHeader.of("no JSON", header(EVENTS).vocabulary(), Map.of());
-        assertThatThrownBy(() -> JournalPlans.engine(file, noProject))
+        assertThatThrownBy(() -> JournalPlans.engine(JournalAddress.of(file), noProject))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining("project");
     }

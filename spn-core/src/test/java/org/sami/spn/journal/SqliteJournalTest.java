@@ -280,7 +280,7 @@ class SqliteJournalTest {
 
         try (JournalReader reader = JournalReader.open(file);
                 Database database = Database.open(file)) {
-            Contents contents = Scan.of(file, database.connection());
+            Contents contents = Scan.of(file.toString(), database.connection());
             assertThat(contents.snapshots().keySet()).containsExactly(7L, 14L, 21L, 28L);
             for (int i = 0; i <= 30; i++) {
                 assertThat(StateCodec.encode(reader.stateAt(i, engine))).isEqualTo(truth.get(i));

@@ -2,15 +2,16 @@ package org.sami.crw.cli.record;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.file.ReportFolder;
 import org.sami.crw.sim.tcp.JournalReport;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalReader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -40,9 +41,11 @@ public final class ExportCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "JOURNAL",
-            description = "A file that 'crw session --journal' or 'crw run --connect --journal' wrote.")
+            converter = JournalConverter.class,
+            description = "A file that 'crw session --journal' or 'crw run --connect --journal' wrote, or"
+                    + " postgresql://HOST:PORT/DATABASE.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
-    private Path file;
+    private JournalAddress file;
 
     @Parameters(
             index = "1",
@@ -56,10 +59,10 @@ public final class ExportCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (!Files.isRegularFile(file)) {
+        if (!file.exists()) {
             throw new UsageFault("there is no journal " + file);
         }
-        try (JournalReader reader = JournalReader.open(file)) {
+        try (JournalReader reader = file.read()) {
             if (IN_PROCESS.equals(reader.header().settings().get("kind"))) {
                 throw new UsageFault(
                         "the boats of " + file + " were in its own process, and a run with them is done again: crw "

@@ -2,18 +2,19 @@ package org.sami.crw.cli.record;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.json.GlobalsFile;
@@ -62,10 +63,11 @@ public final class JournalCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "JOURNAL",
             arity = "1..*",
-            description =
-                    "A file that 'crw run --journal' or 'crw session --journal' wrote; several with --statistics.")
+            converter = JournalConverter.class,
+            description = "A file that 'crw run --journal' or 'crw session --journal' wrote, or"
+                    + " postgresql://HOST:PORT/DATABASE; several with --statistics.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
-    private List<Path> files;
+    private List<JournalAddress> files;
 
     @Option(
             names = "--at",
@@ -89,8 +91,8 @@ public final class JournalCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        for (Path one : files) {
-            if (!Files.isRegularFile(one)) {
+        for (JournalAddress one : files) {
+            if (!one.exists()) {
                 throw new UsageFault("there is no journal " + one);
             }
         }
@@ -104,9 +106,9 @@ public final class JournalCommand implements Callable<Integer> {
         if (files.size() > 1) {
             throw new UsageFault("several journals are read with --statistics only");
         }
-        Path file = files.get(0);
+        JournalAddress file = files.get(0);
         PrintWriter out = spec.commandLine().getOut();
-        try (JournalReader journal = JournalReader.open(file)) {
+        try (JournalReader journal = file.read()) {
             long last = journal.lastIndex();
             long index = at == null ? last : at;
             if (index < 0 || index > last) {

@@ -2,13 +2,13 @@ package org.sami.crw.cli.record;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.List;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.report.statistics.SessionFigures;
 import org.sami.crw.report.statistics.StatisticsFormats;
 import org.sami.crw.sim.run.record.JournalStatistics;
+import org.sami.spn.journal.JournalAddress;
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
 
@@ -29,12 +29,12 @@ final class StatisticsOptions {
     private boolean csv;
 
     /** Prints the statistics of these journals together. */
-    int print(List<Path> files, CommandLine command) throws IOException {
+    int print(List<JournalAddress> files, CommandLine command) throws IOException {
         if (json && csv) {
             throw new UsageFault("the statistics are printed as --json or as --csv: give one of them");
         }
         SessionFigures all = SessionFigures.NONE;
-        for (Path file : files) {
+        for (JournalAddress file : files) {
             all = all.with(JournalStatistics.of(file));
         }
         all.remarks().forEach(remark -> command.getErr().println("crw: " + remark));

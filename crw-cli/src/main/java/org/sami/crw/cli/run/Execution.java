@@ -53,6 +53,7 @@ import org.sami.crw.sim.tcp.BoatsNotReadyException;
 import org.sami.crw.sim.tcp.RunProcess;
 import org.sami.crw.sim.tcp.TcpRun;
 import org.sami.crw.sim.tcp.UnknownBoatException;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
@@ -125,7 +126,8 @@ final class Execution {
      * @param journal its journal's file; null for none
      * @return the exit code
      */
-    int runNew(PlanSource source, Plan plan, RunSettings settings, @Nullable Path journal) throws IOException {
+    int runNew(PlanSource source, Plan plan, RunSettings settings, @Nullable JournalAddress journal)
+            throws IOException {
         Project project = source.project().orElseThrow();
         RunPlan runPlan = new RunPlan(library.vocabulary(), project, plan);
         AnswersFile answers = answers(settings, library.vocabulary()).orThrow();
@@ -144,21 +146,25 @@ final class Execution {
                 : runInProcess(runPlan, record, answers, journal);
     }
 
-    private static void checkJournal(@Nullable Path journal) {
+    private static void checkJournal(@Nullable JournalAddress journal) throws IOException {
         if (journal == null) {
             return;
         }
-        if (Files.exists(journal)) {
+        Optional<Path> file = journal.file();
+        if (file.isPresent() ? Files.exists(file.get()) : journal.exists()) {
             throw new UsageFault("--journal: " + journal + " is there already; go on with it by 'crw resume " + journal
-                    + "', or choose another file");
+                    + "', or choose another");
         }
-        Path folder = journal.toAbsolutePath().getParent();
+        if (file.isEmpty()) {
+            return;
+        }
+        Path folder = file.get().toAbsolutePath().getParent();
         if (folder == null || !Files.isDirectory(folder)) {
             throw new UsageFault("--journal: there is no folder " + folder);
         }
     }
 
-    private int runInProcess(RunPlan plan, RunRecord record, AnswersFile answers, @Nullable Path journal)
+    private int runInProcess(RunPlan plan, RunRecord record, AnswersFile answers, @Nullable JournalAddress journal)
             throws IOException {
         RunSettings settings = record.settings();
         if (journal == null) {
@@ -170,7 +176,7 @@ final class Execution {
         }
     }
 
-    private int runConnected(RunPlan plan, RunRecord record, AnswersFile answers, @Nullable Path journal)
+    private int runConnected(RunPlan plan, RunRecord record, AnswersFile answers, @Nullable JournalAddress journal)
             throws IOException {
         RunSettings settings = record.settings();
         try (ConnectedJournal session =
@@ -184,7 +190,7 @@ final class Execution {
         }
     }
 
-    private void tellJournal(Path journal) {
+    private void tellJournal(JournalAddress journal) {
         tell("journal " + journal + "; if this process dies: crw resume " + journal);
     }
 
@@ -270,21 +276,21 @@ final class Execution {
      * @param change what the user wants otherwise than recorded
      * @return the exit code
      */
-    int resume(Path journal, UnaryOperator<RunSettings> change) throws IOException {
-        if (!Files.isRegularFile(journal)) {
+    int resume(JournalAddress journal, UnaryOperator<RunSettings> change) throws IOException {
+        if (!journal.exists()) {
             throw new UsageFault("there is no journal " + journal);
         }
         output.prepare(err);
         return isConnected(journal) ? resumeConnected(journal, change) : resumeInProcess(journal, change);
     }
 
-    private static boolean isConnected(Path journal) throws IOException {
-        try (JournalReader reader = JournalReader.open(journal)) {
+    private static boolean isConnected(JournalAddress journal) throws IOException {
+        try (JournalReader reader = journal.read()) {
             return RunRecord.of(reader.header()).settings().isConnected();
         }
     }
 
-    private int resumeInProcess(Path journal, UnaryOperator<RunSettings> change) throws IOException {
+    private int resumeInProcess(JournalAddress journal, UnaryOperator<RunSettings> change) throws IOException {
         try (ResumedJournal resumed = ResumedJournal.open(journal)) {
             RunPlan plan = plan(resumed.record());
             RunSettings settings = change.apply(beyondItsLimit(resumed));
@@ -300,7 +306,7 @@ final class Execution {
         }
     }
 
-    private int resumeConnected(Path journal, UnaryOperator<RunSettings> change) throws IOException {
+    private int resumeConnected(JournalAddress journal, UnaryOperator<RunSettings> change) throws IOException {
         try (ConnectedJournal resumed = ConnectedJournal.open(journal)) {
             RunPlan plan = plan(resumed.record());
             RunSettings settings = change.apply(beyondItsLimit(resumed));
@@ -407,7 +413,7 @@ final class Execution {
         err.flush();
     }
 
-    private int run(Mission mission, RunRecord record, @Nullable Path journal) throws IOException {
+    private int run(Mission mission, RunRecord record, @Nullable JournalAddress journal) throws IOException {
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         RunReport report;
         boolean told;

@@ -1,10 +1,10 @@
 package org.sami.crw.cli.run;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
@@ -15,6 +15,7 @@ import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.journal.JournalAddress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -49,9 +50,12 @@ public final class ResumeCommand implements Callable<Integer> {
     @Mixin
     private LinkOptions links = new LinkOptions();
 
-    @Parameters(paramLabel = "JOURNAL", description = "The file that 'crw run --journal' wrote.")
+    @Parameters(
+            paramLabel = "JOURNAL",
+            converter = JournalConverter.class,
+            description = "The file that 'crw run --journal' wrote, or postgresql://HOST:PORT/DATABASE.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
-    private Path journal;
+    private JournalAddress journal;
 
     @Option(
             names = "--speed",

@@ -1,12 +1,12 @@
 package org.sami.crw.cli.run;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.DomainOption;
+import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanOption;
@@ -20,6 +20,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
@@ -90,8 +91,10 @@ public final class RunCommand implements Callable<Integer> {
     @Option(
             names = "--journal",
             paramLabel = "FILE",
-            description = "Write a journal, so that 'crw resume FILE' can go on if this process dies.")
-    private @Nullable Path journal;
+            converter = JournalConverter.class,
+            description = "Write a journal, so that 'crw resume FILE' can go on if this process dies; a file, or"
+                    + " postgresql://HOST:PORT/DATABASE.")
+    private @Nullable JournalAddress journal;
 
     @Mixin
     @SuppressWarnings("NullAway.Init") // picocli sets it

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 import org.sami.boat.mavlink.StationAddress;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.DomainOption;
+import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.PlanSource;
@@ -42,6 +43,7 @@ import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
@@ -118,9 +120,10 @@ public final class SessionCommand implements Callable<Integer> {
     @Option(
             names = "--journal",
             paramLabel = "FILE",
-            description = "Keep the session in this file. If the file exists, its session is resumed: its project, "
-                    + "missions, variables and boats.")
-    private @Nullable Path journal;
+            converter = JournalConverter.class,
+            description = "Keep the session in this file, or in a database: postgresql://HOST:PORT/DATABASE. If it is"
+                    + " there, its session is resumed: its project, missions, variables and boats.")
+    private @Nullable JournalAddress journal;
 
     @Option(
             names = "--conditions",
@@ -180,7 +183,7 @@ public final class SessionCommand implements Callable<Integer> {
         if (unfit.isPresent()) {
             throw new UsageFault("--mavlink: " + unfit.get());
         }
-        if (journal != null && Files.exists(journal)) {
+        if (journal != null && isThere(journal)) {
             if (name != null) {
                 throw new UsageFault("the project is that of " + journal + "; leave out '" + name + "'");
             }
@@ -225,7 +228,12 @@ public final class SessionCommand implements Callable<Integer> {
         return run(setup, stated, Optional.ofNullable(conditions), addresses, false);
     }
 
-    private static SessionJournal opened(Path file) throws IOException {
+    /** A name that is taken by anything is no new journal. */
+    private static boolean isThere(JournalAddress journal) throws IOException {
+        return journal.file().isPresent() ? Files.exists(journal.file().get()) : journal.exists();
+    }
+
+    private static SessionJournal opened(JournalAddress file) throws IOException {
         SessionJournal opened = SessionJournal.open(file);
         String kind = opened.header()
                 .map(header -> header.settings().getOrDefault("kind", ""))

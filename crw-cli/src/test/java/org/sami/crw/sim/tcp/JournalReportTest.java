@@ -20,6 +20,7 @@ import org.sami.crw.cli.CommandResult;
 import org.sami.crw.report.file.ReportJson;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.value.GeoPoint;
 
 /** The report of a run that whoever has only its journal makes. */
@@ -61,7 +62,7 @@ class JournalReportTest {
             own = JSON.readTree(ran.out());
         }
 
-        JsonNode told = JSON.readTree(ReportJson.text(JournalReport.of(journal)));
+        JsonNode told = JSON.readTree(ReportJson.text(JournalReport.of(JournalAddress.of(journal))));
 
         assertThat(own.path("interrupts")).isNotEmpty();
         assertThat(own.path("outcome").asText()).isEqualTo("ended");

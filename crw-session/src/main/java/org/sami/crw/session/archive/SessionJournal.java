@@ -15,10 +15,11 @@ import org.sami.spn.host.HostListener;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.NoJournal;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.JournalReader;
-import org.sami.spn.journal.SqliteJournal;
+import org.sami.spn.journal.StoredJournal;
 import org.sami.spn.journal.Telemetry;
 import org.sami.spn.journal.TelemetryRow;
 
@@ -27,22 +28,22 @@ import org.sami.spn.journal.TelemetryRow;
  * survives the loss of power: real boats go on without the laptop. Telemetry may be added from any thread.
  */
 public final class SessionJournal implements Closeable {
-    private final Optional<SqliteJournal> file;
+    private final Optional<StoredJournal> stored;
     private final InputJournal inputs;
     private final boolean resumed;
     private final long cameToMillis;
     private final Optional<String> telemetryDamage;
 
-    private SessionJournal(SqliteJournal journal) {
-        file = Optional.of(journal);
+    private SessionJournal(StoredJournal journal) {
+        stored = Optional.of(journal);
         inputs = journal;
         resumed = false;
         cameToMillis = 0;
         telemetryDamage = Optional.empty();
     }
 
-    private SessionJournal(SqliteJournal journal, Telemetry earlier) {
-        file = Optional.of(journal);
+    private SessionJournal(StoredJournal journal, Telemetry earlier) {
+        stored = Optional.of(journal);
         inputs = journal;
         resumed = true;
         cameToMillis = earlier.rows().stream().mapToLong(TelemetryRow::atMillis).reduce(inputs.lastMillis(), Math::max);
@@ -50,7 +51,7 @@ public final class SessionJournal implements Closeable {
     }
 
     private SessionJournal(InputJournal inputs) {
-        file = Optional.empty();
+        stored = Optional.empty();
         this.inputs = inputs;
         resumed = false;
         cameToMillis = 0;
@@ -73,7 +74,16 @@ public final class SessionJournal implements Closeable {
      * @throws IOException if there is one already, or none can be made
      */
     public static SessionJournal create(Path file, JournalHeader header) throws IOException {
-        return new SessionJournal(SqliteJournal.create(file, header, JournalOptions.DEFAULT));
+        return create(JournalAddress.of(file), header);
+    }
+
+    /**
+     * The journal of a session that begins.
+     *
+     * @throws IOException if there is one already, or none can be made
+     */
+    public static SessionJournal create(JournalAddress address, JournalHeader header) throws IOException {
+        return new SessionJournal(address.create(header, JournalOptions.DEFAULT));
     }
 
     /**
@@ -82,8 +92,17 @@ public final class SessionJournal implements Closeable {
      * @throws IOException if it is no journal, is damaged from its head, or another process writes it
      */
     public static SessionJournal open(Path file) throws IOException {
-        SqliteJournal journal = SqliteJournal.open(file, JournalOptions.DEFAULT);
-        try (JournalReader reader = JournalReader.open(file)) {
+        return open(JournalAddress.of(file));
+    }
+
+    /**
+     * The journal of a session that is resumed.
+     *
+     * @throws IOException if it is no journal, is damaged from its head, or another process writes it
+     */
+    public static SessionJournal open(JournalAddress address) throws IOException {
+        StoredJournal journal = address.open(JournalOptions.DEFAULT);
+        try (JournalReader reader = address.read()) {
             return new SessionJournal(journal, reader.telemetry());
         } catch (IOException | RuntimeException fault) {
             journal.close();
@@ -91,20 +110,20 @@ public final class SessionJournal implements Closeable {
         }
     }
 
-    /** What the file says before its first entry; empty where there is no file. */
+    /** What the journal says before its first entry; empty where nobody reads it again. */
     public Optional<JournalHeader> header() {
-        return file.map(SqliteJournal::header);
+        return stored.map(StoredJournal::header);
     }
 
-    /** What was wrong with the file, in a sentence; empty text where nothing was. */
+    /** What was wrong with the journal, in a sentence; empty text where nothing was. */
     public String damage() {
-        return Stream.concat(file.flatMap(journal -> journal.recovery().damage()).stream(), telemetryDamage.stream())
+        return Stream.concat(stored.flatMap(journal -> journal.recovery().damage()).stream(), telemetryDamage.stream())
                 .collect(Collectors.joining("; "));
     }
 
     /** Index of the last entry that an earlier process wrote; empty for a session from its start. */
     public OptionalLong resumedFrom() {
-        return resumed ? OptionalLong.of(file.orElseThrow().recovery().lastValid()) : OptionalLong.empty();
+        return resumed ? OptionalLong.of(stored.orElseThrow().recovery().lastValid()) : OptionalLong.empty();
     }
 
     /** How many entries this process has added. */
@@ -122,7 +141,7 @@ public final class SessionJournal implements Closeable {
         if (!resumed) {
             return List.of();
         }
-        try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
+        try (JournalReader reader = stored.orElseThrow().address().read()) {
             return reader.telemetry().rows();
         }
     }
@@ -130,15 +149,20 @@ public final class SessionJournal implements Closeable {
     /** Gives the entries of earlier processes, in order. */
     public void earlierEntries(Consumer<JournalEntry> consumer) throws IOException {
         if (resumed && resumedFrom().getAsLong() > 0) {
-            try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
+            try (JournalReader reader = stored.orElseThrow().address().read()) {
                 reader.entries(1, resumedFrom().getAsLong(), consumer);
             }
         }
     }
 
-    /** The file of the journal; empty where nobody reads it again. */
-    public Optional<SqliteJournal> sqlite() {
-        return file;
+    /** The journal, where somebody reads it again. */
+    public Optional<StoredJournal> stored() {
+        return stored;
+    }
+
+    /** Its file; empty where it is in a database, or nobody reads it again. */
+    public Optional<Path> file() {
+        return stored.flatMap(journal -> journal.address().file());
     }
 
     /** The journal of the engine's inputs. */
@@ -148,13 +172,13 @@ public final class SessionJournal implements Closeable {
 
     /** The state to go on from. */
     public EngineState restore(Engine engine) throws IOException {
-        return resumed ? file.orElseThrow().restore(engine) : engine.newState();
+        return resumed ? stored.orElseThrow().restore(engine) : engine.newState();
     }
 
     /** Lets a listener hear what happened in earlier processes. */
     public void replay(Engine engine, HostListener listener) throws IOException {
         if (resumed && resumedFrom().getAsLong() > 0) {
-            try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
+            try (JournalReader reader = stored.orElseThrow().address().read()) {
                 reader.replay(engine, 1, resumedFrom().getAsLong(), listener);
             }
         }
@@ -162,19 +186,19 @@ public final class SessionJournal implements Closeable {
 
     /** Whether added telemetry is kept; otherwise none need be made. */
     public boolean keepsTelemetry() {
-        return file.isPresent();
+        return stored.isPresent();
     }
 
     void addTelemetry(TelemetryRow row) throws IOException {
-        if (file.isPresent()) {
-            file.get().addTelemetry(List.of(row));
+        if (stored.isPresent()) {
+            stored.get().addTelemetry(List.of(row));
         }
     }
 
     @Override
     public void close() throws IOException {
-        if (file.isPresent()) {
-            file.get().close();
+        if (stored.isPresent()) {
+            stored.get().close();
         }
     }
 }

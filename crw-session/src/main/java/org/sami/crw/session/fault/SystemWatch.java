@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.crw.operator.HealthModel;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.spn.journal.SqliteJournal;
+import org.sami.spn.journal.StoredJournal;
 
 /** Looks at memory and disk on a daemon thread of its own, which may hang with the disk: nothing else waits for it. */
 public final class SystemWatch implements AutoCloseable {
@@ -27,12 +28,13 @@ public final class SystemWatch implements AutoCloseable {
     /**
      * Watches from now on, at each call of {@link #look}.
      *
-     * @param journal the journal whose file and disk it watches; empty for none
+     * @param journal the journal whose file and disk it watches, if it is a file; empty for none
      * @param guard receives exceptions of this watch
      */
-    public SystemWatch(Optional<SqliteJournal> journal, HealthModel health, ThreadGuard guard) {
+    public SystemWatch(Optional<StoredJournal> journal, HealthModel health, ThreadGuard guard) {
         this.health = health;
-        this.journal = journal.flatMap(one -> watch(one, health));
+        this.journal =
+                journal.flatMap(one -> one instanceof SqliteJournal file ? watch(file, health) : Optional.empty());
         thread = Executors.newSingleThreadExecutor(work -> {
             Thread made = new Thread(work, "system-watch");
             made.setDaemon(true);

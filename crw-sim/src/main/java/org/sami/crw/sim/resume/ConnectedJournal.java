@@ -1,13 +1,13 @@
 package org.sami.crw.sim.resume;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.session.archive.SessionJournal;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.protocol.Input;
 
 /** The journal of a run on boats that are other processes: that of its session, with the run in its header. */
@@ -28,8 +28,8 @@ public final class ConnectedJournal implements EarlierProcesses, AutoCloseable {
      *
      * @throws IOException if there is one already, or none can be made
      */
-    public static ConnectedJournal create(Path file, RunRecord record) throws IOException {
-        return new ConnectedJournal(SessionJournal.create(file, record.toHeader()));
+    public static ConnectedJournal create(JournalAddress address, RunRecord record) throws IOException {
+        return new ConnectedJournal(SessionJournal.create(address, record.toHeader()));
     }
 
     /**
@@ -37,8 +37,8 @@ public final class ConnectedJournal implements EarlierProcesses, AutoCloseable {
      *
      * @throws IOException if it is no journal, is damaged from its head, or another process writes it
      */
-    public static ConnectedJournal open(Path file) throws IOException {
-        return new ConnectedJournal(SessionJournal.open(file));
+    public static ConnectedJournal open(JournalAddress address) throws IOException {
+        return new ConnectedJournal(SessionJournal.open(address));
     }
 
     /** The session's. */

@@ -12,8 +12,9 @@ import org.sami.crw.sim.run.RunJournal;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalReader;
-import org.sami.spn.journal.SqliteJournal;
+import org.sami.spn.journal.StoredJournal;
 import org.sami.spn.journal.WorldMark;
 
 /**
@@ -23,7 +24,7 @@ import org.sami.spn.journal.WorldMark;
 public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoCloseable {
     private static final int WORDS_LENGTH = 160;
 
-    private final SqliteJournal journal;
+    private final StoredJournal journal;
     private final PastEntries past;
     private final Map<Long, MarkText> marks;
     private final Inputs inputs = new Inputs();
@@ -31,7 +32,7 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
     private long index;
     private long reachedMillis = -1;
 
-    private ResumedJournal(SqliteJournal journal, PastEntries past, Map<Long, MarkText> marks) {
+    private ResumedJournal(StoredJournal journal, PastEntries past, Map<Long, MarkText> marks) {
         this.journal = journal;
         this.past = past;
         this.marks = marks;
@@ -45,14 +46,23 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
      * @throws IOException if it is no journal, is damaged from its head, or another process writes it
      */
     public static ResumedJournal open(Path file) throws IOException {
-        SqliteJournal journal = SqliteJournal.open(file, WrittenJournal.OPTIONS);
+        return open(JournalAddress.of(file));
+    }
+
+    /**
+     * Opens a journal to go on with it.
+     *
+     * @throws IOException if it is no journal, is damaged from its head, or another process writes it
+     */
+    public static ResumedJournal open(JournalAddress address) throws IOException {
+        StoredJournal journal = address.open(WrittenJournal.OPTIONS);
         JournalReader reader = null;
         try {
             Optional<String> other = RunRecord.otherDriving(journal.header());
             if (other.isPresent()) {
-                throw new IOException(file + ": " + other.get());
+                throw new IOException(address + ": " + other.get());
             }
-            reader = JournalReader.open(journal.file());
+            reader = journal.address().read();
             Map<Long, MarkText> marks = new TreeMap<>();
             for (WorldMark mark : reader.marks()) {
                 marks.put(mark.index(), MarkText.of(mark));
@@ -143,7 +153,7 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
 
     @Override
     public void close() throws IOException {
-        try (SqliteJournal written = journal;
+        try (StoredJournal written = journal;
                 PastEntries read = past) {
             // Both are closed, the reader first.
         }

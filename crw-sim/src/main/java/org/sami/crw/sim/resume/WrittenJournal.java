@@ -6,17 +6,18 @@ import java.util.OptionalLong;
 import java.util.function.Supplier;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.spn.host.InputJournal;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalOptions;
-import org.sami.spn.journal.SqliteJournal;
+import org.sami.spn.journal.StoredJournal;
 
 /** The journal of a run that begins. */
 public final class WrittenJournal implements RunJournal, AutoCloseable {
     /** A simulated run survives its process; nobody loses a boat when a laptop loses its power in the middle of it. */
     static final JournalOptions OPTIONS = JournalOptions.DEFAULT.withoutSync();
 
-    private final SqliteJournal journal;
+    private final StoredJournal journal;
 
-    private WrittenJournal(SqliteJournal journal) {
+    private WrittenJournal(StoredJournal journal) {
         this.journal = journal;
     }
 
@@ -26,7 +27,16 @@ public final class WrittenJournal implements RunJournal, AutoCloseable {
      * @throws IOException if there is one already, or none can be made
      */
     public static WrittenJournal create(Path file, RunRecord record) throws IOException {
-        return new WrittenJournal(SqliteJournal.create(file, record.toHeader(), OPTIONS));
+        return create(JournalAddress.of(file), record);
+    }
+
+    /**
+     * Makes a journal.
+     *
+     * @throws IOException if there is one already, or none can be made
+     */
+    public static WrittenJournal create(JournalAddress address, RunRecord record) throws IOException {
+        return new WrittenJournal(address.create(record.toHeader(), OPTIONS));
     }
 
     @Override

@@ -1,7 +1,6 @@
 package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -32,6 +31,7 @@ import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
@@ -47,7 +47,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 public final class JournalReport {
     private static final String TCP = "tcp";
 
-    private final Path file;
+    private final JournalAddress journal;
     private final List<TelemetryRow> rows;
     private final Project project;
     private final Vocabulary vocabulary;
@@ -60,12 +60,12 @@ public final class JournalReport {
     private List<Wait> waits = List.of();
     private long lastMillis;
 
-    private JournalReport(Path file, JournalReader reader) throws IOException {
+    private JournalReport(JournalAddress journal, JournalReader reader) throws IOException {
         JournalHeader header = reader.header();
-        this.file = file;
+        this.journal = journal;
         rows = reader.telemetry().rows();
-        vocabulary = JournalPlans.vocabulary(file, header);
-        project = JournalPlans.project(file, header, vocabulary);
+        vocabulary = JournalPlans.vocabulary(journal, header);
+        project = JournalPlans.project(journal, header, vocabulary);
         run = TCP.equals(header.settings().get("kind"))
                 ? Optional.of(RunRecord.of(header).settings())
                 : Optional.empty();
@@ -87,9 +87,9 @@ public final class JournalReport {
      *
      * @throws IOException if it cannot be read
      */
-    public static RunReport of(Path file) throws IOException {
-        try (JournalReader reader = JournalReader.open(file)) {
-            return new JournalReport(file, reader).report(reader);
+    public static RunReport of(JournalAddress journal) throws IOException {
+        try (JournalReader reader = journal.read()) {
+            return new JournalReport(journal, reader).report(reader);
         }
     }
 
@@ -98,7 +98,7 @@ public final class JournalReport {
         InterruptScheduler interrupts = new InterruptScheduler(planned(), clock);
         folds.add(draft -> draft.interrupts(interrupts.results()));
         folds.add(draft -> draft.add(new OperatorActionsPart(OperatorActions.of(OperatorLogRows.read(rows)))));
-        folds.add(draft -> PictureResults.part(file, rows).ifPresent(draft::add));
+        folds.add(draft -> PictureResults.part(journal, rows).ifPresent(draft::add));
         folds.add(draft -> draft.waits(waits));
         List<HostListener> listeners = new ArrayList<>(folds.listeners());
         listeners.add(interrupts);

@@ -167,7 +167,7 @@ public final class TcpRun {
                 services,
                 runtime,
                 FaultPolicy.ALONE,
-                journal.session().sqlite().isPresent() ? Optional.empty() : pictures);
+                journal.session().file().isPresent() ? Optional.empty() : pictures);
     }
 
     /**

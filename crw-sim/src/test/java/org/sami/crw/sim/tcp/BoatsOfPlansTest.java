@@ -28,6 +28,7 @@ import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -91,13 +92,13 @@ class BoatsOfPlansTest {
                     new ProjectWriter(plan.vocabulary()).text(plan.project()),
                     TestRuns.LIBRARY.files().texts());
             Path file = folder.resolve("journal");
-            try (ConnectedJournal journal = ConnectedJournal.create(file, record)) {
+            try (ConnectedJournal journal = ConnectedJournal.create(JournalAddress.of(file), record)) {
                 assertThat(run(plan, settings, journal, () -> progress.openDecisions() > 0))
                         .isEqualTo(RunOutcome.RUNNING);
             }
             assertThat(connections).hasValue(1);
 
-            try (ConnectedJournal journal = ConnectedJournal.open(file)) {
+            try (ConnectedJournal journal = ConnectedJournal.open(JournalAddress.of(file))) {
                 run(plan, settings, journal, () -> connections.get() > 1);
             }
 

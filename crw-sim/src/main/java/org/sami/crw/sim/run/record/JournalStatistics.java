@@ -1,12 +1,12 @@
 package org.sami.crw.sim.run.record;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.crw.report.statistics.SessionFigures;
 import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.engine.Engine;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.Telemetry;
@@ -19,10 +19,10 @@ public final class JournalStatistics {
     /**
      * Reads a journal.
      *
-     * @throws IOException with a sentence that names the file, if it is no journal, or this program cannot read its plans
+     * @throws IOException with a sentence that names the journal, if it is no journal, or this program cannot read its plans
      */
-    public static SessionFigures of(Path file) throws IOException {
-        try (JournalReader reader = JournalReader.open(file)) {
+    public static SessionFigures of(JournalAddress file) throws IOException {
+        try (JournalReader reader = file.read()) {
             Vocabulary vocabulary = JournalPlans.vocabulary(file, reader.header());
             Engine engine = new Engine(vocabulary, JournalPlans.project(file, reader.header(), vocabulary));
             Telemetry telemetry = reader.telemetry();

@@ -1,6 +1,5 @@
 package org.sami.crw.sim.run.record;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -11,6 +10,7 @@ import org.sami.crw.report.PictureResult;
 import org.sami.crw.report.PicturesPart;
 import org.sami.crw.session.archive.PictureRows;
 import org.sami.crw.session.picture.SessionPictures;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.TelemetryRow;
 
 /** The pictures of boats as a report has them. */
@@ -28,10 +28,11 @@ public final class PictureResults {
         return kept ? Optional.of(new PicturesPart(results)) : Optional.empty();
     }
 
-    /** The same of the telemetry of a journal. */
-    public static Optional<PicturesPart> part(Path journal, List<TelemetryRow> rows) {
+    /** The same of the telemetry of a journal; next to a database no pictures are kept. */
+    public static Optional<PicturesPart> part(JournalAddress journal, List<TelemetryRow> rows) {
         TakenPictures taken = new TakenPictures();
-        new PictureRows(SessionPictures.besides(journal)).read(rows, taken::apply);
+        SessionPictures pictures = journal.file().map(SessionPictures::besides).orElseGet(SessionPictures::temporary);
+        new PictureRows(pictures).read(rows, taken::apply);
         return part(taken.all());
     }
 

@@ -1,0 +1,169 @@
+package org.sami.journal.postgres;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.SQLException;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.sami.spn.host.JournalException;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.JournalReader;
+import org.sami.spn.journal.JournalStore;
+import org.sami.spn.journal.JournalTables;
+import org.sami.spn.journal.Recovery;
+import org.sami.spn.journal.StoredJournal;
+
+/** Journals in PostgreSQL. */
+public final class PostgresStore implements JournalStore {
+    private static final String THERE = "is there already; a journal is never written over";
+
+    private final LeaseTerms terms;
+    private final String holder;
+    private final LongSupplier nanos;
+
+    /** With the terms of a session, for this process. */
+    public PostgresStore() {
+        this(LeaseTerms.STANDARD, thisProcess(), System::nanoTime);
+    }
+
+    /**
+     * With other terms.
+     *
+     * @param holder how this process is called to others
+     * @param nanos a clock that does not jump
+     */
+    PostgresStore(LeaseTerms terms, String holder, LongSupplier nanos) {
+        this.terms = terms;
+        this.holder = holder;
+        this.nanos = nanos;
+    }
+
+    private static String thisProcess() {
+        String host;
+        try {
+            host = InetAddress.getLocalHost().getHostName();
+        } catch (UnknownHostException unnamed) {
+            host = "a computer without a name";
+        }
+        return host + " (process " + ProcessHandle.current().pid() + ")";
+    }
+
+    @Override
+    public String scheme() {
+        return PostgresAddress.SCHEME;
+    }
+
+    @Override
+    public String checked(String address) {
+        return PostgresAddress.parse(address).text();
+    }
+
+    @Override
+    public boolean exists(String text) throws IOException {
+        PostgresAddress address = PostgresAddress.parse(text);
+        try (Connection connection = Connections.toRead(address)) {
+            return hasHeader(connection, address);
+        } catch (SQLException fault) {
+            throw DatabaseFaults.of(address, 0, "cannot be read", fault);
+        }
+    }
+
+    private static boolean hasHeader(Connection connection, PostgresAddress address) throws SQLException {
+        return Migrations.isThere(connection, address)
+                && !Connections.text(connection, "SELECT 1 FROM header LIMIT 1").isEmpty();
+    }
+
+    @Override
+    public StoredJournal create(String text, JournalHeader header, JournalOptions options) throws IOException {
+        PostgresAddress address = PostgresAddress.parse(text);
+        try (Connection connection = Connections.toWrite(address)) {
+            Migrations.run(connection, address);
+            if (hasHeader(connection, address)) {
+                throw new JournalException(address.words(), 0, THERE);
+            }
+            JournalTables.begin(connection, header);
+            connection.commit();
+        } catch (SQLException fault) {
+            throw DatabaseFaults.of(address, 0, "cannot be made", fault);
+        }
+        return open(text, options);
+    }
+
+    @Override
+    public PostgresJournal open(String text, JournalOptions options) throws IOException {
+        PostgresAddress address = PostgresAddress.parse(text);
+        try {
+            Connection connection = Connections.toWrite(address);
+            try {
+                if (!Migrations.isThere(connection, address)) {
+                    throw new JournalException(address.words(), 0, "is not there");
+                }
+                Migrations.run(connection, address);
+                connection.commit();
+                return opened(address, connection, options);
+            } catch (SQLException | IOException | RuntimeException fault) {
+                Connections.drop(connection);
+                throw fault;
+            }
+        } catch (SQLException fault) {
+            throw DatabaseFaults.of(address, 0, "cannot be opened", fault);
+        }
+    }
+
+    private PostgresJournal opened(PostgresAddress address, Connection connection, JournalOptions options)
+            throws SQLException, IOException {
+        Lease lease = Lease.take(address, terms, holder, nanos);
+        try {
+            JournalTables tables =
+                    JournalTables.open(address.words(), connection, new PostgresRows(connection), options);
+            Recovery found = tables.recovery();
+            Optional<String> damage = Optional.empty();
+            if (found.damage().isPresent()) {
+                long rows = setAside(connection, found.lastValid());
+                damage = found.damage()
+                        .map(what -> what + "; " + rows + (rows == 1 ? " entry is" : " entries are")
+                                + " kept in the table set_aside");
+            }
+            connection.commit();
+            return new PostgresJournal(
+                    address, connection, lease, tables, new Recovery(found.lastValid(), damage), options);
+        } catch (SQLException | IOException | RuntimeException fault) {
+            lease.close();
+            throw fault;
+        }
+    }
+
+    /** Makes room behind the last valid entry; what stood there is kept as it was found. */
+    private static long setAside(Connection connection, long lastValid) throws SQLException {
+        try (PreparedStatement move = connection.prepareStatement(
+                "WITH gone AS (DELETE FROM entries WHERE idx > ? RETURNING idx, at_millis, input, checksum)"
+                        + " INSERT INTO set_aside SELECT clock_timestamp(), * FROM gone")) {
+            move.setLong(1, lastValid);
+            return move.executeUpdate();
+        }
+    }
+
+    @Override
+    public JournalReader read(String text) throws JournalException {
+        PostgresAddress address = PostgresAddress.parse(text);
+        try {
+            Connection connection = Connections.toRead(address);
+            try {
+                if (!Migrations.isThere(connection, address)) {
+                    throw new JournalException(address.words(), 0, "is not there");
+                }
+                Migrations.version(connection, address);
+                return JournalReader.over(address.words(), connection);
+            } catch (SQLException | JournalException | RuntimeException fault) {
+                Connections.drop(connection);
+                throw fault;
+            }
+        } catch (SQLException fault) {
+            throw DatabaseFaults.of(address, 0, "cannot be read", fault);
+        }
+    }
+}

@@ -1,0 +1,185 @@
+package org.sami.journal.postgres;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.time.Duration;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.sami.spn.host.Durability;
+import org.sami.spn.host.JournalException;
+import org.sami.spn.journal.Checksum;
+import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.RowWriter.EntryRow;
+import org.sami.spn.journal.StoredJournal;
+
+/** One base writes a journal at a time, and the database refuses whoever was superseded. */
+@Timeout(300)
+class LeaseTest {
+    private static final int TAKE_OVERS = 10_000;
+
+    private final String address = TestServer.address();
+
+    @Test
+    void aSecondBaseIsRefusedByNameWhileTheFirstRenewsItsLease() throws Exception {
+        PostgresStore often = Journals.base("laptop-1 (process 7)", Duration.ofMillis(100), System::nanoTime);
+        try (StoredJournal first = often.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            assertThatThrownBy(() -> Journals.base("laptop-2").open(address, JournalOptions.DEFAULT))
+                    .isInstanceOf(JournalException.class)
+                    .hasMessageContaining("is being written already, by laptop-1 (process 7)")
+                    .hasMessageContaining("(epoch 1)");
+
+            first.append(Journals.entries(0, 1), Durability.PROCESS);
+        }
+    }
+
+    @Test
+    void aBaseThatClosedIsFollowedAtOnce() throws Exception {
+        Journals.create("laptop-1", address).close();
+
+        assertThat(TestServer.number(address, "SELECT count(*) FROM lease WHERE ends <= clock_timestamp()"))
+                .isEqualTo(1);
+        try (PostgresJournal second = Journals.base("laptop-2").open(address, JournalOptions.DEFAULT)) {
+            assertThat(second.epoch()).isEqualTo(2);
+        }
+        assertThat(TestServer.number(address, "SELECT count(*) FROM holders")).isEqualTo(2);
+    }
+
+    @Test
+    void whatASupersededBaseWritesIsRefusedAndItSaysByWhom() throws Exception {
+        try (PostgresJournal first = Journals.create("laptop-1", address)) {
+            first.append(Journals.entries(0, 2), Durability.PROCESS);
+            Journals.endLease(address);
+            try (PostgresJournal second = Journals.base("laptop-2").open(address, JournalOptions.DEFAULT)) {
+                assertThatThrownBy(() -> first.append(Journals.entries(2, 1), Durability.POWER))
+                        .isInstanceOf(JournalException.class)
+                        .hasMessageContaining("entry 3: cannot be written: laptop-2 took the session over at")
+                        .hasMessageContaining("with epoch 2 after 1");
+                assertThat(first.isRecoverable()).isFalse();
+                assertThatThrownBy(first::recover).hasMessageContaining("took the session over");
+                assertThatThrownBy(first::check).hasMessageContaining("took the session over");
+                assertThatThrownBy(() -> first.mark("here")).hasMessageContaining("took the session over");
+
+                second.append(Journals.entries(2, 1), Durability.POWER);
+            }
+        }
+        assertThat(TestServer.number(address, "SELECT count(*) FROM entries")).isEqualTo(3);
+    }
+
+    @Test
+    void aBaseWhoseClockSaysThatItsLeaseIsOverWritesNothingUntilItHasRenewedIt() throws Exception {
+        AtomicLong nanos = new AtomicLong();
+        PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, nanos::get);
+        try (PostgresJournal journal =
+                (PostgresJournal) store.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            journal.append(Journals.entries(0, 1), Durability.PROCESS);
+            nanos.addAndGet(Journals.OWN_LIMIT.toNanos());
+
+            assertThatThrownBy(journal::check).hasMessageContaining("its lease is over, which could not be renewed");
+            assertThatThrownBy(() -> journal.append(Journals.entries(1, 1), Durability.PROCESS))
+                    .hasMessageContaining("its lease is over");
+            assertThat(journal.isRecoverable()).isTrue();
+            journal.recover();
+            journal.append(Journals.entries(1, 1), Durability.PROCESS);
+        }
+    }
+
+    @Test
+    void theDatabasesClockDecidesWhateverTheBaseBelieves() throws Exception {
+        long aDayOff = -Duration.ofDays(1).toNanos();
+        PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, () -> aDayOff);
+        try (PostgresJournal journal =
+                (PostgresJournal) store.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            journal.append(Journals.entries(0, 1), Durability.PROCESS);
+            Journals.endLease(address);
+
+            assertThatThrownBy(() -> journal.append(Journals.entries(1, 1), Durability.PROCESS))
+                    .hasMessageContaining("its lease is over by the database's clock");
+            journal.recover(); // nobody has taken it
+            journal.append(Journals.entries(1, 1), Durability.PROCESS);
+        }
+    }
+
+    @Test
+    void aLeaseThatIsGoneFromTheTableIsLost() throws Exception {
+        try (PostgresJournal journal = Journals.create("laptop-1", address)) {
+            TestServer.run(address, "DELETE FROM lease");
+
+            assertThatThrownBy(() -> journal.append(Journals.entries(0, 1), Durability.PROCESS))
+                    .hasMessageContaining("its lease is gone from the database");
+        }
+    }
+
+    /** Two bases take the lease from each other while both append as fast as they can. */
+    @Test
+    @Timeout(1200)
+    void noEntryOfASupersededBaseIsWrittenInTenThousandTakeOvers() throws Exception {
+        Journals.create("nobody", address).close();
+        ExecutorService threads = Executors.newFixedThreadPool(2);
+        AtomicLong newest = new AtomicLong();
+        try {
+            List<Future<Long>> bases =
+                    List.of(threads.submit(() -> rival(newest)), threads.submit(() -> rival(newest)));
+            long taken = 0;
+            for (Future<Long> base : bases) {
+                taken += base.get();
+            }
+            assertThat(taken).isGreaterThanOrEqualTo(TAKE_OVERS);
+        } finally {
+            newest.set(Long.MAX_VALUE); // also where one of them failed
+            threads.shutdown();
+        }
+
+        assertThat(TestServer.number(address, "SELECT count(*) FROM holders")).isGreaterThan(TAKE_OVERS);
+        assertThat(TestServer.number(address, "SELECT count(*) FROM entries")).isGreaterThan(TAKE_OVERS / 100);
+        // Epochs stand in the column of times: in order of entries none comes after a later one.
+        assertThat(TestServer.number(
+                        address,
+                        "SELECT count(*) FROM (SELECT at_millis, max(at_millis) OVER (ORDER BY idx ROWS BETWEEN UNBOUNDED"
+                                + " PRECEDING AND 1 PRECEDING) AS before FROM entries) AS e WHERE at_millis < before"))
+                .isZero();
+    }
+
+    /** Takes the lease whenever it can and appends until it is refused; gives how often it took it. */
+    private long rival(AtomicLong newest) throws SQLException {
+        long taken = 0;
+        try (Connection connection = TestServer.connect(address)) {
+            connection.setAutoCommit(false);
+            PostgresRows rows = new PostgresRows(connection);
+            while (newest.get() <= TAKE_OVERS) {
+                Connections.run(connection, "UPDATE lease SET ends = clock_timestamp()");
+                connection.commit();
+                OptionalLong epoch = LeaseTable.take(connection, "rival", Duration.ofHours(1));
+                connection.commit();
+                if (epoch.isPresent()) {
+                    taken++;
+                    newest.accumulateAndGet(epoch.getAsLong(), Math::max);
+                    boolean newestHolder = true;
+                    while (newestHolder && append(connection, rows, epoch.getAsLong())) {
+                        newestHolder = newest.get() == epoch.getAsLong() && newest.get() <= TAKE_OVERS;
+                    }
+                    append(connection, rows, epoch.getAsLong()); // superseded, perhaps
+                }
+            }
+        }
+        return taken;
+    }
+
+    private static boolean append(Connection connection, PostgresRows rows, long epoch) throws SQLException {
+        boolean held = LeaseTable.lock(connection, epoch) == LeaseTable.Standing.HELD;
+        if (held) {
+            long last = Long.parseLong(Connections.text(connection, "SELECT coalesce(max(idx), 0) FROM entries"));
+            rows.entries(List.of(new EntryRow(last + 1, epoch, "{}", new Checksum(0, 0))));
+        }
+        connection.commit();
+        return held;
+    }
+}

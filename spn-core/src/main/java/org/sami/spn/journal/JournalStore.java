@@ -1,0 +1,37 @@
+package org.sami.spn.journal;
+
+import java.io.IOException;
+import org.sami.spn.host.JournalException;
+
+/** A kind of database that holds journals; found by {@link java.util.ServiceLoader} when a user names one. Safe for use by several threads. */
+public interface JournalStore {
+    /** How its addresses begin, before {@code ://}. */
+    String scheme();
+
+    /**
+     * The address as it is shown, logged and kept.
+     *
+     * @throws IllegalArgumentException with a sentence for the user, if it is none or holds a password
+     */
+    String checked(String address);
+
+    /** Whether there is a journal. */
+    boolean exists(String address) throws IOException;
+
+    /**
+     * A new journal.
+     *
+     * @throws IOException if there is one, or none can be made
+     */
+    StoredJournal create(String address, JournalHeader header, JournalOptions options) throws IOException;
+
+    /**
+     * Opens a journal to go on with it.
+     *
+     * @throws IOException if it cannot be read, or somebody else holds it
+     */
+    StoredJournal open(String address, JournalOptions options) throws IOException;
+
+    /** Opens a journal to read it. */
+    JournalReader read(String address) throws JournalException;
+}
