@@ -6,7 +6,7 @@ import java.io.ByteArrayOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(300)
+@Timeout(900)
 class FramePumpTest {
     private final FramePump pump = new FramePump(8, 1000);
     private final ByteArrayOutputStream written = new ByteArrayOutputStream();

@@ -32,7 +32,7 @@ import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** A boat of ours and a ground station, which is the base of the module mavlink, over UDP. */
-@Timeout(300)
+@Timeout(900)
 class GroundStationLinkTest {
     private static final VehicleId BOAT = new VehicleId(7, 1);
 

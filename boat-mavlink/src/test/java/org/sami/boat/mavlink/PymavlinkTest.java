@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.LostLinkAction;
 
 /** A boat of ours and a ground station that this project has not written, where Python has pymavlink; the variable PYTHON names another Python than the usual one. */
-@Timeout(300)
+@Timeout(900)
 class PymavlinkTest {
     private static final String PYTHON = Objects.requireNonNullElse(System.getenv("PYTHON"), "python3");
 

@@ -44,7 +44,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Real processes of {@code crw boat}, ended in order and by {@code kill -9}, and a base that commands them. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class BoatProcessTest {
     @TempDir
     private Path folder;

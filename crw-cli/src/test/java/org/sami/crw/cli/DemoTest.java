@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The demonstration as a user has it: boats that are processes. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class DemoTest {
     private static final Pattern BOAT =
             Pattern.compile("(\\w+) is process (\\d+), listening on (127\\.0\\.0\\.1:\\d+)");

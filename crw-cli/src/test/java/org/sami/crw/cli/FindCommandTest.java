@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.Await;
 
 /** {@code crw find} and {@code crw boat --announce} on loopback, where others may announce boats as well. */
-@Timeout(300)
+@Timeout(900)
 class FindCommandTest {
     private static final String[] LOOPBACK = {"find", "--network", "127.0.0.1", "--within", "5"};
 

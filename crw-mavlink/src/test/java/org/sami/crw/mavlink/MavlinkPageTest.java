@@ -42,7 +42,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.mavlink.testing.SmallBoat;
 
 /** The table of docs/mavlink.md, row by row, on a simulated vehicle. */
-@Timeout(300)
+@Timeout(900)
 class MavlinkPageTest {
     private static final Pattern ROW =
             Pattern.compile("(?m)^\\| [^|]+ \\| `([a-z-]+)`([^|]*) \\| [^|]+ \\| ([^|]+) \\|$");

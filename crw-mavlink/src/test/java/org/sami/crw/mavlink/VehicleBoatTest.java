@@ -26,7 +26,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** A vehicle that speaks MAVLink is a boat of a base like any other. */
-@Timeout(300)
+@Timeout(900)
 class VehicleBoatTest {
     private static final int MANUAL = 0;
     private static final int HOLD = 4;

@@ -23,7 +23,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** The fence of a vehicle step by step: the test's thread is the gateway's, and its numbers are the clock. */
-@Timeout(300)
+@Timeout(900)
 class VehicleFenceStepsTest {
     private static final VehicleId ID = new VehicleId(5, 1);
     private static final String ENABLE = "FENCE_ENABLE";

@@ -19,7 +19,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** The area in which boats may go as the fence of a vehicle. */
-@Timeout(300)
+@Timeout(900)
 class VehicleFenceTest {
     private static final GeoArea WATER = area(45.69, 10.71, 0.02);
     private static final GeoArea ROCK = area(45.701, 10.721, 0.001);

@@ -30,7 +30,7 @@ import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallBoat;
 
 /** Orders that a later one, the vehicle or another ground station prevents, and impossible reports, on a simulated vehicle. */
-@Timeout(300)
+@Timeout(900)
 class VehicleOrdersTest {
     private static final int MANUAL = 0;
     private static final int HOLD = 4;

@@ -22,7 +22,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** The lock rule (docs/threads.md), with engine, models and fleet on threads of their own. */
-@Timeout(300)
+@Timeout(900)
 class LockRuleTest {
     private final ExecutorService owner = Executors.newSingleThreadExecutor();
     private final ExecutorService engine = Executors.newSingleThreadExecutor();

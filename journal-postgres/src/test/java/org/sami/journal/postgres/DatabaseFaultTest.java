@@ -20,7 +20,7 @@ import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.TelemetryRow;
 
 /** A database that fails loses nothing that was durable, and the journal is gone on with once it is back. */
-@Timeout(300)
+@Timeout(900)
 class DatabaseFaultTest {
     @TempDir
     Path folder;

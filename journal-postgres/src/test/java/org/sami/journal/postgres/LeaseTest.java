@@ -22,7 +22,7 @@ import org.sami.spn.journal.RowWriter.EntryRow;
 import org.sami.spn.journal.StoredJournal;
 
 /** One base writes a journal at a time, and the database refuses whoever was superseded. */
-@Timeout(300)
+@Timeout(900)
 class LeaseTest {
     private static final int TAKE_OVERS = 10_000;
 

@@ -25,7 +25,7 @@ import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.TestVocabulary;
 
 /** A journal in PostgreSQL gives back what one in a file gives back. */
-@Timeout(300)
+@Timeout(900)
 class PostgresJournalTest {
     @TempDir
     Path folder;

@@ -24,7 +24,7 @@ import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** A base and small vehicles on real sockets. */
-@Timeout(300)
+@Timeout(900)
 class MavlinkBaseTest {
     private static MavlinkBase base(String... addresses) {
         return new MavlinkBase(

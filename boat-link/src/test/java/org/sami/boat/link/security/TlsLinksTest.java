@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Both sides of a protected link know the key of the other, over the newest version that both speak. */
-@Timeout(300)
+@Timeout(900)
 class TlsLinksTest {
     private static final String PASSWORD = "of a test";
 

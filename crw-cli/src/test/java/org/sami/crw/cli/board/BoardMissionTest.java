@@ -34,7 +34,7 @@ import org.sami.crw.sim.hull.Flow;
 import org.sami.spn.value.GeoPoint;
 
 /** A mission of five boats, each driven through its control board over TCP, in real time; one cable is pulled and put back on the way. */
-@Timeout(400)
+@Timeout(900)
 class BoardMissionTest {
     private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
     private static final List<String> NAMES = List.of("anna", "bert", "cleo", "dora", "emil");

@@ -28,7 +28,7 @@ import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
 
 /** The check of the motors in a terminal, on a simulated board: what a person types becomes the hull's file. */
-@Timeout(200)
+@Timeout(900)
 class MotorCheckRunTest {
     @TempDir
     private Path folder;

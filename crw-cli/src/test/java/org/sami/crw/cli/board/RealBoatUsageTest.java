@@ -21,7 +21,7 @@ import org.sami.crw.sim.board.BoardSettings;
 import org.sami.spn.value.GeoPoint;
 
 /** What {@code crw boat --board} and {@code crw board} say of ports that are not there, and of wrong usage. */
-@Timeout(300)
+@Timeout(900)
 class RealBoatUsageTest {
     private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
 

@@ -11,7 +11,7 @@ import org.sami.crw.cli.CommandResult;
 import org.sami.mavlink.testing.SmallVehicle;
 
 /** {@code crw keys fleet}, and {@code crw vehicles} with its key. */
-@Timeout(300)
+@Timeout(900)
 class FleetKeyCommandTest {
     @TempDir
     private Path folder;

@@ -41,7 +41,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import picocli.CommandLine;
 
 /** {@code crw phone} with a person who answers, and a phone on loopback. */
-@Timeout(200)
+@Timeout(900)
 class PhoneCommandTest {
     @TempDir
     private Path folder;

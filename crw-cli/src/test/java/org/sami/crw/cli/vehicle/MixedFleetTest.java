@@ -10,7 +10,7 @@ import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.value.GeoPoint;
 
 /** A simulated boat over TCP and one that speaks MAVLink, in one plan. */
-@Timeout(300)
+@Timeout(900)
 class MixedFleetTest {
     private static final GeoPoint PIER = GeoPoint.of(45.7, 10.72);
 

@@ -8,7 +8,7 @@ import org.sami.crw.cli.CommandResult;
 import org.sami.mavlink.testing.SmallVehicle;
 
 /** {@code crw vehicles} against a small vehicle on loopback. */
-@Timeout(300)
+@Timeout(900)
 class VehiclesCommandTest {
     private static final String NOBODY = "mavlink:tcp:127.0.0.1:1";
 

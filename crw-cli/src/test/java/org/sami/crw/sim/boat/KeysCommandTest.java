@@ -29,7 +29,7 @@ import org.sami.crw.cli.CommandResult;
 import org.sami.crw.proxy.tcp.BaseProtection;
 
 /** {@code crw keys} at a boat with keys: who is paired commands it, who was withdrawn does not. */
-@Timeout(300)
+@Timeout(900)
 @Isolated("what --keys says holds for the whole process")
 class KeysCommandTest {
     @TempDir

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.cli.CommandResult;
 
 /** {@code crw logs} against real boats on loopback. */
-@Timeout(300)
+@Timeout(900)
 class LogsCommandTest {
     @TempDir
     private Path folder;

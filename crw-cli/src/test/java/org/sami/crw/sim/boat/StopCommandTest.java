@@ -16,7 +16,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** {@code crw stop} against real boats on loopback. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class StopCommandTest {
     @TempDir
     private Path logs;

@@ -27,7 +27,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** A run over TCP around a rock, killed and taken up: in still water with exact instruments, so that what boats tell of themselves is the truth. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class ClearWaysTakenUpTest {
     private static final String ALLOCATION = "\"fields\": {\"locations\": {\"variable\": \"@locations\"}}";
     private static final GeoPoint QUAY = GeoPoint.of(BoatProcesses.latDeg(), 10.9);

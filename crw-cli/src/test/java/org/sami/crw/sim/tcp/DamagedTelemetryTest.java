@@ -41,7 +41,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Journals of real runs whose telemetry is damaged on the disk: what the engine knows is what matters, and the mission goes on. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class DamagedTelemetryTest {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int PAGE = JournalOptions.DEFAULT.pageBytes();

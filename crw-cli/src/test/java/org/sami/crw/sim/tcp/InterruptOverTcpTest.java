@@ -31,7 +31,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Interrupts in missions on boats behind TCP, whose process may die before, in and after them. */
 @Tag("process")
-@Timeout(400)
+@Timeout(900)
 class InterruptOverTcpTest {
     private static final int LOCATIONS = 5;
 

@@ -24,7 +24,7 @@ import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.value.GeoPoint;
 
 /** The report of a run that whoever has only its journal makes. */
-@Timeout(300)
+@Timeout(900)
 class JournalReportTest {
     private static final ObjectMapper JSON = new ObjectMapper();
 

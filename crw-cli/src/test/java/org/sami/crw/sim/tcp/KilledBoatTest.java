@@ -29,7 +29,7 @@ import org.sami.crw.sim.boat.TestRelay;
 
 /** Boats of a running mission that are killed as by {@code kill -9} and started again, with and without what they knew. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class KilledBoatTest {
     private static final long END_S = 280;
 

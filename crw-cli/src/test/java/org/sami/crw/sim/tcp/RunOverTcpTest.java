@@ -36,7 +36,7 @@ import org.sami.crw.proxy.tcp.TcpBaseConfig;
 
 /** Missions of {@code crw run --connect} on boats that are processes of their own. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class RunOverTcpTest {
     private static final ObjectMapper JSON = new ObjectMapper();
 

@@ -15,7 +15,7 @@ import org.sami.crw.sim.run.TestRuns;
 
 /** A run over TCP in which nothing can happen any longer ends and says why. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class StuckOverTcpTest {
     @TempDir
     private Path folder;

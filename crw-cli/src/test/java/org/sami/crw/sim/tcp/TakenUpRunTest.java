@@ -20,7 +20,7 @@ import org.sami.crw.cli.CrwProcess;
 
 /** Runs over TCP that are taken up when not everything is as it was. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class TakenUpRunTest {
     private static final ObjectMapper JSON = new ObjectMapper();
 

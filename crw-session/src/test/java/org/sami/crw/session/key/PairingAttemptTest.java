@@ -25,7 +25,7 @@ import org.sami.crw.proxy.tcp.BoatPairing;
 import org.sami.crw.session.key.PairingAttempt.State;
 
 /** A pairing that does not come about: why is said in one sentence, and it can be cancelled while it waits. */
-@Timeout(120)
+@Timeout(900)
 class PairingAttemptTest {
     @TempDir
     private Path folder;

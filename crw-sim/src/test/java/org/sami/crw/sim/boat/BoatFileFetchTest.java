@@ -27,7 +27,7 @@ import org.sami.crw.proxy.file.FileNews;
 import org.sami.spn.value.GeoPoint;
 
 /** Files of a boat on a real port come whole to a folder of the base, however often the link is cut. */
-@Timeout(300)
+@Timeout(900)
 class BoatFileFetchTest {
     @TempDir
     private Path folder;

@@ -32,7 +32,7 @@ import org.sami.crw.sim.boat.TestRelay.Where;
 
 /** Links that are cut before, in and after each message of connecting, uploading, starting and cancelling. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class CutLinkTest {
     @TempDir
     private Path logs;

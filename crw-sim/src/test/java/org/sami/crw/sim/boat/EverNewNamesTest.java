@@ -15,7 +15,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.link.LinkAlarm;
 
 /** What answers under another name at each connection. */
-@Timeout(300)
+@Timeout(900)
 class EverNewNamesTest {
     private static final int MOST = 8;
 

@@ -20,7 +20,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A link that bends a fifth of its frames, either way: what the boat executes is what the base has sent. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class FlippedBitsTest {
     @TempDir
     private Path logs;

@@ -23,7 +23,7 @@ import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Of a boat or an address that is taken out of the fleet neither a thread nor a socket is left, on neither side. */
-@Timeout(300)
+@Timeout(900)
 class GivenUpLinkTest {
     private static final String CLIENT = "giving-up";
 

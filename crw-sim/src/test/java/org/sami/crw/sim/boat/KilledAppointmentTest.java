@@ -60,7 +60,7 @@ import org.sami.spn.testing.JavaProcess;
 
 /** Processes that are killed as by {@code kill -9} in the middle of an appointment: its number counts from the moment in which the boat acts on it. */
 @Tag("process")
-@Timeout(300)
+@Timeout(900)
 class KilledAppointmentTest {
     @TempDir
     private Path logs;

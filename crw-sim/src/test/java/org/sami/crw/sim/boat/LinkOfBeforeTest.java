@@ -35,7 +35,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Peers of the release before, which name no session and no number of an appointment: each side says so in one line. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class LinkOfBeforeTest {
     @TempDir
     private Path logs;

@@ -23,7 +23,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the process. */
 @Isolated("a list goes out again where the machine stands still for a second")
-@Timeout(300)
+@Timeout(900)
 class LongOutageTest {
     private static final int FAST = 5;
 

@@ -47,7 +47,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A base one of whose addresses talks rubbish: it survives, says what it hears, and its other boat drives on. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class MalformedPeerTest {
     @TempDir
     private Path logs;

@@ -24,7 +24,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Boats that change their address, come back under another one, or are removed from the base. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class MovedBoatTest {
     @TempDir
     private Path logs;

@@ -22,7 +22,7 @@ import org.sami.spn.protocol.Priority;
 
 /** A boat that is told to take a panorama keeps its pictures, and a base fetches them. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class PicturesOverTcpTest {
     @TempDir
     private Path folder;

@@ -27,7 +27,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** What a base is told, and counts, where it and a boat do not know each other, or one of them speaks plain. No clock counts. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class RefusedLinkTest {
     private static final long DAY_MS = 24 * 3_600_000;
 

@@ -18,7 +18,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A base that was cut off and replaced does not command again before its operator takes the boat over, also after the boat was restarted. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class ReplacedBaseTest {
     @TempDir
     private Path logs;

@@ -28,7 +28,7 @@ import org.sami.crw.proxy.file.FileNews;
 import org.sami.spn.value.GeoPoint;
 
 /** A base fetches the log of a boat that goes on to new files meanwhile, over real sockets and cut links. */
-@Timeout(300)
+@Timeout(900)
 class RotatedLogFetchTest {
     @TempDir
     private Path folder;

@@ -38,7 +38,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class TcpBaseTest {
     @TempDir
     private Path logs;

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.server.testing.ProcessClock;
 
-@Timeout(300)
+@Timeout(900)
 class TickHelpersTest {
 
     @ParameterizedTest

@@ -26,7 +26,7 @@ import org.sami.spn.json.ProjectWriter;
 
 /** Hours of a run: what it holds in memory stays the same, and the journal holds what is worth keeping. */
 @Isolated("counts the objects of the process")
-@Timeout(300)
+@Timeout(900)
 class LongRunTest {
     private static final long HOUR_MS = 3_600_000;
     private static final long LIMIT_MS = 4 * HOUR_MS + 60_000; // the boats' places are looked at every 20 s

@@ -27,7 +27,7 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.value.GeoPoint;
 
 /** What boats under way do once a session was left, as they say it themselves. */
-@Timeout(300)
+@Timeout(900)
 class BoatsAtEndTest {
     @TempDir
     private Path folder;

@@ -19,7 +19,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 
 /** What an operator hears of addresses to which a session connects, over real sockets. */
-@Timeout(300)
+@Timeout(900)
 class ConnectAttemptTest {
     @TempDir
     private Path folder;

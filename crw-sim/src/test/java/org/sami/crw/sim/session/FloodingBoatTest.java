@@ -33,7 +33,7 @@ import org.sami.crw.sim.hull.SensorKind;
 import org.sami.crw.sim.hull.SensorSetting;
 
 /** One boat that says too much, next to one that says what boats say, in a real session over TCP with its journal. */
-@Timeout(300)
+@Timeout(900)
 class FloodingBoatTest {
     private static final long MESSAGES = 150_000;
     private static final long MOST_JOURNAL_BYTES = 8L << 20;

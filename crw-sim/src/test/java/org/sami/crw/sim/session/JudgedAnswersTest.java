@@ -26,7 +26,7 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /** Drafts of answers to questions of plans of the library, in sessions with simulated boats. */
-@Timeout(300)
+@Timeout(900)
 class JudgedAnswersTest {
     @TempDir
     private Path folder;

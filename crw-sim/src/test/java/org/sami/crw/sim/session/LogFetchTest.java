@@ -29,7 +29,7 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
 
 /** The fetching of logs as a window shows it, of boats on real ports. */
-@Timeout(300)
+@Timeout(900)
 class LogFetchTest {
     private final ExecutorService front = Executors.newSingleThreadExecutor();
     private final LogFetch fetch = new LogFetch(front, OpenLinks::new, () -> {});

@@ -42,7 +42,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 
 /** A replay shows what lay before the operator of a real session, whose boats were reached over TCP. */
-@Timeout(300)
+@Timeout(900)
 class ReplayTest {
     @TempDir
     private Path folder;

@@ -19,7 +19,7 @@ import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 
 /** The example of docs/session.md compiles and does what it says. */
-@Timeout(300)
+@Timeout(900)
 class SessionExampleTest {
     private static final Path SOURCE =
             Path.of("src", "test", "java", "org", "sami", "crw", "sim", "session", "SessionExampleTest.java");

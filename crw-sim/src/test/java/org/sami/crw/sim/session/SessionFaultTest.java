@@ -30,7 +30,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** What becomes of a session and its boats when its journal cannot be written, or a part of it breaks; on boats that are reached over TCP. */
-@Timeout(300)
+@Timeout(900)
 @Execution(ExecutionMode.CONCURRENT)
 class SessionFaultTest {
     private static final GeoPoint FAR = GeoPoint.of(45.41, 10.9);

@@ -36,7 +36,7 @@ import org.sami.spn.protocol.Decision;
 
 /** A session fetches the pictures that its boats take, keeps them, and shows them with messages and decisions. */
 @Execution(ExecutionMode.CONCURRENT)
-@Timeout(300)
+@Timeout(900)
 class SessionPicturesTest {
     private static final String PLAN = """
         {"formatVersion": 1, "id": "look", "name": "look", "domain": "crw",

@@ -46,7 +46,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /** What a session takes up from the journal of an earlier one, on boats that are reached over TCP. */
-@Timeout(300)
+@Timeout(900)
 @Execution(ExecutionMode.CONCURRENT)
 class SessionResumeTest {
     @TempDir

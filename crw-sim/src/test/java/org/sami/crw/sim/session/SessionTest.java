@@ -35,7 +35,7 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
 
 /** What a window, a console and a run do with a session, on boats that are reached over TCP. */
-@Timeout(300)
+@Timeout(900)
 @Execution(ExecutionMode.CONCURRENT)
 class SessionTest {
     private static final String SELECT = "OperatorSelectBoatList";

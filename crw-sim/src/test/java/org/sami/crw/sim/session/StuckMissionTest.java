@@ -24,7 +24,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.BoatOnTcp;
 
 /** Missions that cannot go on say so, since when, why and what would help; those that merely wait do not. */
-@Timeout(300)
+@Timeout(900)
 class StuckMissionTest {
     /** Boats drive to a point; by an interrupt they go back to the start. Nothing is planned for a path that fails. */
     private static final String DRIVE = """

@@ -25,7 +25,7 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 
 /** A boat that was to be connected and does not answer is known, counted and a fault, until it answers or is given up. */
-@Timeout(300)
+@Timeout(900)
 class UnreachedBoatTest {
     @TempDir
     private Path folder;

@@ -35,7 +35,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 
 /** A run over TCP whose plan connects to one boat more. */
-@Timeout(300)
+@Timeout(900)
 class BoatsOfPlansTest {
     private static final long WITHIN_MS = 60_000;
     private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);

@@ -32,7 +32,7 @@ import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.value.GeoPoint;
 
 /** The clock under a run and its boat is set back by an hour while the mission's timer runs. */
-@Timeout(300)
+@Timeout(900)
 class SetBackClockTest {
     private static final long HOUR_MS = 3_600_000;
     private static final long WATCH_MS = 5000;

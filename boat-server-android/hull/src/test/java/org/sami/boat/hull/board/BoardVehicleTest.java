@@ -21,7 +21,7 @@ import org.sami.boat.server.testing.ProcessClock;
 import org.sami.boat.server.vehicle.Sensor;
 
 /** A board on streams that vanish, come back, fall silent and send garbage; threads and times are the real ones. */
-@Timeout(300)
+@Timeout(900)
 class BoardVehicleTest {
     private static final String MOTORS = "{\"m0\":{\"v\":0.1,\"c\":0.2},\"m1\":{\"v\":0.1,\"c\":0.2}}";
     private static final String ZERO = "{\"m0\":{\"v\":0.000},\"m1\":{\"v\":0.000}}";

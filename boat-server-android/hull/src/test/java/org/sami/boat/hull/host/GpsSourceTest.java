@@ -24,7 +24,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 
 /** Receivers on real sockets. */
-@Timeout(300)
+@Timeout(900)
 class GpsSourceTest {
     private final PositionFilter filter = new PositionFilter();
     private final SteadyClock clock = new SteadyClock(ProcessClock::ms);

@@ -34,7 +34,7 @@ import org.sami.boat.server.file.BoatFiles;
 import org.sami.boat.server.tcp.TcpBench.Client;
 
 /** A boat gives its files in pieces, and nothing else of its disk. */
-@Timeout(300)
+@Timeout(900)
 class FilePiecesTest {
     @TempDir
     private Path folder;

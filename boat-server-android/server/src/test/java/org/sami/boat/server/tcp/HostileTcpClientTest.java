@@ -59,7 +59,7 @@ import org.sami.boat.server.tcp.TcpBench.Client;
 import org.sami.boat.server.testing.Await;
 
 /** Streams that are cut, bent, doubled or never were frames: the boat stays whole, and serves the next client. */
-@Timeout(300)
+@Timeout(900)
 class HostileTcpClientTest {
     private static final int MANY = 60; // frames of a third of a megabyte: more than sockets hold
 

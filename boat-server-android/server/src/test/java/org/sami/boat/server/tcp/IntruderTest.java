@@ -36,7 +36,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.TappedWire;
 
 /** Whoever gets between a base and its boat, or pretends to be the base: refused, told in words on the boat's console, counted, and nobody else notices. */
-@Timeout(300)
+@Timeout(900)
 class IntruderTest {
     private static final int PATIENCE_MS = 60_000;
 

@@ -47,7 +47,7 @@ import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.testing.Await;
 
 /** A boat with keys obeys only whom it knows, and says so to all others; whoever tries to get around that disturbs nobody. */
-@Timeout(300)
+@Timeout(900)
 class ProtectedLinkTest {
     private static final int FUZZED = Integer.getInteger("sami.fuzz.handshakes", 300);
 

@@ -43,7 +43,7 @@ import org.sami.boat.server.tcp.TcpBench.Client;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 
-@Timeout(300)
+@Timeout(900)
 class TcpBoatServerTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.1, 10, 1.5), new Waypoint(45.2, 10, 1.6));
     private static final String SILENT = "it has been silent for too long";
