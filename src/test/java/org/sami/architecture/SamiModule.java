@@ -55,7 +55,7 @@ enum SamiModule {
                     "org.sami.spn.testcase.."),
             List.of(SPN_LANGUAGE)),
     /** Journals in PostgreSQL. */
-    JOURNAL_POSTGRES("journal-postgres", 12, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
+    JOURNAL_POSTGRES("journal-postgres", 14, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Place/transition nets and their analysis: no plan and no boat. */
     PETRI("petri", 120, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */
@@ -83,7 +83,7 @@ enum SamiModule {
     CRW_SERVICES("crw-services", 116, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(
             "crw-domain",
-            305,
+            320,
             List.of(
                     "org.sami.crw.area..",
                     "org.sami.crw.decision..",
@@ -98,7 +98,7 @@ enum SamiModule {
     /** The aircraft domain: its handlers, over the proxies of the base. */
     UAV_DOMAIN(
             "uav-domain",
-            22,
+            26,
             List.of("org.sami.uav.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     CRW_SESSION(
@@ -178,7 +178,7 @@ enum SamiModule {
             "dreamm-ide",
             370,
             List.of("org.sami.dreamm.."),
-            List.of(UI_KIT, LESSONS, NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
+            List.of(UI_KIT, LESSONS, NET_PICTURE, SPN_AUTHORING, PETRI, SPN_CORE, SPN_LANGUAGE)),
     /** The operator's window; it knows the simulator for its built-in fleet, the command for where there is no display and for what it shows to ground stations, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
