@@ -1,6 +1,7 @@
 package org.sami.journal.postgres;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.SQLException;
 import java.util.List;
@@ -66,8 +67,13 @@ final class PostgresJournal implements StoredJournal {
     }
 
     @Override
-    public JournalAddress address() {
-        return JournalAddress.parse(address.text());
+    public Optional<Path> inFile() {
+        return Optional.empty();
+    }
+
+    @Override
+    public JournalReader reader() throws JournalException {
+        return JournalAddress.parse(address.text()).read();
     }
 
     @Override
@@ -179,7 +185,7 @@ final class PostgresJournal implements StoredJournal {
 
     @Override
     public synchronized EngineState restore(Engine engine) throws IOException {
-        try (JournalReader reader = address().read()) {
+        try (JournalReader reader = reader()) {
             return reader.stateAt(recovery.lastValid(), engine);
         }
     }

@@ -48,7 +48,7 @@ class PostgresJournalTest {
         assertThat(database.exists()).isFalse();
         for (JournalAddress each : List.of(file, database)) {
             try (StoredJournal journal = each.create(Journals.HEADER, JournalOptions.DEFAULT)) {
-                assertThat(journal.address()).isEqualTo(each);
+                assertThat(journal.inFile()).isEqualTo(each.file());
                 fill(journal);
             }
         }
@@ -175,7 +175,7 @@ class PostgresJournalTest {
     void aJournalInAFileNamesItsFile() throws Exception {
         Path file = folder.resolve("b.journal");
         try (StoredJournal journal = SqliteJournal.create(file, Journals.HEADER, JournalOptions.DEFAULT)) {
-            assertThat(journal.address().file()).hasValue(file);
+            assertThat(journal.inFile()).hasValue(file);
         }
     }
 }

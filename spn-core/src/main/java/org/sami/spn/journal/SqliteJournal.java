@@ -165,8 +165,13 @@ public final class SqliteJournal implements StoredJournal {
     }
 
     @Override
-    public JournalAddress address() {
-        return JournalAddress.of(file);
+    public Optional<Path> inFile() {
+        return Optional.of(file);
+    }
+
+    @Override
+    public JournalReader reader() throws JournalException {
+        return JournalReader.open(file);
     }
 
     /** Its file. */

@@ -1,18 +1,28 @@
 package org.sami.spn.journal;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.InputJournal;
+import org.sami.spn.host.JournalException;
 
 /**
- * A session's journal that is read again later, open for writing: in a file ({@link SqliteJournal}) or in a database ({@link JournalStore}). One writer at a time. Telemetry may be
- * added from any thread, everything else is called by the owner of the engine.
+ * A session's journal that is read again later, open for writing: in a file or in a database. One writer at a time. Telemetry may be added from any thread,
+ * everything else is called by the owner of the engine.
  */
 public interface StoredJournal extends InputJournal {
-    /** Where it is. */
-    JournalAddress address();
+    /** Its file; empty where it is in a database. */
+    Optional<Path> inFile();
+
+    /**
+     * Reads what is written, also while more is written.
+     *
+     * @throws JournalException where not even the header is true
+     */
+    JournalReader reader() throws JournalException;
 
     /** Its header. */
     JournalHeader header();

@@ -85,7 +85,7 @@ public record DomainLibrary(
         });
         return vocabulary.map(v -> {
             VocabularyFiles found = files.orThrow();
-            VocabularyFiles.Source located = name -> {
+            DomainSources.Source located = name -> {
                 Optional<String> text = source.with(found.combines()).text(name);
                 text.ifPresent(t -> texts.add(name + "#", folder + "/" + name, t));
                 return text;
@@ -108,7 +108,7 @@ public record DomainLibrary(
             VocabularyFiles files,
             String member,
             Function<String, Reading<T>> reader,
-            VocabularyFiles.Source source,
+            DomainSources.Source source,
             Problems problems) {
         return files.named(member).stream()
                 .flatMap(name -> VocabularyFiles.fetch(source, name, problems)
@@ -121,7 +121,7 @@ public record DomainLibrary(
     }
 
     private static Map<String, Project> readProjects(
-            VocabularyFiles files, Vocabulary vocabulary, VocabularyFiles.Source source, Problems problems) {
+            VocabularyFiles files, Vocabulary vocabulary, DomainSources.Source source, Problems problems) {
         ProjectReader reader = new ProjectReader(vocabulary);
         Map<String, Project> projects = new LinkedHashMap<>();
         Names planIds = new Names(problems);

@@ -12,7 +12,7 @@ import java.util.Objects;
  * @param sibling the files next to it
  * @param sources where the texts of the plans' files are kept for the places of findings
  */
-record PlanFiles(String file, VocabularyFiles.Source sibling, SourceTexts sources) {
+record PlanFiles(String file, DomainSources.Source sibling, SourceTexts sources) {
     PlanFiles {
         Objects.requireNonNull(file, "file");
         Objects.requireNonNull(sibling, "sibling");

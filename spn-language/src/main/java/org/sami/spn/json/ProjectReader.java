@@ -68,7 +68,7 @@ public final class ProjectReader {
     public Reading<Project> readAndCheck(Path path, Function<Project, List<Finding>> checks) {
         Path file = Files.isDirectory(path) ? path.resolve("project.json") : path;
         Problems problems = new Problems();
-        VocabularyFiles.Source sibling = name -> TextFiles.read(file.resolveSibling(name));
+        DomainSources.Source sibling = name -> TextFiles.read(file.resolveSibling(name));
         Optional<String> text = fetch(file, problems);
         return text.map(t -> read(file.toString(), t, sibling, checks)).orElseGet(() -> Reading.nothing(problems));
     }
@@ -78,7 +78,7 @@ public final class ProjectReader {
     }
 
     private Reading<Project> read(
-            String file, String text, VocabularyFiles.Source sibling, Function<Project, List<Finding>> checks) {
+            String file, String text, DomainSources.Source sibling, Function<Project, List<Finding>> checks) {
         Problems problems = new Problems();
         SourceTexts sources = new SourceTexts();
         sources.add("", file, text);

@@ -1,7 +1,6 @@
 package org.sami.spn.json;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -44,17 +43,6 @@ public record VocabularyFiles(Map<String, String> texts) {
     /** Finds the files in a folder. */
     public static Reading<VocabularyFiles> fromFolder(Path folder) {
         return load(folder.toString(), DomainSources.ofFolder(folder));
-    }
-
-    /** A text by name; empty where there is none. */
-    interface Source {
-        Optional<String> text(String name) throws IOException;
-    }
-
-    static Optional<String> resource(String name) throws IOException {
-        try (InputStream in = VocabularyFiles.class.getResourceAsStream(name)) {
-            return in == null ? Optional.empty() : Optional.of(JsonText.decode(in.readAllBytes()));
-        }
     }
 
     /** The plan files that the index lists, by name. */
@@ -104,7 +92,7 @@ public record VocabularyFiles(Map<String, String> texts) {
     }
 
     private static Reading<VocabularyFiles> load(String folder, DomainSources domain) {
-        Source source = domain.own();
+        DomainSources.Source source = domain.own();
         Problems problems = new Problems();
         SourceTexts sources = new SourceTexts();
         Map<String, String> texts = new LinkedHashMap<>();
@@ -125,7 +113,7 @@ public record VocabularyFiles(Map<String, String> texts) {
                 sources.locate(problems.findings()));
     }
 
-    private static void join(String domain, Source source, Map<String, String> texts, Problems problems) {
+    private static void join(String domain, DomainSources.Source source, Map<String, String> texts, Problems problems) {
         String index = indexOf(domain);
         Optional<String> text = fetch(source, index, problems);
         text.ifPresent(t -> texts.put(index, t));
@@ -142,7 +130,7 @@ public record VocabularyFiles(Map<String, String> texts) {
         }
     }
 
-    static Optional<String> fetch(Source source, String name, Problems problems) {
+    static Optional<String> fetch(DomainSources.Source source, String name, Problems problems) {
         if (leadsOut(name)) {
             problems.add(
                     Codes.FILE,

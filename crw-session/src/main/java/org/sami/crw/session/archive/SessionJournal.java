@@ -141,7 +141,7 @@ public final class SessionJournal implements Closeable {
         if (!resumed) {
             return List.of();
         }
-        try (JournalReader reader = stored.orElseThrow().address().read()) {
+        try (JournalReader reader = stored.orElseThrow().reader()) {
             return reader.telemetry().rows();
         }
     }
@@ -149,7 +149,7 @@ public final class SessionJournal implements Closeable {
     /** Gives the entries of earlier processes, in order. */
     public void earlierEntries(Consumer<JournalEntry> consumer) throws IOException {
         if (resumed && resumedFrom().getAsLong() > 0) {
-            try (JournalReader reader = stored.orElseThrow().address().read()) {
+            try (JournalReader reader = stored.orElseThrow().reader()) {
                 reader.entries(1, resumedFrom().getAsLong(), consumer);
             }
         }
@@ -162,7 +162,7 @@ public final class SessionJournal implements Closeable {
 
     /** Its file; empty where it is in a database, or nobody reads it again. */
     public Optional<Path> file() {
-        return stored.flatMap(journal -> journal.address().file());
+        return stored.flatMap(StoredJournal::inFile);
     }
 
     /** The journal of the engine's inputs. */
@@ -178,7 +178,7 @@ public final class SessionJournal implements Closeable {
     /** Lets a listener hear what happened in earlier processes. */
     public void replay(Engine engine, HostListener listener) throws IOException {
         if (resumed && resumedFrom().getAsLong() > 0) {
-            try (JournalReader reader = stored.orElseThrow().address().read()) {
+            try (JournalReader reader = stored.orElseThrow().reader()) {
                 reader.replay(engine, 1, resumedFrom().getAsLong(), listener);
             }
         }

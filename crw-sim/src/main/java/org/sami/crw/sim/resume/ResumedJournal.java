@@ -62,7 +62,7 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
             if (other.isPresent()) {
                 throw new IOException(address + ": " + other.get());
             }
-            reader = journal.address().read();
+            reader = journal.reader();
             Map<Long, MarkText> marks = new TreeMap<>();
             for (WorldMark mark : reader.marks()) {
                 marks.put(mark.index(), MarkText.of(mark));
