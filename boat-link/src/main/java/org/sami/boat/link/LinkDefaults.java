@@ -1,8 +1,8 @@
 package org.sami.boat.link;
 
 /**
- * Times of the link. A base and its boats must use the same ones and do not send them to each other. {@code crw defaults}
- * prints them.
+ * Times of the link, and what a boat does without one. A base and its boats must use the same times and do not send them to each other.
+ * {@code crw defaults} prints them.
  */
 public final class LinkDefaults {
     /** A link is lost after this time in ms without a frame; what is known of the other side is then stale. */
@@ -13,6 +13,12 @@ public final class LinkDefaults {
 
     /** Telemetry messages a second where a client asks for no other rate. */
     public static final double TELEMETRY_HZ = 1;
+
+    /** What a boat does when the link to its commander is lost. */
+    public static final LostLinkAction LOST_LINK_ACTION = LostLinkAction.HOLD;
+
+    /** Teleoperation stops the motors after this time in ms without a new setting. */
+    public static final long TELEOPERATION_STOP_MS = 2000;
 
     private LinkDefaults() {}
 }

@@ -17,5 +17,8 @@ public final class MotionDefaults {
     /** Distance in metres that boats keep from each other; planners leave room for it. */
     public static final double SEPARATION_M = 3.5;
 
+    /** Speed in m/s that full thrust gives in still water. */
+    public static final double FULL_THRUST_SPEED_MPS = 3.2;
+
     private MotionDefaults() {}
 }

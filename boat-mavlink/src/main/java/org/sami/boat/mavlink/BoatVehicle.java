@@ -26,7 +26,7 @@ final class BoatVehicle {
 
     private final String name;
     private final BoatClient boat;
-    private final StationCommand command;
+    private final CommandingStation command;
     private final StationStop stop;
     private final BoatMission mission;
     private final BoatParameters parameters;
@@ -34,7 +34,8 @@ final class BoatVehicle {
     private boolean armed;
     private Optional<Waypoint> target = Optional.empty(); // in mode GUIDED
 
-    BoatVehicle(String name, BoatClient boat, StationCommand command, BoatMission mission, BoatParameters parameters) {
+    BoatVehicle(
+            String name, BoatClient boat, CommandingStation command, BoatMission mission, BoatParameters parameters) {
         this.name = name;
         this.boat = boat;
         this.command = command;

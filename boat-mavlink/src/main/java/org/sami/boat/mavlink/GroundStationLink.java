@@ -110,7 +110,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
     private final class Aboard implements OnboardHost {
         private final OnboardLink link;
         private final BoatClient boat;
-        private final StationCommand command;
+        private final CommandingStation command;
         private final BoatMission mission;
         private final BoatParameters parameters;
         private final BoatVehicle vehicle;
@@ -120,7 +120,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
         Aboard(BoatServer server, Executor boatThread, long nowMs) {
             link = new OnboardLink(name, system, address, MOST_ITEMS, this, boatThread, clock);
             boat = new BoatClient(server, nowMs);
-            command = new StationCommand(boat, name, link::say, this::commandChanged, nowMs);
+            command = new CommandingStation(boat, name, link::say, this::commandChanged, nowMs);
             mission = new BoatMission(boat);
             parameters = new BoatParameters(boat, system);
             vehicle = new BoatVehicle(name, boat, command, mission, parameters);

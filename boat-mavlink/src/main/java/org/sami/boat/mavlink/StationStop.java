@@ -14,10 +14,10 @@ import org.sami.mavlink.vehicle.VehicleId;
  */
 final class StationStop {
     private final BoatClient boat;
-    private final StationCommand command;
+    private final CommandingStation command;
     private boolean releasable; // false after a restart of the boat too: who latched it is not known then
 
-    StationStop(BoatClient boat, StationCommand command) {
+    StationStop(BoatClient boat, CommandingStation command) {
         this.boat = boat;
         this.command = command;
     }

@@ -34,7 +34,7 @@ final class DrivenBoat {
     final DrivenHull hull = new DrivenHull(LAT, LON);
     final BoatServer server;
     final BoatClient client;
-    final StationCommand command;
+    final CommandingStation command;
     final BoatMission mission;
     final BoatVehicle vehicle;
     long nowMs = 1_000;
@@ -43,7 +43,7 @@ final class DrivenBoat {
         server = new BoatServer(
                 ServerConfig.of("anna", "boot1").lostLinkAction(lostLink).build(), hull);
         client = new BoatClient(server, nowMs);
-        command = new StationCommand(client, "anna", (severity, text) -> {}, this::commandChanged, nowMs);
+        command = new CommandingStation(client, "anna", (severity, text) -> {}, this::commandChanged, nowMs);
         mission = new BoatMission(client);
         vehicle = new BoatVehicle("anna", client, command, mission, new BoatParameters(client, 1));
         pass(200);

@@ -59,7 +59,7 @@ class StationHandOverTest {
     void theWishItselfTakesNoCommandFromABaseThatIsJustLost() {
         boat.pass(500);
         BoatClient late = new BoatClient(boat.server, boat.nowMs); // it has heard of the base's number
-        StationCommand command = new StationCommand(late, "anna", (severity, text) -> {}, won -> {}, boat.nowMs);
+        CommandingStation command = new CommandingStation(late, "anna", (severity, text) -> {}, won -> {}, boat.nowMs);
         base.falls();
         boat.nowMs += 4_000; // a process that stood still: the boat notices with the next frame
 

@@ -15,8 +15,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.MotionDefaults;
-import org.sami.boat.server.BoatDefaults;
-import org.sami.crw.operator.alarm.AlarmDefaults;
+import org.sami.boat.server.BoatServerDefaults;
+import org.sami.crw.operator.alarm.AlarmLimits;
 import org.sami.crw.proxy.execution.CommandDefaults;
 import org.sami.crw.proxy.link.BaseDefaults;
 import org.sami.crw.session.SessionDefaults;
@@ -41,10 +41,10 @@ class DefaultsCommandTest {
                 LinkDefaults.class,
                 MotionDefaults.class,
                 BatteryDefaults.class,
-                BoatDefaults.class,
+                BoatServerDefaults.class,
                 BaseDefaults.class,
                 CommandDefaults.class,
-                AlarmDefaults.class,
+                AlarmLimits.class,
                 SessionDefaults.class,
                 HealthDefaults.class
             })

@@ -20,7 +20,7 @@ import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
- * A vehicle as a boat of the base: what it reports becomes what boats say, and the base's commands go to {@link VehicleOrders}. It lives as long as its link,
+ * A vehicle as a boat of the base: what it reports becomes what boats say, and the base's commands go to {@link AutopilotCommands}. It lives as long as its link,
  * over all connections of the base. For the gateway's thread.
  */
 final class VehicleBoat implements BaseSession.Boat {
@@ -29,7 +29,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final long TICK_MS = 100;
     private static final long BATTERY_MS = 10_000;
 
-    /** What {@link VehicleOrders} refuses. Which sensors there are is known only as they report. */
+    /** What {@link AutopilotCommands} refuses. Which sensors there are is known only as they report. */
     private static final BoatCapabilities CAPABILITIES = new BoatCapabilities(
             Map.of(
                     BoatCapabilities.PANORAMA, "a boat with an autopilot cannot turn on the spot",
@@ -37,7 +37,7 @@ final class VehicleBoat implements BaseSession.Boat {
             Optional.empty());
 
     private final String name;
-    private final VehicleOrders orders;
+    private final AutopilotCommands orders;
     private final VehicleSettings settings;
     private final VehiclePerformance performance;
     private final VehicleFence fence;
@@ -62,7 +62,7 @@ final class VehicleBoat implements BaseSession.Boat {
                 base, first.id(), thread, files.consumption(name), counted -> keep(files, counted));
         fence = new VehicleFence(
                 base, first.id(), thread, this::alarm, files.fences(name), given -> keepFences(files, given));
-        orders = new VehicleOrders(
+        orders = new AutopilotCommands(
                 base,
                 first,
                 thread,

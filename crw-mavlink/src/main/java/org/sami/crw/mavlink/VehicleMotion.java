@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.CommandPlace;
@@ -110,7 +110,7 @@ final class VehicleMotion {
     void tick(long atMs) {
         nowMs = atMs;
         hand.ifPresent(sticks -> {
-            if (atMs - sticks.atMs > BoatDefaults.TELEOPERATION_STOP_MS) {
+            if (atMs - sticks.atMs > LinkDefaults.TELEOPERATION_STOP_MS) {
                 stop(why -> {});
             } else if (!pilot.isBusy()) {
                 base.steer(id, new HandControl(sticks.thrust, 0, 0, sticks.rudder));

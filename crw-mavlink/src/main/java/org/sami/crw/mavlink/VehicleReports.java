@@ -2,12 +2,12 @@ package org.sami.crw.mavlink;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.mavlink.vehicle.VehicleBattery;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleReading;
@@ -51,9 +51,7 @@ final class VehicleReports {
                         failsafe
                                 ? BatteryLevel.CRITICAL
                                 : BatteryLevel.of(
-                                        percent,
-                                        BoatDefaults.LOW_BATTERY_PERCENT,
-                                        BoatDefaults.CRITICAL_BATTERY_PERCENT)));
+                                        percent, BatteryDefaults.LOW_PERCENT, BatteryDefaults.CRITICAL_PERCENT)));
     }
 
     /** A value of a sensor, where the vehicle is now. */

@@ -16,7 +16,7 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Icons;
@@ -124,7 +124,7 @@ final class WindowStart {
     /** Has the classes of the largest views loaded while the session is opened: the window is there sooner. */
     private static void loadViews() {
         new MapView().close();
-        new NetView(new IdentityMarks());
+        new NetView(new ProxyMarks());
         new RowTable<String>("table", "", row -> row, List.of(RowColumn.words("", 0, row -> row)));
         Icons.normal("stop");
     }

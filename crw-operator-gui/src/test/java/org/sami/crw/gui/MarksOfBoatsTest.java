@@ -7,15 +7,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.RunningSession;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 
 @Timeout(900)
 class MarksOfBoatsTest {
     @Test
     void boatsHaveTheSameMarksWhetherAWindowSawThemJoinOrNot() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "carl", "anna", "bert")) {
-            IdentityMarks fromTheStart = new IdentityMarks();
-            IdentityMarks later = new IdentityMarks();
+            ProxyMarks fromTheStart = new ProxyMarks();
+            ProxyMarks later = new ProxyMarks();
             onEventThread(() -> {
                 fromTheStart.of("carl"); // it was seen first
                 MarksOfBoats.give(new RunningSession(world.session), fromTheStart);
@@ -27,7 +27,7 @@ class MarksOfBoatsTest {
                 return null;
             });
 
-            for (IdentityMarks marks : new IdentityMarks[] {fromTheStart, later}) {
+            for (ProxyMarks marks : new ProxyMarks[] {fromTheStart, later}) {
                 SessionWorld.until(
                         "the boats have their marks",
                         () -> onEventThread(() -> marks.of("carl").index() == 2

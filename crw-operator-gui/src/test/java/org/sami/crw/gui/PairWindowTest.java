@@ -33,8 +33,8 @@ import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.PairingResponder;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.gui.window.OperatorWindow;
@@ -100,11 +100,11 @@ class PairWindowTest {
 
     @Test
     void boatIsPairedByKeysAloneAndCommandedAndAWithdrawnKeyIsCarriedToIt() throws Exception {
-        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+        PairingSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
         robot.press(VK_P, VK_ALT, VK_SHIFT);
         robot.untilShown("pair-sheet");
         type("pair-address", "127.0.0.1:" + boat.address().getPort());
-        type("pair-words", WordSecret.random().toString());
+        type("pair-words", PairingSecret.random().toString());
         robot.press(VK_ENTER);
         robot.until("wrong words are named", () -> judged().contains("the words are not those that the boat shows"));
         assertThat(judged()).startsWith("▲ Not paired: olga").contains("4 tries are left");

@@ -44,9 +44,9 @@ import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.Identity;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.phone.OwnNetwork;
@@ -175,7 +175,7 @@ class PhoneWindowTest {
         Fingerprint base =
                 new KeyStoreFolder(folder.resolve("keys")).open().identity().fingerprint();
         assertThat(robot.find(JLabel.class, "pair-code").getText())
-                .isEqualTo(WordSecret.checkCode(base, phone.fingerprint()));
+                .isEqualTo(PairingSecret.checkCode(base, phone.fingerprint()));
         assertThat(said()).isEqualTo("Does boat-1234 show the same check code?");
         robot.press(VK_SPACE);
         robot.until("it is paired", () -> said().startsWith("✓ Paired with boat-1234"));

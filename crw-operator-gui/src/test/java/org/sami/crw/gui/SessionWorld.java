@@ -23,7 +23,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
@@ -56,7 +56,7 @@ public final class SessionWorld implements AutoCloseable {
                 .withSimulatedBoats(simulated);
         session = Session.open(SessionSetup.of(LIBRARY.vocabulary(), project).with(runtime));
         context = new OperatorContext(
-                session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
+                session, new CommandRegistry(), new ProxyMarks(), new BoatSelection(), new Notices());
         session.begin();
         for (String boat : boats) {
             add(boat, PIER);

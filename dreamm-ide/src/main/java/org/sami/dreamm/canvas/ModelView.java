@@ -25,7 +25,7 @@ import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.help.word.ShownText;
 import org.sami.dreamm.help.word.TermSource;
 import org.sami.dreamm.profile.ProfileIds;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetMarking;
@@ -68,7 +68,7 @@ public final class ModelView extends JPanel implements NetDropTarget, TermSource
     };
 
     private final transient DreammContext context;
-    private final NetView view = new NetView(new IdentityMarks());
+    private final NetView view = new NetView(new ProxyMarks());
     private final WrappedText hint = new WrappedText("");
     private final transient ShownNet net;
     private final transient NetActions actions;

@@ -18,7 +18,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetMode;
@@ -44,7 +44,7 @@ public final class ComparisonPanel extends JPanel {
     private static final String BOTH = "both";
 
     private final transient DreammContext context;
-    private final NetView view = new NetView(new IdentityMarks());
+    private final NetView view = new NetView(new ProxyMarks());
     private final JLabel title = new JLabel(NOTHING);
     private final DefaultListModel<Difference> rows = new DefaultListModel<>();
     private final JList<Difference> list = new JList<>(rows);

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.sami.lessons.course.Picture;
 import org.sami.lessons.course.TokensAt;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.Theme;
 import org.sami.picture.NetFonts;
 import org.sami.picture.SvgCanvas;
@@ -51,7 +51,7 @@ final class StepPicture {
         return SvgCanvas.document(
                 title,
                 area,
-                canvas -> NetPainter.paint(canvas, Theme.LIGHT, new IdentityMarks(), figure, new NetSight(net, 1, 1)));
+                canvas -> NetPainter.paint(canvas, Theme.LIGHT, new ProxyMarks(), figure, new NetSight(net, 1, 1)));
     }
 
     private static Map<String, List<Token>> tokens(List<TokensAt> all) {

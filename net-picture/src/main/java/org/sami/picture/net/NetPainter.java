@@ -7,7 +7,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
 import org.sami.picture.Canvas;
@@ -42,7 +42,7 @@ public final class NetPainter {
     private final FramePainter frames;
     private final TokenPainter tokens;
 
-    private NetPainter(Pen pen, IdentityMarks marks, NetFigure net, NetSight sight) {
+    private NetPainter(Pen pen, ProxyMarks marks, NetFigure net, NetSight sight) {
         this.pen = pen;
         this.net = net;
         this.sight = sight;
@@ -58,7 +58,7 @@ public final class NetPainter {
      * @param canvas in drawing units
      * @param marks which colour and shape stand for each proxy
      */
-    public static void paint(Canvas canvas, Theme theme, IdentityMarks marks, NetFigure net, NetSight sight) {
+    public static void paint(Canvas canvas, Theme theme, ProxyMarks marks, NetFigure net, NetSight sight) {
         new NetPainter(new Pen(canvas, theme), marks, net, sight).paint();
     }
 

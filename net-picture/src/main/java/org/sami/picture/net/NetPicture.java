@@ -7,7 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
 import org.sami.picture.Canvas;
@@ -75,7 +75,7 @@ public final class NetPicture {
         pen.text(title, SemanticColor.TEXT, net.x(), top, false);
         pen.text(key, SemanticColor.MUTED, net.x(), top + title.height() + 2, false);
         NetFigure all = NetFigure.of(NetScene.of(drawing));
-        NetPainter.paint(canvas, pen.theme(), new IdentityMarks(), all, new NetSight(net, 1, 1));
+        NetPainter.paint(canvas, pen.theme(), new ProxyMarks(), all, new NetSight(net, 1, 1));
     }
 
     /** Where everything lies. */

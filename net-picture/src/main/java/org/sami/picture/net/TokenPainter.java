@@ -8,7 +8,7 @@ import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Optional;
 import org.sami.palette.IdentityMark;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
 import org.sami.picture.NetFonts;
@@ -36,10 +36,10 @@ final class TokenPainter {
     private static final BasicStroke HEAVY = new BasicStroke(2);
 
     private final Pen pen;
-    private final IdentityMarks marks;
+    private final ProxyMarks marks;
     private final NetMarking marking;
 
-    TokenPainter(Pen pen, IdentityMarks marks, NetMarking marking) {
+    TokenPainter(Pen pen, ProxyMarks marks, NetMarking marking) {
         this.pen = pen;
         this.marks = marks;
         this.marking = marking;

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.palette.IdentityMark;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.palette.Theme;
 import org.sami.picture.Canvas;
@@ -32,7 +32,7 @@ class NetPainterTest {
     private static final String PLACE = PLAN.places().get(1).id();
 
     private final Noted canvas = new Noted();
-    private final IdentityMarks marks = new IdentityMarks();
+    private final ProxyMarks marks = new ProxyMarks();
 
     /** What was painted in which colour. */
     private static final class Noted implements Canvas {

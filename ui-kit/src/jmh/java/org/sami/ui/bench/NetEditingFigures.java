@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetMode;
 import org.sami.spn.drawing.MovedDrawing;
@@ -55,7 +55,7 @@ final class NetEditingFigures {
     void run() {
         Plan plan = WidePlan.of(250);
         NetDrawing drawing = edited(plan, WidePlan.NO_VOCABULARY);
-        NetView net = new NetView(new IdentityMarks());
+        NetView net = new NetView(new ProxyMarks());
         net.setMode(NetMode.ALL);
         net.setSize(width, height);
         net.doLayout();

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.Theme;
 import org.sami.picture.net.NetMode;
 import org.sami.spn.model.Plan;
@@ -63,7 +63,7 @@ public final class RepaintBenchmarkMain {
             }
         }
         Plan plan = WidePlan.of(250);
-        NetView net = new NetView(new IdentityMarks());
+        NetView net = new NetView(new ProxyMarks());
         net.setMode(NetMode.ALL);
         net.setSize(WIDTH, HEIGHT);
         net.doLayout();

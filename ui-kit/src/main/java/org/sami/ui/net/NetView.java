@@ -17,7 +17,7 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import org.jspecify.annotations.Nullable;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.picture.GraphicsCanvas;
 import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetBadges;
@@ -49,7 +49,7 @@ import org.sami.ui.look.Look;
 public final class NetView extends JPanel {
     private static final int CORNER_PX = 8;
 
-    private final transient IdentityMarks marks;
+    private final transient ProxyMarks marks;
     private final NetViewer viewer = new NetViewer(this::paintNet, this::tip);
     private final transient NetViewport viewport = new NetViewport(viewer, this::viewChanged);
     private final transient NetPulse pulse = new NetPulse(System::nanoTime, viewer::repaint);
@@ -72,7 +72,7 @@ public final class NetView extends JPanel {
      *
      * @param marks which colour and shape stand for each proxy
      */
-    public NetView(IdentityMarks marks) {
+    public NetView(ProxyMarks marks) {
         super(null);
         setName("net");
         this.marks = marks;

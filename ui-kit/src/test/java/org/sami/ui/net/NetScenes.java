@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.picture.net.NetMarking;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
@@ -32,7 +32,7 @@ final class NetScenes {
 
     /** A view of a size that shows a plan. */
     static NetView view(Plan plan, int width, int height) {
-        NetView view = new NetView(new IdentityMarks());
+        NetView view = new NetView(new ProxyMarks());
         view.setSize(width, height);
         view.doLayout();
         view.show(plan, VOCABULARY);

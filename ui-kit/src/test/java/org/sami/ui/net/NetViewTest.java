@@ -41,7 +41,7 @@ class NetViewTest {
 
     @Test
     void showsAPlanAsSoonAsItHasASize() {
-        NetView late = new NetView(new org.sami.palette.IdentityMarks());
+        NetView late = new NetView(new org.sami.palette.ProxyMarks());
         late.show(plan, NetScenes.VOCABULARY);
         late.setSize(1200, 800);
         late.doLayout();

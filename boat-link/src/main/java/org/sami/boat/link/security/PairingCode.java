@@ -35,7 +35,7 @@ public final class PairingCode {
     private final String address;
     private final String boatName;
     private final Fingerprint key;
-    private final WordSecret words;
+    private final PairingSecret words;
 
     /**
      * What a boat shows.
@@ -44,7 +44,7 @@ public final class PairingCode {
      * @param boatName 1 to 100 printable characters
      * @throws IllegalArgumentException naming the value that does not fit
      */
-    public PairingCode(String address, String boatName, Fingerprint key, WordSecret words) {
+    public PairingCode(String address, String boatName, Fingerprint key, PairingSecret words) {
         this.address = Objects.requireNonNull(address, "address");
         this.boatName = Objects.requireNonNull(boatName, "boatName");
         this.key = Objects.requireNonNull(key, "key");
@@ -85,7 +85,7 @@ public final class PairingCode {
                     "the pairing code is damaged: it has " + parts.length + " parts, not " + PARTS);
         }
         try {
-            return new PairingCode(parts[1], decoded(parts[4]), key(parts[2]), WordSecret.parse(parts[3]));
+            return new PairingCode(parts[1], decoded(parts[4]), key(parts[2]), PairingSecret.parse(parts[3]));
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("the pairing code is damaged: " + e.getMessage(), e);
         }
@@ -128,7 +128,7 @@ public final class PairingCode {
     }
 
     /** The secret that the boat shows as six words. */
-    public WordSecret words() {
+    public PairingSecret words() {
         return words;
     }
 

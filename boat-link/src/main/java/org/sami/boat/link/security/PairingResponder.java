@@ -22,7 +22,7 @@ public final class PairingResponder {
 
     private final KeyRing keys;
     private final Listener listener;
-    private Optional<WordSecret> secret = Optional.empty();
+    private Optional<PairingSecret> secret = Optional.empty();
     private Role role = Role.COMMANDER;
     private long untilMs;
     private int wrong;
@@ -40,8 +40,8 @@ public final class PairingResponder {
     }
 
     /** Begins to pair one base, which gets that role. The words replace earlier ones. */
-    public synchronized WordSecret open(Role granted, long nowMs) {
-        WordSecret words = WordSecret.random();
+    public synchronized PairingSecret open(Role granted, long nowMs) {
+        PairingSecret words = PairingSecret.random();
         secret = Optional.of(words);
         role = granted;
         untilMs = nowMs + OPEN_MS;
@@ -76,9 +76,9 @@ public final class PairingResponder {
         if (secret.isPresent() && nowMs >= untilMs) {
             close("the words count no longer: begin the pairing anew at the boat");
         }
-        WordSecret words = secret.orElseThrow(() -> new LinkRefusedException(closed));
+        PairingSecret words = secret.orElseThrow(() -> new LinkRefusedException(closed));
         Fingerprint boat = keys.identity().fingerprint();
-        if (!WordSecret.isEqual(words.proofOfBase(base, boat), proof)) {
+        if (!PairingSecret.isEqual(words.proofOfBase(base, boat), proof)) {
             wrong++;
             int left = MOST_WRONG - wrong;
             if (left == 0) {
@@ -90,7 +90,7 @@ public final class PairingResponder {
         Peer paired = new Peer(base, name, wished == Role.OBSERVER ? wished : role);
         keys.add(paired);
         close("the words have been used: begin the pairing anew at the boat");
-        listener.paired(paired, WordSecret.checkCode(base, boat));
+        listener.paired(paired, PairingSecret.checkCode(base, boat));
         return words.proofOfBoat(base, boat);
     }
 

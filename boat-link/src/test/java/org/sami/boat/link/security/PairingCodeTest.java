@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 /** The text of a QR code: what a boat writes a base reads, and what is none or damaged is named. */
 class PairingCodeTest {
-    private static final WordSecret WORDS = WordSecret.parse("able about above absent absolute accepted");
+    private static final PairingSecret WORDS = PairingSecret.parse("able about above absent absolute accepted");
     private static final Fingerprint KEY =
             Fingerprint.parse("9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08");
 
@@ -68,9 +68,9 @@ class PairingCodeTest {
 
     @Test
     void wordsAreCompletedFromTheirFirstLetters() {
-        assertThat(WordSecret.beginningWith("Ab", 3)).containsExactly("able", "about", "above");
-        assertThat(WordSecret.beginningWith("abso", 3)).containsExactly("absolute");
-        assertThat(WordSecret.beginningWith("zzz", 3)).isEmpty();
+        assertThat(PairingSecret.beginningWith("Ab", 3)).containsExactly("able", "about", "above");
+        assertThat(PairingSecret.beginningWith("abso", 3)).containsExactly("absolute");
+        assertThat(PairingSecret.beginningWith("zzz", 3)).isEmpty();
     }
 
     private static void refused(String text, String why) {

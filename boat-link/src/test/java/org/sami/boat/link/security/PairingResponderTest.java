@@ -16,17 +16,17 @@ class PairingResponderTest {
     private final PairingResponder responder = new PairingResponder(boat);
     private final Fingerprint base = Identity.generate().fingerprint();
 
-    private String pair(WordSecret words, long nowMs) throws IOException {
+    private String pair(PairingSecret words, long nowMs) throws IOException {
         String proof = words.proofOfBase(base, boat.identity().fingerprint());
         return responder.pair(base, "laptop", proof, nowMs);
     }
 
     @Test
     void baseThatKnowsTheWordsIsKeptAndTheBoatProvesThatItKnowsThemToo() throws IOException {
-        WordSecret words = responder.open(Role.COMMANDER, 0);
+        PairingSecret words = responder.open(Role.COMMANDER, 0);
 
-        String proof =
-                pair(WordSecret.parse(words.toString().toUpperCase(Locale.ROOT).replace(' ', '-')), 1000);
+        String proof = pair(
+                PairingSecret.parse(words.toString().toUpperCase(Locale.ROOT).replace(' ', '-')), 1000);
 
         assertThat(proof).isEqualTo(words.proofOfBoat(base, boat.identity().fingerprint()));
         assertThat(boat.find(base)).map(Peer::role).contains(Role.COMMANDER);
@@ -34,11 +34,11 @@ class PairingResponderTest {
 
     @Test
     void wordsCountOnceAndForMinutesOnly() throws IOException {
-        WordSecret words = responder.open(Role.COMMANDER, 0);
+        PairingSecret words = responder.open(Role.COMMANDER, 0);
         pair(words, 0);
         assertThatThrownBy(() -> pair(words, 1)).hasMessageContaining("the words have been used");
 
-        WordSecret later = responder.open(Role.COMMANDER, 10);
+        PairingSecret later = responder.open(Role.COMMANDER, 10);
         assertThat(responder.isOpen(PairingResponder.OPEN_MS + 9)).isTrue();
         assertThatThrownBy(() -> pair(later, PairingResponder.OPEN_MS + 10)).hasMessageContaining("count no longer");
         assertThatThrownBy(() -> pair(later, 11)).hasMessageContaining("count no longer");
@@ -46,10 +46,10 @@ class PairingResponderTest {
 
     @Test
     void fiveWrongProofsCloseThePairing() {
-        WordSecret words = responder.open(Role.COMMANDER, 0);
+        PairingSecret words = responder.open(Role.COMMANDER, 0);
         for (int left = 4; left >= 0; left--) {
             String tries = left + (left == 1 ? " try" : " tries");
-            assertThatThrownBy(() -> pair(WordSecret.random(), 0)).hasMessageContaining(tries);
+            assertThatThrownBy(() -> pair(PairingSecret.random(), 0)).hasMessageContaining(tries);
         }
 
         assertThatThrownBy(() -> pair(words, 0)).hasMessageContaining("5 wrong words");
@@ -58,19 +58,19 @@ class PairingResponderTest {
 
     @Test
     void proofThatSomebodyInBetweenPassesOnIsWrong() {
-        WordSecret words = responder.open(Role.COMMANDER, 0);
+        PairingSecret words = responder.open(Role.COMMANDER, 0);
         Fingerprint between = Identity.generate().fingerprint();
         String proofToBetween = words.proofOfBase(base, between);
 
         assertThatThrownBy(() -> responder.pair(between, "laptop", proofToBetween, 0))
                 .hasMessageContaining("in between");
-        assertThat(WordSecret.checkCode(base, between))
-                .isNotEqualTo(WordSecret.checkCode(between, boat.identity().fingerprint()));
+        assertThat(PairingSecret.checkCode(base, between))
+                .isNotEqualTo(PairingSecret.checkCode(between, boat.identity().fingerprint()));
     }
 
     @Test
     void proofOfTheBoatIsNoProofOfABase() {
-        WordSecret words = responder.open(Role.COMMANDER, 0);
+        PairingSecret words = responder.open(Role.COMMANDER, 0);
         Fingerprint own = boat.identity().fingerprint();
 
         assertThatThrownBy(() -> responder.pair(base, "laptop", words.proofOfBoat(base, own), 0))
@@ -80,11 +80,11 @@ class PairingResponderTest {
     @Test
     void noTwoWordsBeginWithTheSameFourLettersAndFourLettersAreEnough() {
         Set<String> beginnings = new HashSet<>();
-        for (int i = 0; i < PairingWords.size(); i++) {
-            String word = PairingWords.word(i);
+        for (int i = 0; i < PairingWordList.size(); i++) {
+            String word = PairingWordList.word(i);
             assertThat(word).matches("[a-z]{4,8}");
             assertThat(beginnings.add(word.substring(0, 4))).as(word).isTrue();
-            assertThat(PairingWords.find(word.substring(0, 4))).isEqualTo(word);
+            assertThat(PairingWordList.find(word.substring(0, 4))).isEqualTo(word);
         }
 
         assertThat(beginnings).hasSize(1024);
@@ -92,9 +92,9 @@ class PairingResponderTest {
 
     @Test
     void wrongWordIsNamedAndMissingOnesAreCounted() {
-        assertThatThrownBy(() -> WordSecret.parse("able about xyzzy acts adds after"))
+        assertThatThrownBy(() -> PairingSecret.parse("able about xyzzy acts adds after"))
                 .hasMessage("'xyzzy' is none of the words that a boat shows");
-        assertThatThrownBy(() -> WordSecret.parse("able about")).hasMessage("six words are needed, not 2");
-        assertThatThrownBy(() -> WordSecret.parse(" ")).hasMessage("six words are needed, not 0");
+        assertThatThrownBy(() -> PairingSecret.parse("able about")).hasMessage("six words are needed, not 2");
+        assertThatThrownBy(() -> PairingSecret.parse(" ")).hasMessage("six words are needed, not 0");
     }
 }

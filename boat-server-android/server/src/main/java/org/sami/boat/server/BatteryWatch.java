@@ -28,7 +28,7 @@ final class BatteryWatch {
     void tick(long nowMs) {
         if (config.metresPerPercent() > 0 && nowMs - lookedMs >= PERIOD_MS) {
             lookedMs = nowMs;
-            neededPercent = BoatDefaults.HOME_RESERVE_FACTOR
+            neededPercent = BatteryDefaults.HOME_RESERVE_FACTOR
                     * ways.lengthM(vehicle.latDeg(), vehicle.lonDeg())
                     / config.metresPerPercent();
             look(vehicle.batteryPercent());

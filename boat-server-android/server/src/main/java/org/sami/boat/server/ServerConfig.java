@@ -2,6 +2,7 @@ package org.sami.boat.server;
 
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkDefaults;
@@ -159,20 +160,20 @@ public final class ServerConfig {
     public static final class Builder {
         private final String boatId;
         private final String bootId;
-        private double fullThrustSpeedMps = BoatDefaults.FULL_THRUST_SPEED_MPS;
+        private double fullThrustSpeedMps = MotionDefaults.FULL_THRUST_SPEED_MPS;
         private double returnSpeedMps = MotionDefaults.CRUISE_SPEED_MPS;
         private double arrivalRadiusM = MotionDefaults.ARRIVAL_RADIUS_M;
         private double holdRadiusM = MotionDefaults.HOLD_RADIUS_M;
-        private Gains headingGains = BoatDefaults.HEADING_GAINS;
-        private Gains speedGains = BoatDefaults.SPEED_GAINS;
+        private Gains headingGains = BoatServerDefaults.HEADING_GAINS;
+        private Gains speedGains = BoatServerDefaults.SPEED_GAINS;
         private long lostLinkAfterMs = LinkDefaults.LINK_LOST_AFTER_MS;
-        private LostLinkAction lostLinkAction = BoatDefaults.LOST_LINK_ACTION;
-        private long deadmanMs = BoatDefaults.TELEOPERATION_STOP_MS;
+        private LostLinkAction lostLinkAction = LinkDefaults.LOST_LINK_ACTION;
+        private long deadmanMs = LinkDefaults.TELEOPERATION_STOP_MS;
         private double telemetryHz = LinkDefaults.TELEMETRY_HZ;
-        private double lowBatteryPercent = BoatDefaults.LOW_BATTERY_PERCENT;
-        private double criticalBatteryPercent = BoatDefaults.CRITICAL_BATTERY_PERCENT;
+        private double lowBatteryPercent = BatteryDefaults.LOW_PERCENT;
+        private double criticalBatteryPercent = BatteryDefaults.CRITICAL_PERCENT;
         private BoatPerformance performance = BoatPerformance.UNKNOWN;
-        private int maxWaypoints = BoatDefaults.MAX_WAYPOINTS;
+        private int maxWaypoints = BoatServerDefaults.MAX_WAYPOINTS;
         private Optional<TrackingError> trackingError = Optional.empty();
         private Optional<LocalFrame> home = Optional.empty();
 

@@ -8,12 +8,12 @@ import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.link.PhoneReadings;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.BoatServerDefaults;
 import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.handler.subscription.MeasurementHandler;
 import org.sami.crw.manipulation.ManipulationPolicy;
 import org.sami.crw.operator.StuckWatch;
-import org.sami.crw.operator.alarm.AlarmDefaults;
+import org.sami.crw.operator.alarm.AlarmLimits;
 import org.sami.crw.proxy.execution.CommandDefaults;
 import org.sami.crw.proxy.link.BaseDefaults;
 import org.sami.crw.service.path.PathProblem;
@@ -40,7 +40,7 @@ final class FleetValues {
         return new Subject("Boats")
                 .text(
                         "lost-link action",
-                        BoatDefaults.LOST_LINK_ACTION.name().toLowerCase(Locale.ROOT),
+                        LinkDefaults.LOST_LINK_ACTION.name().toLowerCase(Locale.ROOT),
                         "",
                         "What a boat does when the link to its commander is lost.",
                         "crw boat --lost-link; " + settings)
@@ -51,19 +51,19 @@ final class FleetValues {
                         "Speed along paths that name none, and on ways home.")
                 .number(
                         "speed at full thrust",
-                        BoatDefaults.FULL_THRUST_SPEED_MPS,
+                        MotionDefaults.FULL_THRUST_SPEED_MPS,
                         "m/s",
                         "Speed in still water at full thrust, from which the boat works out its thrust.",
                         "crw boat --top-speed")
                 .text(
                         "heading gains",
-                        gains(BoatDefaults.HEADING_GAINS),
+                        gains(BoatServerDefaults.HEADING_GAINS),
                         "",
                         "Proportional, integral and derivative gain of the heading loop.",
                         settings)
                 .text(
                         "speed gains",
-                        gains(BoatDefaults.SPEED_GAINS),
+                        gains(BoatServerDefaults.SPEED_GAINS),
                         "",
                         "Proportional, integral and derivative gain of the speed loop.",
                         settings)
@@ -82,15 +82,15 @@ final class FleetValues {
                         MotionDefaults.SEPARATION_M,
                         "m",
                         "Distance that boats keep from each other; paths leave room for it.")
-                .number("battery low", BoatDefaults.LOW_BATTERY_PERCENT, "%", "Below this charge a battery is low.")
+                .number("battery low", BatteryDefaults.LOW_PERCENT, "%", "Below this charge a battery is low.")
                 .number(
                         "battery critical",
-                        BoatDefaults.CRITICAL_BATTERY_PERCENT,
+                        BatteryDefaults.CRITICAL_PERCENT,
                         "%",
                         "Below this charge a battery is critical at any place.")
                 .number(
                         "reserve for the way home",
-                        BoatDefaults.HOME_RESERVE_FACTOR,
+                        BatteryDefaults.HOME_RESERVE_FACTOR,
                         "",
                         "A battery is critical where its charge is less than this many times what the way home takes.")
                 .number(
@@ -98,10 +98,14 @@ final class FleetValues {
                         BatteryDefaults.RECHARGED_PERCENT,
                         "%",
                         "A charge that rises by this much means a new or charged battery.")
-                .number("longest waypoint list", BoatDefaults.MAX_WAYPOINTS, "", "Most waypoints that a boat takes.")
+                .number(
+                        "longest waypoint list",
+                        BoatServerDefaults.MAX_WAYPOINTS,
+                        "",
+                        "Most waypoints that a boat takes.")
                 .number(
                         "size of the log",
-                        BoatDefaults.LOG_BYTES >> 20,
+                        BoatServerDefaults.LOG_BYTES >> 20,
                         "MiB",
                         "Most that a boat keeps of its log, over all of its files.",
                         "crw boat --log-size; the settings on the boat's phone");
@@ -121,7 +125,7 @@ final class FleetValues {
                 .millis("heartbeat", LinkDefaults.HEARTBEAT_MS, "Each side sends a frame at least this often.")
                 .millis(
                         "teleoperation stop",
-                        BoatDefaults.TELEOPERATION_STOP_MS,
+                        LinkDefaults.TELEOPERATION_STOP_MS,
                         "The motors stop after this time without a new command of teleoperation.")
                 .number(
                         "telemetry of a session",
@@ -208,19 +212,19 @@ final class FleetValues {
         return new Subject("Warnings")
                 .millis(
                         "position stale",
-                        AlarmDefaults.POSITION_STALE_AFTER_MS,
+                        AlarmLimits.POSITION_STALE_AFTER_MS,
                         "A linked boat has said nothing of its position for this time.")
                 .number(
                         "drift without a command",
-                        AlarmDefaults.DRIFT_WITHOUT_COMMAND_M,
+                        AlarmLimits.DRIFT_WITHOUT_COMMAND_M,
                         "m",
                         "A boat that nobody commands drifts when it is carried farther than this.")
                 .number(
                         "drift from a station",
-                        AlarmDefaults.DRIFT_OUTSIDE_STATION_M,
+                        AlarmLimits.DRIFT_OUTSIDE_STATION_M,
                         "m",
                         "A boat drifts when it is farther than this outside the circle of its station.")
-                .millis("drift time", AlarmDefaults.DRIFT_AFTER_MS, "It has to be out there for this time.")
+                .millis("drift time", AlarmLimits.DRIFT_AFTER_MS, "It has to be out there for this time.")
                 .number(
                         "phone hot",
                         PhoneReadings.HOT_C,
@@ -233,32 +237,32 @@ final class FleetValues {
                         "A boat's phone with less free storage will soon write no log.")
                 .number(
                         "approach",
-                        AlarmDefaults.APPROACH_M,
+                        AlarmLimits.APPROACH_M,
                         "m",
                         "Boats that are about to come closer than this to each other.")
                 .number(
                         "approach time",
-                        AlarmDefaults.APPROACH_WITHIN_S,
+                        AlarmLimits.APPROACH_WITHIN_S,
                         "s",
                         "They will be that close within this time.")
                 .number(
                         "depth in a no-go area",
-                        AlarmDefaults.NO_GO_DEPTH_M,
+                        AlarmLimits.NO_GO_DEPTH_M,
                         "m",
                         "A boat that seems to be deeper than this in what its mission avoids.")
                 .number(
                         "path in a no-go area",
-                        AlarmDefaults.NO_GO_PATH_DEPTH_M,
+                        AlarmLimits.NO_GO_PATH_DEPTH_M,
                         "m",
                         "A path that leads deeper than this into it.")
-                .number("position jumps", AlarmDefaults.FASTEST_MPS, "m/s", "A position that moves faster has jumped.")
+                .number("position jumps", AlarmLimits.FASTEST_MPS, "m/s", "A position that moves faster has jumped.")
                 .millis(
                         "position frozen",
-                        AlarmDefaults.FROZEN_AFTER_MS,
+                        AlarmLimits.FROZEN_AFTER_MS,
                         "A position that stays the same for this time while the boat moves.")
                 .number(
                         "wrong course",
-                        AlarmDefaults.WRONG_COURSE_DEG,
+                        AlarmLimits.WRONG_COURSE_DEG,
                         "°",
                         "A heading that differs from the course by more than this is doubtful.")
                 .millis(

@@ -16,7 +16,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.PairingResponder;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.crw.cli.output.UsageFault;
 import picocli.CommandLine.Option;
@@ -80,7 +80,7 @@ final class BoatKeyOptions {
         say.accept("its key is " + keys.identity().fingerprint().shortText() + ", it knows "
                 + keys.peers().size() + (keys.peers().size() == 1 ? " base" : " bases"));
         if (pair) {
-            WordSecret words = responder.open(observer ? Role.OBSERVER : Role.COMMANDER, clock.getAsLong());
+            PairingSecret words = responder.open(observer ? Role.OBSERVER : Role.COMMANDER, clock.getAsLong());
             say.accept("to pair a base within five minutes, type there: " + words);
             shown = Optional.of(new PairingCodeLines(keys.identity().fingerprint(), words));
         }

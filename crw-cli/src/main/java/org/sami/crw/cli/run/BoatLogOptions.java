@@ -3,7 +3,7 @@ package org.sami.crw.cli.run;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.BoatServerDefaults;
 import org.sami.boat.server.log.CommandLogFile;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -31,8 +31,8 @@ final class BoatLogOptions {
             names = "--log-size",
             paramLabel = "MIB",
             description = "Most MiB of its log: new files begin with what a restarted boat needs, and the oldest go "
-                    + "(default " + (BoatDefaults.LOG_BYTES >> 20) + ").")
-    private double mebibytes = BoatDefaults.LOG_BYTES / MEBIBYTE;
+                    + "(default " + (BoatServerDefaults.LOG_BYTES >> 20) + ").")
+    private double mebibytes = BoatServerDefaults.LOG_BYTES / MEBIBYTE;
 
     /** Where it is; empty without a log. */
     Optional<Path> folder() {

@@ -17,8 +17,8 @@ import org.jspecify.annotations.Nullable;
 import org.sami.boat.hull.host.HullBoat;
 import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.link.SteadyClock;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.crw.cli.board.HullOptions;
 import org.sami.crw.cli.board.RealBoatRun;
 import org.sami.crw.cli.option.ConditionsOptions;
@@ -129,7 +129,7 @@ public final class BoatServerCommand implements Callable<Integer> {
     @Option(
             names = "--top-speed",
             paramLabel = "MPS",
-            defaultValue = "" + BoatDefaults.FULL_THRUST_SPEED_MPS,
+            defaultValue = "" + MotionDefaults.FULL_THRUST_SPEED_MPS,
             description = "Speed at full thrust in still water (default ${DEFAULT-VALUE}).")
     private double topSpeedMps;
 

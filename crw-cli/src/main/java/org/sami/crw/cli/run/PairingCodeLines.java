@@ -9,7 +9,7 @@ import java.util.Comparator;
 import java.util.Optional;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.PairingCode;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.crw.cli.key.QrCode;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import picocli.CommandLine.Help.Ansi;
@@ -19,7 +19,7 @@ import picocli.CommandLine.Help.Ansi;
  *
  * @param key of the boat
  */
-record PairingCodeLines(Fingerprint key, WordSecret words) {
+record PairingCodeLines(Fingerprint key, PairingSecret words) {
     /** The lines for a boat that listens there. */
     String of(String boat, InetSocketAddress address) {
         String text = new PairingCode(reachable(address), boat, key, words).toString();

@@ -32,9 +32,9 @@ import org.sami.boat.link.Paired;
 import org.sami.boat.link.security.Identity;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -116,7 +116,7 @@ class PhoneCommandTest {
             assertThat(page(shown)).isEqualTo(200);
             assertThat(pair(shown)).isInstanceOf(Paired.class);
             Await.until("the question", () -> err.toString().contains("boat-1234 shows the check code "));
-            String code = WordSecret.checkCode(
+            String code = PairingSecret.checkCode(
                     new KeyStoreFolder(folder.resolve("keys")).open().identity().fingerprint(), phone.fingerprint());
             assertThat(err.toString()).contains(code);
             assertThat(knowsThePhone()).isFalse();

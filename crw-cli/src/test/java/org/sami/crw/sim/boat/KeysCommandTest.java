@@ -22,7 +22,7 @@ import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.PairingCode;
 import org.sami.boat.link.security.PairingResponder;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.cli.CommandResult;
@@ -66,7 +66,7 @@ class KeysCommandTest {
         return all.toArray(String[]::new);
     }
 
-    private CommandResult pair(String folderName, WordSecret words) {
+    private CommandResult pair(String folderName, PairingSecret words) {
         return CommandResult.crw(with(folderName, "keys", "pair", address(), "--words", words.toString()));
     }
 
@@ -90,7 +90,7 @@ class KeysCommandTest {
     void wrongWordsAreRefusedWithTheReasonAndNothingIsKept() {
         responder.open(Role.COMMANDER, clock.getAsLong());
 
-        CommandResult refused = pair("mine", WordSecret.random());
+        CommandResult refused = pair("mine", PairingSecret.random());
 
         assertThat(refused.exitCode()).isNotZero();
         assertThat(refused.err())
@@ -169,13 +169,13 @@ class KeysCommandTest {
                 .containsPattern("\"locationsVisited\" ?: ?2");
     }
 
-    private String code(KeyRing of, WordSecret words) {
+    private String code(KeyRing of, PairingSecret words) {
         return new PairingCode(address(), "anna", of.identity().fingerprint(), words).toString();
     }
 
     @Test
     void textOfTheQrCodeIsEnoughToPair() {
-        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+        PairingSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
 
         CommandResult paired = CommandResult.crw(with("mine", "keys", "pair", "--words", code(keys, words)));
 
@@ -184,7 +184,7 @@ class KeysCommandTest {
 
     @Test
     void qrCodeOfAnotherBoatIsRefusedBeforeAnythingIsProved() {
-        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+        PairingSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
 
         CommandResult refused =
                 CommandResult.crw(with("mine", "keys", "pair", "--words", code(KeyRing.inMemory(), words)));
@@ -197,7 +197,7 @@ class KeysCommandTest {
 
     @Test
     void baseThatWishesToObserveIsGrantedNoMore() {
-        WordSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
+        PairingSecret words = responder.open(Role.COMMANDER, clock.getAsLong());
 
         CommandResult paired =
                 CommandResult.crw(with("mine", "keys", "pair", address(), "--observer", "--words", words.toString()));
@@ -210,7 +210,7 @@ class KeysCommandTest {
     void baseThatIsPairedAlreadyIsToldSoWhereTheBoatShowsNoWords() {
         pair("mine", responder.open(Role.COMMANDER, clock.getAsLong()));
 
-        CommandResult again = pair("mine", WordSecret.random());
+        CommandResult again = pair("mine", PairingSecret.random());
 
         assertThat(again.err()).contains("begin the pairing anew at the boat").contains("is paired with anna already");
     }

@@ -10,8 +10,8 @@ import java.util.function.LongSupplier;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /**
@@ -110,7 +110,7 @@ public final class PhoneOffer implements Closeable {
     /** What is to be shown as a QR code now: to be asked again each second, as it changes. It stays while a phone waits for a person's answer. */
     public synchronized String code() {
         if (waiting.isEmpty() && (code.isEmpty() || !responder.isOpen())) {
-            WordSecret words = responder.next();
+            PairingSecret words = responder.next();
             InetSocketAddress at = responder.address();
             String address = new BoatAddress(at.getAddress().getHostAddress(), at.getPort()).toString();
             code = app.url() + "#"

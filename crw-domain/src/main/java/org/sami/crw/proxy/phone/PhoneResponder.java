@@ -23,10 +23,10 @@ import org.sami.boat.link.Paired;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.Identity;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 
 /**
  * A base's part where a phone asks to be paired, over TLS: the phone proves that it has read the words of the code, and the base proves the same. It keeps no
@@ -57,7 +57,7 @@ final class PhoneResponder implements Closeable {
     private final Listener listener;
     private final ServerSocket server;
     private final Semaphore free = new Semaphore(MOST_AT_ONCE);
-    private Optional<WordSecret> words = Optional.empty();
+    private Optional<PairingSecret> words = Optional.empty();
     private long untilMs;
     private int wrong;
 
@@ -86,8 +86,8 @@ final class PhoneResponder implements Closeable {
     }
 
     /** New words in place of those before. */
-    synchronized WordSecret next() {
-        WordSecret made = WordSecret.random();
+    synchronized PairingSecret next() {
+        PairingSecret made = PairingSecret.random();
         words = Optional.of(made);
         untilMs = nowMs.getAsLong() + WORDS_MS;
         wrong = 0;
@@ -160,9 +160,9 @@ final class PhoneResponder implements Closeable {
         if (!isOpen()) {
             return refuse("the code counts no longer: scan the one that the base shows now");
         }
-        WordSecret secret = words.orElseThrow();
+        PairingSecret secret = words.orElseThrow();
         Fingerprint base = identity.fingerprint();
-        if (!WordSecret.isEqual(secret.proofOfBoat(base, boat), pair.proof())) {
+        if (!PairingSecret.isEqual(secret.proofOfBoat(base, boat), pair.proof())) {
             wrong++;
             if (wrong == MOST_WRONG) {
                 words = Optional.empty();
@@ -173,7 +173,7 @@ final class PhoneResponder implements Closeable {
         Peer peer = new Peer(boat, pair.clientId(), pair.role());
         return new Answer(
                 new Paired(baseName, secret.proofOfBase(base, boat), wish),
-                () -> listener.proved(peer, WordSecret.checkCode(base, boat)));
+                () -> listener.proved(peer, PairingSecret.checkCode(base, boat)));
     }
 
     private Answer refuse(String why) {

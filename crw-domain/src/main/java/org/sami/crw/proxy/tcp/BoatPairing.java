@@ -19,10 +19,10 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.LinkRefusedException;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 
 /**
  * A base's part in pairing: it proves to a boat that it knows the boat's words, and the boat proves the same. One use; waits some seconds for the boat, and may
@@ -47,7 +47,7 @@ public final class BoatPairing {
      * @param name under which the boat keeps the key of this base
      */
     public record Request(
-            InetSocketAddress address, WordSecret words, Optional<Fingerprint> expected, Role role, String name) {
+            InetSocketAddress address, PairingSecret words, Optional<Fingerprint> expected, Role role, String name) {
         public Request {
             Objects.requireNonNull(address, "address");
             Objects.requireNonNull(words, "words");
@@ -122,11 +122,11 @@ public final class BoatPairing {
         Pair asked = new Pair(request.name(), request.words().proofOfBase(base, boat), request.role());
         link.out().write(LinkCodec.STANDARD.encode(0, asked));
         Paired paired = answer(link, before);
-        if (!WordSecret.isEqual(request.words().proofOfBoat(base, boat), paired.proof())) {
+        if (!PairingSecret.isEqual(request.words().proofOfBoat(base, boat), paired.proof())) {
             throw new LinkRefusedException("what answers there does not know the words: somebody may be in between");
         }
         Peer peer = new Peer(boat, paired.boatId(), paired.role());
-        return new Result(peer, WordSecret.checkCode(base, boat), before.isPresent());
+        return new Result(peer, PairingSecret.checkCode(base, boat), before.isPresent());
     }
 
     /**

@@ -3,7 +3,7 @@ package org.sami.crw.proxy.tcp;
 import java.util.Optional;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.PairingCode;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 
 /**
  * What a person types or pastes in order to pair a boat: its six words, or the text of its QR code.
@@ -11,7 +11,7 @@ import org.sami.boat.link.security.WordSecret;
  * @param words the secret
  * @param code all that the QR code says; empty where words were typed
  */
-public record PairingText(WordSecret words, Optional<PairingCode> code) {
+public record PairingText(PairingSecret words, Optional<PairingCode> code) {
     /**
      * Reads it.
      *
@@ -22,7 +22,7 @@ public record PairingText(WordSecret words, Optional<PairingCode> code) {
             PairingCode code = PairingCode.parse(text);
             return new PairingText(code.words(), Optional.of(code));
         }
-        return new PairingText(WordSecret.parse(text), Optional.empty());
+        return new PairingText(PairingSecret.parse(text), Optional.empty());
     }
 
     /** The boat's key, where the QR code has said it. */

@@ -41,9 +41,9 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.security.Identity;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /** The app and the pairing, as a phone's browser and app get them over loopback. */
@@ -131,7 +131,7 @@ class PhoneOfferTest {
         }
     }
 
-    private LinkMessage pair(PairingCode code, WordSecret words) throws Exception {
+    private LinkMessage pair(PairingCode code, PairingSecret words) throws Exception {
         return say(new Pair("boat-1234", words.proofOfBoat(code.key(), phone.fingerprint())), code);
     }
 
@@ -148,7 +148,7 @@ class PhoneOfferTest {
         assertThat(answer).isInstanceOf(Paired.class);
         assertThat(((Paired) answer).proof()).isEqualTo(code.words().proofOfBase(code.key(), phone.fingerprint()));
         PhoneOffer.Phone one = proved.poll(60, TimeUnit.SECONDS);
-        assertThat(one.checkCode()).isEqualTo(WordSecret.checkCode(code.key(), phone.fingerprint()));
+        assertThat(one.checkCode()).isEqualTo(PairingSecret.checkCode(code.key(), phone.fingerprint()));
         assertThat(keys.peers())
                 .as("nothing is kept before the person has answered")
                 .isEmpty();
@@ -224,7 +224,7 @@ class PhoneOfferTest {
     void fiveWrongProofsChangeTheWords() throws Exception {
         PairingCode shown = code();
         for (int i = 0; i < 5; i++) {
-            assertThat(pair(shown, WordSecret.random())).isInstanceOf(Goodbye.class);
+            assertThat(pair(shown, PairingSecret.random())).isInstanceOf(Goodbye.class);
         }
 
         assertThat(code().words()).isNotEqualTo(shown.words());

@@ -2,7 +2,7 @@ package org.sami.crw.gui.context;
 
 import java.util.List;
 import org.sami.crw.session.JoinOrder;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Effect;
@@ -14,15 +14,15 @@ import org.sami.ui.EventThread;
  * the engine on its thread, and gives marks on the event thread.
  */
 public final class MarksOfBoats implements HostListener {
-    private final IdentityMarks marks;
+    private final ProxyMarks marks;
     private final JoinOrder order = new JoinOrder(); // on the event thread
 
-    private MarksOfBoats(IdentityMarks marks) {
+    private MarksOfBoats(ProxyMarks marks) {
         this.marks = marks;
     }
 
     /** Gives marks to the boats that a session has, and to those that will join. */
-    public static void give(ShownSession shown, IdentityMarks marks) {
+    public static void give(ShownSession shown, ProxyMarks marks) {
         MarksOfBoats boats = new MarksOfBoats(marks);
         shown.ask(view -> new Known(view.proxies(), !view.missions().isEmpty())).thenAccept(boats::apply);
         shown.addListener(boats);

@@ -10,7 +10,7 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.window.Notices;
@@ -24,7 +24,7 @@ import org.sami.ui.window.Notices;
  * @param notices the notices in the strip at the top
  */
 public record OperatorContext(
-        ShownSession shown, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
+        ShownSession shown, CommandRegistry commands, ProxyMarks marks, BoatSelection boats, Notices notices) {
     /** The name under which the window's operator answers and commands. */
     public static final String OPERATOR = "operator";
 
@@ -40,7 +40,7 @@ public record OperatorContext(
 
     /** The context of a window over a session that runs. */
     public OperatorContext(
-            Session session, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
+            Session session, CommandRegistry commands, ProxyMarks marks, BoatSelection boats, Notices notices) {
         this(new RunningSession(session), commands, marks, boats, notices);
     }
 

@@ -13,7 +13,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.gui.boat.BoatTables;
+import org.sami.crw.gui.boat.BoatNameColumn;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.session.file.LogFetch;
 import org.sami.crw.session.file.LogRow;
@@ -66,7 +66,7 @@ final class LogsForm extends JPanel {
                 context.say(EMPTY),
                 LogRow::address,
                 List.of(
-                        BoatTables.names(context, LogRow::boat),
+                        BoatNameColumn.names(context, LogRow::boat),
                         RowColumn.<LogRow>words(
                                         "Address", 150, row -> row.address().toString())
                                 .keepingEnds()

@@ -14,7 +14,7 @@ import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.BoatPick;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.map.PlacesInText;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
@@ -45,7 +45,7 @@ final class DecisionOverlay implements DecisionMap {
      * @param ways of boats: the paths of an option are drawn as they would be driven
      * @param words puts the word for the session's robots into a text about boats
      */
-    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways, MapPen pen, UnaryOperator<String> words) {
+    DecisionOverlay(MapView view, ProxyMarks marks, SessionWays ways, MapPen pen, UnaryOperator<String> words) {
         this.view = view;
         this.pen = pen;
         this.ways = ways;

@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.gui.boat.BoatTables;
+import org.sami.crw.gui.boat.BoatNameColumn;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.session.near.ConnectAll;
 import org.sami.crw.session.near.NearBoats;
@@ -73,7 +73,7 @@ final class NearForm extends JPanel {
                 context.say(EMPTY),
                 one -> one.row().address(),
                 List.of(
-                        BoatTables.names(context, CheckedBoat::name),
+                        BoatNameColumn.names(context, CheckedBoat::name),
                         RowColumn.<CheckedBoat>words(
                                         "Address",
                                         150,

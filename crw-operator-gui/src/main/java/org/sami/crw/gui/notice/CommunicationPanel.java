@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import org.sami.crw.gui.boat.BoatTables;
+import org.sami.crw.gui.boat.BoatNameColumn;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatCommunication;
@@ -50,7 +50,7 @@ public final class CommunicationPanel extends JPanel {
                         + " with its link."),
                 Shown::name,
                 List.of(
-                        BoatTables.names(context, Shown::name),
+                        BoatNameColumn.names(context, Shown::name),
                         RowColumn.<Shown>words(
                                         "Status",
                                         112,
@@ -58,7 +58,7 @@ public final class CommunicationPanel extends JPanel {
                                 .colored(shown -> color(shown.boat().status())),
                         RowColumn.<Shown>number("Link", 104, Shown::link).colored(Shown::linkColor),
                         RowColumn.<Shown>words("In missions", 0, Shown::said).asSpare()));
-        BoatTables.shareSelection(context, table, Shown::name);
+        BoatNameColumn.shareSelection(context, table, Shown::name);
         summary.setName("communication-summary");
         int inset = Look.px(Spacing.NORMAL);
         summary.setBorder(BorderFactory.createEmptyBorder(inset, inset, inset, inset));

@@ -30,7 +30,7 @@ import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.replay.Replay;
 import org.sami.crw.replay.ReplayedJournal;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
@@ -88,7 +88,7 @@ public final class ReplayWindow {
         OperatorContext context = new OperatorContext(
                 new ReplayedSession(replay, worker, computing, player::goTo),
                 new CommandRegistry(CommandPolicy.ALL, robots::say),
-                new IdentityMarks(),
+                new ProxyMarks(),
                 new BoatSelection(),
                 new Notices(robots::say));
         CommandRegistry commands = context.commands();

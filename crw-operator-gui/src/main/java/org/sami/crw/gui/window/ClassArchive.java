@@ -25,7 +25,7 @@ import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.Theme;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
@@ -85,7 +85,7 @@ final class ClassArchive {
     private static void paint(Session session, WindowSettings settings) {
         Look.apply(Theme.LIGHT, 100);
         OperatorContext context = new OperatorContext(
-                session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
+                session, new CommandRegistry(), new ProxyMarks(), new BoatSelection(), new Notices());
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         try (OperatorPanels panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()))) {
             for (DockPanel panel : panels.all()) {

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import org.sami.crw.gui.boat.BoatPanel;
-import org.sami.crw.gui.boat.BoatsPanel;
+import org.sami.crw.gui.boat.BoatListPanel;
+import org.sami.crw.gui.boat.SelectedBoatPanel;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.OperatorContext;
@@ -123,8 +123,8 @@ public final class OperatorPanels implements AutoCloseable {
             FIRST.leastCompact());
 
     private final ShownPictures pictures;
-    private final BoatsPanel boats;
-    private final BoatPanel boat;
+    private final BoatListPanel boats;
+    private final SelectedBoatPanel boat;
     private final MapPanel map;
     private final MissionMonitor missions;
     private final DecisionsPanel decisions;
@@ -142,8 +142,8 @@ public final class OperatorPanels implements AutoCloseable {
         Look.useFieldTargets();
         MarksOfBoats.give(context.shown(), context.marks());
         pictures = new ShownPictures(context);
-        boats = new BoatsPanel(context);
-        boat = new BoatPanel(context);
+        boats = new BoatListPanel(context);
+        boat = new SelectedBoatPanel(context);
         map = new MapPanel(context);
         map.rememberBaseMaps(settings);
         ComponentLibrary components =

@@ -29,7 +29,7 @@ import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.hull.NamedConditions;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandPolicy;
@@ -75,7 +75,7 @@ public final class OperatorWindow {
         context = new OperatorContext(
                 session,
                 new CommandRegistry(CommandPolicy.ALL, robots::say),
-                new IdentityMarks(),
+                new ProxyMarks(),
                 new BoatSelection(),
                 new Notices(robots::say));
         FleetStopCommands fleetStop = new FleetStopCommands(context);

@@ -30,7 +30,7 @@ class LowBoatPanelTest {
     void aWholeCommandAndWhatIsDoneWithItAreSeen() throws Exception {
         try (TextScale large = TextScale.percent(150);
                 SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
-            BoatPanel panel = panel(world);
+            SelectedBoatPanel panel = panel(world);
             SessionWorld.get(world.session.fleet().ask(boats -> {
                 boats.find("anna").orElseThrow().commands().submit(new Stop("keep", 7, 7, Priority.LOW, true));
                 return null;
@@ -56,7 +56,7 @@ class LowBoatPanelTest {
     void theStickThatDrivesItIsWhole() throws Exception {
         try (TextScale large = TextScale.percent(150);
                 SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
-            BoatPanel panel = panel(world);
+            SelectedBoatPanel panel = panel(world);
             onEventThread(() -> {
                 JTabbedPane tabs = find(panel, "boat-tabs", JTabbedPane.class);
                 tabs.setSelectedIndex(tabs.indexOfTab("By hand"));
@@ -72,9 +72,9 @@ class LowBoatPanelTest {
         assertThat(part.getVisibleRect()).isEqualTo(new Rectangle(part.getSize()));
     }
 
-    private static BoatPanel panel(SessionWorld world) {
+    private static SelectedBoatPanel panel(SessionWorld world) {
         return onEventThread(() -> {
-            BoatPanel panel = new BoatPanel(world.context);
+            SelectedBoatPanel panel = new SelectedBoatPanel(world.context);
             world.context.boats().select(List.of("anna"));
             Layout.layOut(panel, WIDTH, HEIGHT);
             return panel;

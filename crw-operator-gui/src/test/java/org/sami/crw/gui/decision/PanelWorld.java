@@ -19,7 +19,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.EventThread;
@@ -50,7 +50,7 @@ final class PanelWorld implements AutoCloseable {
                 SessionSetup.of(LIBRARY.vocabulary(), LIBRARY.projectOf(plan).orElseThrow())
                         .with(runtime));
         context = new OperatorContext(
-                session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
+                session, new CommandRegistry(), new ProxyMarks(), new BoatSelection(), new Notices());
         panel = onEventThread(() ->
                 SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN, new ShownPictures(context)));
         session.begin();

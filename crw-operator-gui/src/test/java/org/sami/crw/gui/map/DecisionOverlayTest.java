@@ -13,7 +13,7 @@ import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.service.Geodesy;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
@@ -44,7 +44,7 @@ class DecisionOverlayTest {
                 Layout.layOut(map, 400, 300);
                 return new DecisionOverlay(
                         map,
-                        new IdentityMarks(),
+                        new ProxyMarks(),
                         new SessionWays(world.context),
                         new MapPen(map, () -> false, boat -> Optional.empty(), UnaryOperator.identity()),
                         UnaryOperator.identity());

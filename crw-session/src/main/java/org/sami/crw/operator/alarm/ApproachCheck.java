@@ -31,7 +31,7 @@ public final class ApproachCheck {
                     plane.y(pose.position()),
                     east,
                     north,
-                    AlarmDefaults.APPROACH_M / 2 + AlarmDefaults.APPROACH_WITHIN_S * Math.abs(pose.speedMps()),
+                    AlarmLimits.APPROACH_M / 2 + AlarmLimits.APPROACH_WITHIN_S * Math.abs(pose.speedMps()),
                     Math.abs(pose.speedMps()) < MOVING_MPS);
         }
 
@@ -97,13 +97,13 @@ public final class ApproachCheck {
         double north = two.north() - one.north();
         double squared = east * east + north * north;
         double closestS = squared == 0 ? 0 : -(x * east + y * north) / squared;
-        if (closestS < 0 || closestS > AlarmDefaults.APPROACH_WITHIN_S) {
+        if (closestS < 0 || closestS > AlarmLimits.APPROACH_WITHIN_S) {
             return Optional.empty(); // they part, or there is time
         }
         double atX = x + closestS * east;
         double atY = y + closestS * north;
         double closestM = Math.sqrt(atX * atX + atY * atY);
-        return closestM >= AlarmDefaults.APPROACH_M
+        return closestM >= AlarmLimits.APPROACH_M
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,

@@ -87,7 +87,7 @@ public final class BoatAlarms {
         OptionalLong age = boat.poseAgeMillis(nowMillis);
         return when(
                 boat.link() == LinkState.LINKED
-                        && age.orElse(0) > AlarmDefaults.POSITION_STALE_AFTER_MS + sampledEveryMillis,
+                        && age.orElse(0) > AlarmLimits.POSITION_STALE_AFTER_MS + sampledEveryMillis,
                 boat.boat() + " has not said where it is for " + age.orElse(0) / 1000 + " s, though its link stands");
     }
 

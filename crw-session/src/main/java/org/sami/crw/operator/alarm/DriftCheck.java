@@ -14,12 +14,12 @@ import org.sami.crw.service.Geodesy;
 /** Whether a boat that rests, or is to keep its place, has been carried out of its circle. For one thread. */
 final class DriftCheck {
     /** A boat that nobody commands is left alone within this of where it was left, in metres. */
-    static final double IDLE_M = AlarmDefaults.DRIFT_WITHOUT_COMMAND_M;
+    static final double IDLE_M = AlarmLimits.DRIFT_WITHOUT_COMMAND_M;
 
     /** A boat on its station goes back from the edge by itself, and makes room for others: only what is farther out, and for long, is carried away. */
-    private static final double OUTSIDE_STATION_M = AlarmDefaults.DRIFT_OUTSIDE_STATION_M;
+    private static final double OUTSIDE_STATION_M = AlarmLimits.DRIFT_OUTSIDE_STATION_M;
 
-    private static final long OUT_FOR_MILLIS = AlarmDefaults.DRIFT_AFTER_MS;
+    private static final long OUT_FOR_MILLIS = AlarmLimits.DRIFT_AFTER_MS;
 
     private final Map<String, Station> stations = new HashMap<>();
 

@@ -55,7 +55,7 @@ public final class FenceCheck {
         try {
             Water water = Water.of(avoid.get(0).outline().get(0), avoid, Optional.empty());
             return Optional.of(new AllowedWater(
-                    water.shrunk(AlarmDefaults.NO_GO_DEPTH_M), water.shrunk(AlarmDefaults.NO_GO_PATH_DEPTH_M)));
+                    water.shrunk(AlarmLimits.NO_GO_DEPTH_M), water.shrunk(AlarmLimits.NO_GO_PATH_DEPTH_M)));
         } catch (IllegalArgumentException crossed) {
             return Optional.empty();
         }

@@ -14,7 +14,7 @@ import org.sami.crw.service.LocalPlane;
  */
 final class PoseCheck {
     /** No boat of the fleet is faster than this over ground. */
-    private static final double FASTEST_MPS = AlarmDefaults.FASTEST_MPS;
+    private static final double FASTEST_MPS = AlarmLimits.FASTEST_MPS;
 
     /** A receiver's noise. */
     private static final double NOISE_M = 10;
@@ -22,14 +22,14 @@ final class PoseCheck {
     /** From this speed on a boat moves for sure. */
     private static final double MOVING_MPS = 0.5;
 
-    private static final long FROZEN_AFTER_MS = AlarmDefaults.FROZEN_AFTER_MS;
+    private static final long FROZEN_AFTER_MS = AlarmLimits.FROZEN_AFTER_MS;
     private static final long TRUSTED_AGAIN_AFTER_MS = 10_000;
 
     /** A course is measured over this way: less is noise. */
     private static final double LEG_M = 3;
 
     /** Wind and current turn a boat's course from its heading by less than this. */
-    private static final double WRONG_COURSE_RAD = Math.toRadians(AlarmDefaults.WRONG_COURSE_DEG);
+    private static final double WRONG_COURSE_RAD = Math.toRadians(AlarmLimits.WRONG_COURSE_DEG);
 
     private static final int WRONG_LEGS = 3;
 

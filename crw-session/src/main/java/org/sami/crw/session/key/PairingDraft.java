@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.sami.boat.link.security.PairingCode;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.PairingText;
 
@@ -49,7 +49,7 @@ public record PairingDraft(String address, String said) {
                             .map(code -> "The QR code is of " + code.boatName() + ", at " + at)
                             .orElse("Six words; the boat is at " + at));
         } catch (IllegalArgumentException unfit) {
-            boolean more = !PairingCode.isMeant(said) && typed().length < WordSecret.WORDS;
+            boolean more = !PairingCode.isMeant(said) && typed().length < PairingSecret.WORDS;
             boolean whereOnly = address.isBlank();
             return new Judgement(
                     more || (whereOnly && !PairingCode.isMeant(said)) ? State.UNFINISHED : State.WRONG,
@@ -68,14 +68,14 @@ public record PairingDraft(String address, String said) {
         for (int i = 0; i < words.length; i++) {
             boolean last = i == words.length - 1 && Character.isLetter(said.charAt(said.length() - 1));
             String word = words[i];
-            List<String> begun = WordSecret.beginningWith(word, 2);
+            List<String> begun = PairingSecret.beginningWith(word, 2);
             boolean known =
                     begun.contains(word) || (begun.size() == 1 && word.length() >= 4) || (last && !begun.isEmpty());
             if (!word.isEmpty() && !known) {
                 return Optional.of("'" + word + "' is none of the words that a boat shows");
             }
         }
-        if (words.length > WordSecret.WORDS) {
+        if (words.length > PairingSecret.WORDS) {
             return Optional.of("a boat shows six words, not " + words.length);
         }
         return Optional.empty();
@@ -87,7 +87,7 @@ public record PairingDraft(String address, String said) {
         if (begun.isEmpty() || PairingCode.isMeant(said)) {
             return List.of();
         }
-        List<String> words = WordSecret.beginningWith(begun, MOST_OFFERED);
+        List<String> words = PairingSecret.beginningWith(begun, MOST_OFFERED);
         return words.equals(List.of(begun)) ? List.of() : words;
     }
 

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Role;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.crw.proxy.tcp.BoatPairing;
 import org.sami.crw.session.key.PairingAttempt.State;
@@ -42,7 +42,7 @@ class PairingAttemptTest {
     private void begin(int port, Path keys) throws Exception {
         BoatPairing.Request request = new BoatPairing.Request(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
-                WordSecret.random(),
+                PairingSecret.random(),
                 Optional.empty(),
                 Role.COMMANDER,
                 "test");

@@ -7,7 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.PairingCode;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.crw.session.key.PairingDraft.State;
 
 /** What is typed in order to pair a boat is judged while it is typed. */
@@ -46,7 +46,7 @@ class PairingDraftTest {
     @Test
     void addressIsAskedForUnlessTheCodeSaysIt() {
         KeyRing boat = KeyRing.inMemory();
-        PairingCode code = new PairingCode(AT, "anna", boat.identity().fingerprint(), WordSecret.parse(WORDS));
+        PairingCode code = new PairingCode(AT, "anna", boat.identity().fingerprint(), PairingSecret.parse(WORDS));
 
         assertThat(new PairingDraft("", WORDS).judge().words()).contains("the address of the boat's server is needed");
         assertThat(new PairingDraft("", WORDS).judge().state()).isEqualTo(State.UNFINISHED);

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.BoatServerDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.log.LogPlace;
 import org.sami.crw.fleet.RobotKind;
@@ -106,7 +106,7 @@ public record BoatSettings(
                 1,
                 LostLinkAction.HOLD,
                 Optional.empty(),
-                BoatDefaults.LOG_BYTES);
+                BoatServerDefaults.LOG_BYTES);
     }
 
     /** The same of another kind; copters return and land when their link is lost. */
@@ -128,7 +128,7 @@ public record BoatSettings(
 
     /** The same with a log in a folder, of the usual size. */
     public BoatSettings loggingTo(Path folder) {
-        return loggingTo(folder, BoatDefaults.LOG_BYTES);
+        return loggingTo(folder, BoatServerDefaults.LOG_BYTES);
     }
 
     /** The same with a log in a folder, of so many bytes at most. */

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.MotionDefaults;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.service.reach.Range;
@@ -34,7 +33,7 @@ public record HullConfig(
 
     /** A boat of the fleet: 3.2 m/s, and about 3.5 km on one battery. */
     public static final HullConfig DEFAULT =
-            new HullConfig(BoatDefaults.FULL_THRUST_SPEED_MPS, 0.6, 0.9, 2.0, 1 / Range.METRES_PER_PERCENT);
+            new HullConfig(MotionDefaults.FULL_THRUST_SPEED_MPS, 0.6, 0.9, 2.0, 1 / Range.METRES_PER_PERCENT);
 
     /** A copter: 12 m/s, and 25 minutes in the air; distances cost nothing more. */
     public static final HullConfig COPTER = new HullConfig(12, 3, 1.5, 4, 0, Optional.of(RotorConfig.DEFAULT));

@@ -35,8 +35,8 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.Welcome;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.BoatServer;
+import org.sami.boat.server.BoatServerDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
@@ -182,7 +182,7 @@ class KilledAppointmentTest {
         private BoatThatNeverAnswers() {}
 
         public static void main(String[] args) throws Exception {
-            LogPlace place = new LogPlace(Path.of(args[0], "anna.log"), BoatDefaults.LOG_BYTES);
+            LogPlace place = new LogPlace(Path.of(args[0], "anna.log"), BoatServerDefaults.LOG_BYTES);
             TcpServerListener broken = new TcpServerListener() {
                 @Override
                 public void failed(String what, Throwable cause) {

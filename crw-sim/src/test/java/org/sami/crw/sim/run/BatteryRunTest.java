@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.InterruptResult;
 import org.sami.crw.report.LocationResult;
@@ -171,8 +171,8 @@ class BatteryRunTest {
     private static double criticalPercent(TrackPoint at, TrackPoint home) {
         double wayM = Math.hypot(at.eastM() - home.eastM(), at.northM() - home.northM());
         return Math.max(
-                BoatDefaults.CRITICAL_BATTERY_PERCENT,
-                BoatDefaults.HOME_RESERVE_FACTOR * wayM / Range.METRES_PER_PERCENT);
+                BatteryDefaults.CRITICAL_PERCENT,
+                BatteryDefaults.HOME_RESERVE_FACTOR * wayM / Range.METRES_PER_PERCENT);
     }
 
     private static RunReport run(String charges, String... interrupts) {

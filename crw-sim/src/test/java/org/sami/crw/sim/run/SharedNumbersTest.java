@@ -7,7 +7,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import org.junit.jupiter.api.Test;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.service.reach.WayBack;
@@ -16,7 +16,7 @@ import org.sami.crw.service.reach.WayBack;
 class SharedNumbersTest {
     @Test
     void boatThatWouldComeHomeWithALowBatteryIsNamed() {
-        assertThat(WayBack.PLENTY_PERCENT).isEqualTo(BoatDefaults.LOW_BATTERY_PERCENT);
+        assertThat(WayBack.PLENTY_PERCENT).isEqualTo(BatteryDefaults.LOW_PERCENT);
     }
 
     @Test
@@ -29,8 +29,8 @@ class SharedNumbersTest {
         try (InputStream file = SharedNumbersTest.class.getResourceAsStream("/org/sami/domain/crw/authoring.json")) {
             JsonNode fields = new ObjectMapper().readTree(file).findParent("low");
 
-            assertThat(fields.get("low").get("value").asDouble()).isEqualTo(BoatDefaults.LOW_BATTERY_PERCENT);
-            assertThat(fields.get("critical").get("value").asDouble()).isEqualTo(BoatDefaults.CRITICAL_BATTERY_PERCENT);
+            assertThat(fields.get("low").get("value").asDouble()).isEqualTo(BatteryDefaults.LOW_PERCENT);
+            assertThat(fields.get("critical").get("value").asDouble()).isEqualTo(BatteryDefaults.CRITICAL_PERCENT);
         }
     }
 }

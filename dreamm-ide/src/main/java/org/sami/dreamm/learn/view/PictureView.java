@@ -21,7 +21,7 @@ import javax.swing.AbstractAction;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.sami.dreamm.learn.PictureLayout;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.picture.GraphicsCanvas;
 import org.sami.picture.NetFonts;
@@ -52,7 +52,7 @@ final class PictureView extends JPanel {
     private static final double REACH = 8;
     private static final double RING = 34;
 
-    private final transient IdentityMarks marks;
+    private final transient ProxyMarks marks;
     private final transient Plan plan;
     private final transient Vocabulary vocabulary;
     private transient NetScene scene;
@@ -68,7 +68,7 @@ final class PictureView extends JPanel {
     private boolean cursorAlways;
 
     /** The picture of a plan, where its author has laid it out. */
-    PictureView(Plan plan, Vocabulary vocabulary, IdentityMarks marks) {
+    PictureView(Plan plan, Vocabulary vocabulary, ProxyMarks marks) {
         super(null);
         this.marks = marks;
         this.plan = plan;

@@ -10,7 +10,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.learn.QuizModel;
 import org.sami.lessons.course.QuizQuestion;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
@@ -36,7 +36,7 @@ final class QuizView extends JPanel {
      * @param drawn the picture of the step, with the plan that it draws
      * @param changed is run when something else is chosen
      */
-    QuizView(QuizModel quiz, Optional<Drawn> drawn, IdentityMarks marks, Runnable changed) {
+    QuizView(QuizModel quiz, Optional<Drawn> drawn, ProxyMarks marks, Runnable changed) {
         super(new ColumnLayout(Spacing.NORMAL));
         this.quiz = quiz;
         this.changed = changed;
@@ -100,7 +100,7 @@ final class QuizView extends JPanel {
         changed.run();
     }
 
-    private void tokens(Drawn drawn, IdentityMarks marks) {
+    private void tokens(Drawn drawn, ProxyMarks marks) {
         PictureView view = drawn.view();
         view.setPickable(elements(drawn.plan(), QuizQuestion.Kind.PLACES), place -> {});
         var kinds = quiz.tokenKinds();

@@ -20,7 +20,7 @@ import org.sami.lessons.course.Picture;
 import org.sami.lessons.course.QuizQuestion;
 import org.sami.lessons.course.Step;
 import org.sami.lessons.course.Term;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -39,7 +39,7 @@ final class StepView extends ScrolledPanel {
     private final transient LessonModel model;
     private final transient LearnCommands commands;
     private final transient Consumer<String> openTerm;
-    private final transient IdentityMarks marks = new IdentityMarks();
+    private final transient ProxyMarks marks = new ProxyMarks();
     private transient Optional<PictureRun> run = Optional.empty();
     private transient Optional<PictureView> picture = Optional.empty();
     private transient Optional<QuizView> quiz = Optional.empty();

@@ -6,14 +6,14 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.learn.TokenDraft;
-import org.sami.palette.IdentityMarks;
+import org.sami.palette.ProxyMarks;
 import org.sami.spn.protocol.Token;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.Spacing;
 
 /** The tokens that can be put into the place at which the picture's cursor stands; their keys are the digits. */
 final class TokenButtons extends JPanel {
-    TokenButtons(List<Token> tokens, IdentityMarks marks, Consumer<Token> put, Runnable clear) {
+    TokenButtons(List<Token> tokens, ProxyMarks marks, Consumer<Token> put, Runnable clear) {
         super(new MigLayout("insets 0, gap " + Spacing.TIGHT + ", wrap 4"));
         setOpaque(false);
         setName("learn-tokens");

@@ -19,10 +19,10 @@ import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.Identity;
 import org.sami.boat.link.security.LinkRefusedException;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 
 /**
  * The phone's part in a pairing for which a base shows the code ({@code crw phone}): it calls the base, goes on only with the key that the code names, proves that
@@ -90,7 +90,7 @@ final class BaseCall {
         Pair asked = new Pair(boatName, code.words().proofOfBoat(base, boat), granted);
         link.out().write(LinkCodec.STANDARD.encode(0, asked));
         Paired answer = answer(link);
-        if (!WordSecret.isEqual(code.words().proofOfBase(base, boat), answer.proof())) {
+        if (!PairingSecret.isEqual(code.words().proofOfBase(base, boat), answer.proof())) {
             throw new LinkRefusedException("what answers there does not know the words: somebody may be in between");
         }
         boolean watches = granted == Role.OBSERVER || answer.role() == Role.OBSERVER;

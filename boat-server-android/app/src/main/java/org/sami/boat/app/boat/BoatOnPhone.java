@@ -31,9 +31,9 @@ import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.TrackingError;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
@@ -317,7 +317,7 @@ public final class BoatOnPhone implements Closeable {
             ServerConfig config = ServerConfig.of(settings.name(), bootId)
                     .home(home.originLatDeg(), home.originLonDeg())
                     .fullThrustSpeedMps(
-                            BoatDefaults.FULL_THRUST_SPEED_MPS * board.hull().safeMaximum())
+                            MotionDefaults.FULL_THRUST_SPEED_MPS * board.hull().safeMaximum())
                     .performance(board.hull().performance())
                     .trackingError(new TrackingError(errorM, USUAL_DRIFT_MPS))
                     .build();

@@ -12,8 +12,8 @@ import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.PairingCode;
 import org.sami.boat.link.security.PairingResponder;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
-import org.sami.boat.link.security.WordSecret;
 
 /**
  * The key of the boat on a phone, made at the first start, the bases that are paired with it, and the pairing of another one. All is in the app's private
@@ -25,7 +25,7 @@ public final class PhoneKeys {
     private final KeyRing ring;
     private final PairingResponder responder;
     private volatile boolean open;
-    private volatile Optional<WordSecret> words = Optional.empty();
+    private volatile Optional<PairingSecret> words = Optional.empty();
     private volatile long untilMs;
     private volatile Optional<NewBase> newBase = Optional.empty();
 
@@ -130,7 +130,7 @@ public final class PhoneKeys {
     }
 
     /** The words to be shown; empty where no pairing goes on, as after five wrong tries or when their time is over. */
-    public Optional<WordSecret> words(long nowMs) {
+    public Optional<PairingSecret> words(long nowMs) {
         return responder.isOpen(nowMs) ? words : Optional.empty();
     }
 
@@ -162,7 +162,7 @@ public final class PhoneKeys {
      */
     public void call(PairingCode code, Role granted) throws IOException {
         Peer base = new BaseCall(code, ring.identity(), boatName).prove(granted);
-        newBase = Optional.of(new NewBase(base, WordSecret.checkCode(base.fingerprint(), own()), false));
+        newBase = Optional.of(new NewBase(base, PairingSecret.checkCode(base.fingerprint(), own()), false));
     }
 
     /** The base that has proved itself last and whose check code nobody has looked at yet. */

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.regex.Pattern;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.BoatServerDefaults;
 
 /** Name and port of the boat on a phone, and the size of its log, kept over all starts and versions of the app. Immutable. */
 public final class PhoneSettings {
@@ -19,7 +19,7 @@ public final class PhoneSettings {
     public static final int MOST_PORT = 65_535;
 
     /** Size of a log in MiB that was not given another. */
-    public static final int USUAL_LOG_MEBIBYTES = (int) (BoatDefaults.LOG_BYTES >> 20);
+    public static final int USUAL_LOG_MEBIBYTES = (int) (BoatServerDefaults.LOG_BYTES >> 20);
 
     /** Largest log in MiB. */
     public static final int MOST_LOG_MEBIBYTES = 512;

@@ -24,8 +24,8 @@ import org.sami.boat.app.boat.PhoneKeys;
 import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.PairingCode;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
-import org.sami.boat.link.security.WordSecret;
 
 /**
  * Pairs bases with the boat and withdraws them. Words and code are shown while they count; leaving the screen ends that. It cannot be photographed by other apps.
@@ -153,7 +153,7 @@ public final class PairActivity extends Activity {
 
     private void show(BoatOnPhone boat) {
         PhoneKeys keys = boat.keys();
-        Optional<WordSecret> words = keys.words(boat.nowMs());
+        Optional<PairingSecret> words = keys.words(boat.nowMs());
         Optional<PhoneKeys.NewBase> base = keys.newBase();
         if (waits && !words.isPresent() && !base.isPresent()) {
             said = getString(R.string.pair_over);
@@ -188,7 +188,7 @@ public final class PairActivity extends Activity {
         return getString(R.string.pair_how) + (serves ? "" : "\n" + getString(R.string.pair_waits));
     }
 
-    private void showWords(BoatOnPhone boat, WordSecret secret) {
+    private void showWords(BoatOnPhone boat, PairingSecret secret) {
         text(R.id.words).setText(secret.toString());
         CodeView code = findViewById(R.id.code);
         Optional<PairingCode> said = boat.keys().code(address(boat), boat.nowMs());

@@ -11,7 +11,7 @@ import org.sami.boat.app.screen.StatusRow.Level;
 import org.sami.boat.hull.board.BoardState;
 import org.sami.boat.hull.position.Pose;
 import org.sami.boat.hull.position.PositionDoubt;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.link.BatteryDefaults;
 
 /** Puts the state of the boat into words. */
 final class StatusRows {
@@ -119,7 +119,7 @@ final class StatusRows {
         return row(
                 R.string.battery,
                 value,
-                level(boat.boardPercent(), BoatDefaults.LOW_BATTERY_PERCENT, BoatDefaults.CRITICAL_BATTERY_PERCENT));
+                level(boat.boardPercent(), BatteryDefaults.LOW_PERCENT, BatteryDefaults.CRITICAL_PERCENT));
     }
 
     private StatusRow phone(PhoneStatus boat) {

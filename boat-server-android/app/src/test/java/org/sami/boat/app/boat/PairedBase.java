@@ -16,9 +16,9 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.Identity;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 
 /** A base with a key of its own, which talks to one boat on loopback over TLS, a link for each talk. For one thread. */
 public final class PairedBase {
@@ -51,7 +51,7 @@ public final class PairedBase {
     }
 
     /** What the boat answers a base that knows these words. */
-    public LinkMessage pair(WordSecret words) throws IOException, LinkException {
+    public LinkMessage pair(PairingSecret words) throws IOException, LinkException {
         return ask(
                 link -> new Pair("laptop", words.proofOfBase(key(), link.peer().orElseThrow())));
     }
@@ -90,7 +90,7 @@ public final class PairedBase {
 
     /** The check code that it shows. */
     public String checkCode(Fingerprint ofBoat) {
-        return WordSecret.checkCode(key(), ofBoat);
+        return PairingSecret.checkCode(key(), ofBoat);
     }
 
     /** What is said over a link that stands. */

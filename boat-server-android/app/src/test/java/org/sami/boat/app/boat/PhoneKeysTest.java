@@ -23,7 +23,7 @@ import org.sami.boat.link.Welcome;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.PairingCode;
 import org.sami.boat.link.security.PairingResponder;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.testing.Await;
 
 /** Who reaches the boat of a phone, over real links on loopback. */
@@ -67,7 +67,7 @@ class PhoneKeysTest {
         return new PairedBase(boat.status().port(), "anna");
     }
 
-    private static WordSecret words(BoatOnPhone boat) {
+    private static PairingSecret words(BoatOnPhone boat) {
         return boat.keys().words(boat.nowMs()).orElseThrow();
     }
 
@@ -127,7 +127,7 @@ class PhoneKeysTest {
     void wordsOfAPairingThatWasEndedCountNoLonger() throws Exception {
         try (BoatOnPhone boat = begin()) {
             boat.keys().beginPairing(Role.COMMANDER, boat.nowMs());
-            WordSecret shown = words(boat);
+            PairingSecret shown = words(boat);
             boat.keys().endPairing(boat.nowMs());
 
             assertThat(((Goodbye) base(boat).pair(shown)).reason()).contains("count no longer");

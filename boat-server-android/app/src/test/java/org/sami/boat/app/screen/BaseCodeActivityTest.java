@@ -36,7 +36,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.PairingCode;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.phone.PhoneOffer;
 
@@ -219,7 +219,7 @@ public class BaseCodeActivityTest {
     @Test
     public void oldCodeIsRefusedInTheWordsOfTheBase() throws Exception {
         PairingCode now = PairingCode.parse(code());
-        open(new PairingCode(now.address(), now.boatName(), now.key(), WordSecret.random()).toString());
+        open(new PairingCode(now.address(), now.boatName(), now.key(), PairingSecret.random()).toString());
         press(R.id.pair);
 
         untilSaid("ann at base: the words are not those of the code");

@@ -37,7 +37,7 @@ import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.hull.position.GpsFix;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.Welcome;
-import org.sami.boat.link.security.WordSecret;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.testing.Await;
 
 /** Pairing as a person on board does it, with a base on loopback; TLS is the phone's own, Conscrypt. */
@@ -123,7 +123,7 @@ public class PairActivityTest {
         press(R.id.begin);
         assertThat(isShown(R.id.code)).isTrue();
 
-        laptop.pair(WordSecret.parse(text(R.id.words)));
+        laptop.pair(PairingSecret.parse(text(R.id.words)));
         passHalfASecond();
         assertThat(isShown(R.id.words)).isFalse();
         assertThat(text(R.id.check_code))
@@ -151,7 +151,7 @@ public class PairActivityTest {
         PairedBase laptop = base();
         press(R.id.observer);
         press(R.id.begin);
-        laptop.pair(WordSecret.parse(text(R.id.words)));
+        laptop.pair(PairingSecret.parse(text(R.id.words)));
         passHalfASecond();
         assertThat(text(R.id.state)).contains("may watch");
 

@@ -22,9 +22,9 @@ import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.TrackingError;
-import org.sami.boat.server.BoatDefaults;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerLog;
@@ -167,7 +167,7 @@ public final class HullBoat implements Closeable {
         ServerConfig config = ServerConfig.of(name, bootId)
                 .lostLinkAction(lostLink)
                 .fullThrustSpeedMps(
-                        BoatDefaults.FULL_THRUST_SPEED_MPS * vehicle.hull().safeMaximum())
+                        MotionDefaults.FULL_THRUST_SPEED_MPS * vehicle.hull().safeMaximum())
                 .performance(vehicle.hull().performance())
                 .trackingError(new TrackingError(errorM, USUAL_DRIFT_MPS))
                 .build();

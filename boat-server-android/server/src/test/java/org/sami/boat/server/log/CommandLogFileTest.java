@@ -22,7 +22,7 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.BoatDefaults;
+import org.sami.boat.server.BoatServerDefaults;
 
 class CommandLogFileTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.12345678901234, 10, 1.5));
@@ -35,7 +35,7 @@ class CommandLogFileTest {
     }
 
     private LogPlace place() {
-        return new LogPlace(file(), BoatDefaults.LOG_BYTES);
+        return new LogPlace(file(), BoatServerDefaults.LOG_BYTES);
     }
 
     private CommandLogFile open(String bootId, List<LoggedCommand> earlier) throws IOException {

@@ -40,10 +40,10 @@ import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.link.security.KeyRing;
 import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.PairingResponder;
+import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.boat.link.security.WordSecret;
 import org.sami.boat.server.testing.Await;
 
 /** A boat with keys obeys only whom it knows, and says so to all others; whoever tries to get around that disturbs nobody. */
@@ -187,7 +187,7 @@ class ProtectedLinkTest {
 
     @Test
     void strangerIsPairedWithTheWordsAndCommandsOverTheSameLink() throws Exception {
-        WordSecret words = responder.open(Role.COMMANDER, 0);
+        PairingSecret words = responder.open(Role.COMMANDER, 0);
         KeyRing laptop = KeyRing.inMemory();
         Linked linked = new Linked(laptop);
         linked.say(new Pair(

@@ -27,7 +27,7 @@ import org.sami.ui.look.WidthTrackingPanel;
  * The selected boat: why it moves or not, its command queue, what is to be so before it is launched, driving by hand, its settings, and what
  * else can be done with it.
  */
-public final class BoatPanel extends FoldingPanel {
+public final class SelectedBoatPanel extends FoldingPanel {
     private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3, wrap 1";
     private static final String LOW_HEAD = "insets 4 12 4 12, fillx, hidemode 3";
     private static final String QUEUE = "hmin 60"; // a whole row below the titles of the columns
@@ -50,7 +50,7 @@ public final class BoatPanel extends FoldingPanel {
     private final transient Fold low = foldBelowHeight(LOW, this::foldHead);
 
     /** The panel of whichever boat is selected first. */
-    public BoatPanel(OperatorContext context) {
+    public SelectedBoatPanel(OperatorContext context) {
         super(new BorderLayout());
         this.context = context;
         BoatControl control = new BoatControl(context);
@@ -127,7 +127,7 @@ public final class BoatPanel extends FoldingPanel {
         }
         BoatSnapshot now = boat.get();
         name.setText(now.boat());
-        name.setIcon(BoatTables.icon(context, now.boat()));
+        name.setIcon(BoatNameColumn.icon(context, now.boat()));
         why.setText(context.sayOf(now.boat(), BoatWords.state(now)));
         why.setToolTipText(why.getText());
         LookColors.foreground(why, BoatWords.color(BoatWords.trouble(now)));

@@ -10,17 +10,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The 1,024 words of which pairing secrets are made: plain English, four to eight letters, no two with the same first four letters. */
-final class PairingWords {
+final class PairingWordList {
     /** No two words begin with the same letters, so many. */
     static final int PREFIX = 4;
 
     private static final List<String> WORDS = read();
 
-    private PairingWords() {}
+    private PairingWordList() {}
 
     private static List<String> read() {
         List<String> words = new ArrayList<>();
-        try (InputStream in = PairingWords.class.getResourceAsStream("pairing-words.txt")) {
+        try (InputStream in = PairingWordList.class.getResourceAsStream("pairing-words.txt")) {
             if (in == null) {
                 throw new IllegalStateException("the words for pairing are not in this program");
             }

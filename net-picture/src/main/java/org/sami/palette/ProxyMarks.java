@@ -8,7 +8,7 @@ import java.util.TreeSet;
  * Which mark each proxy has. One that was given a mark keeps it for good; those that are only asked about have the next ones, by name, so that they can be shown
  * at once. One for all views of a window; on the event thread.
  */
-public final class IdentityMarks {
+public final class ProxyMarks {
     private final Set<String> given = new LinkedHashSet<>();
     private final Set<String> asked = new TreeSet<>();
 

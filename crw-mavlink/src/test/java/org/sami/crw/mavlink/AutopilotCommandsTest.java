@@ -31,7 +31,7 @@ import org.sami.mavlink.testing.SmallBoat;
 
 /** Orders that a later one, the vehicle or another ground station prevents, and impossible reports, on a simulated vehicle. */
 @Timeout(900)
-class VehicleOrdersTest {
+class AutopilotCommandsTest {
     private static final int MANUAL = 0;
     private static final int HOLD = 4;
     private static final int LOITER = 5;

@@ -13,24 +13,24 @@ import javax.crypto.spec.SecretKeySpec;
  * The secret of one pairing: six words that a boat shows and a person enters at the base. Whoever knows it proves that by a code over the two keys of the link, so that
  * nobody in between can pass a proof on: the keys of its links are other ones. Immutable.
  */
-public final class WordSecret {
+public final class PairingSecret {
     /** Number of words. */
     public static final int WORDS = 6;
 
     private final String words;
 
-    private WordSecret(String words) {
+    private PairingSecret(String words) {
         this.words = words;
     }
 
     /** New words by chance. */
-    public static WordSecret random() {
+    public static PairingSecret random() {
         SecureRandom random = new SecureRandom();
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < WORDS; i++) {
-            text.append(i == 0 ? "" : " ").append(PairingWords.word(random.nextInt(PairingWords.size())));
+            text.append(i == 0 ? "" : " ").append(PairingWordList.word(random.nextInt(PairingWordList.size())));
         }
-        return new WordSecret(text.toString());
+        return new PairingSecret(text.toString());
     }
 
     /**
@@ -38,7 +38,7 @@ public final class WordSecret {
      *
      * @throws IllegalArgumentException naming the word that is none of the list, or how many are missing
      */
-    public static WordSecret parse(String typed) {
+    public static PairingSecret parse(String typed) {
         String[] parts = typed.trim().toLowerCase(Locale.ROOT).split("[^a-z]+");
         if (parts.length != WORDS) {
             throw new IllegalArgumentException(
@@ -46,21 +46,21 @@ public final class WordSecret {
         }
         StringBuilder text = new StringBuilder();
         for (String part : parts) {
-            text.append(text.length() == 0 ? "" : " ").append(PairingWords.find(part));
+            text.append(text.length() == 0 ? "" : " ").append(PairingWordList.find(part));
         }
-        return new WordSecret(text.toString());
+        return new PairingSecret(text.toString());
     }
 
     /** The words of the list that begin so, in order; at most so many. For completion while a person types. */
     public static List<String> beginningWith(String letters, int most) {
-        return PairingWords.beginningWith(letters.toLowerCase(Locale.ROOT), most);
+        return PairingWordList.beginningWith(letters.toLowerCase(Locale.ROOT), most);
     }
 
     /** The first four letters of each word, with dots between them; {@link #parse} takes it. */
     public String shortText() {
         StringBuilder text = new StringBuilder();
         for (String word : words.split(" ")) {
-            text.append(text.length() == 0 ? "" : ".").append(word, 0, PairingWords.PREFIX);
+            text.append(text.length() == 0 ? "" : ".").append(word, 0, PairingWordList.PREFIX);
         }
         return text.toString();
     }
@@ -104,7 +104,7 @@ public final class WordSecret {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof WordSecret && ((WordSecret) other).words.equals(words);
+        return other instanceof PairingSecret && ((PairingSecret) other).words.equals(words);
     }
 
     @Override

@@ -1,7 +1,7 @@
 package org.sami.crw.operator.alarm;
 
 /** Limits beyond which the operator is warned of a boat. No plan and no option sets them. {@code crw defaults} prints them. */
-public final class AlarmDefaults {
+public final class AlarmLimits {
     /** A linked boat that says for this time, in ms, nothing of its position raises an alarm. */
     public static final long POSITION_STALE_AFTER_MS = 5_000;
 
@@ -35,5 +35,5 @@ public final class AlarmDefaults {
     /** A heading that differs from the boat's course by more than this, in degrees, is doubtful. */
     public static final double WRONG_COURSE_DEG = 60;
 
-    private AlarmDefaults() {}
+    private AlarmLimits() {}
 }

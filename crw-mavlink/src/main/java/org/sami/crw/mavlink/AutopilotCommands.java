@@ -33,7 +33,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * What the base asks of a boat, as an autopilot does it (the table of docs/mavlink.md): paths as missions in AUTO, a single place in GUIDED, keeping a place in
  * LOITER, by hand in MANUAL, stop as disarmed in HOLD. Motors are armed only by these orders. For the gateway's thread.
  */
-final class VehicleOrders {
+final class AutopilotCommands {
     private final VehicleMotion motion;
     private final VehiclePaths paths;
     private final VehicleSettings settings;
@@ -45,7 +45,7 @@ final class VehicleOrders {
     /** A list that came while the vehicle was being stopped. */
     private record Delayed(UploadWaypoints upload, Consumer<LinkMessage> answer) {}
 
-    VehicleOrders(
+    AutopilotCommands(
             MavlinkBase base,
             VehicleSnapshot first,
             Executor thread,

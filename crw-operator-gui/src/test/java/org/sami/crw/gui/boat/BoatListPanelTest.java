@@ -29,11 +29,11 @@ import org.sami.ui.look.Look;
 
 @Isolated("the look is one for all windows of a process")
 @Timeout(900)
-class BoatsPanelTest {
+class BoatListPanelTest {
     @Test
     void aBoatThatIsGoneIsSelectedNoLonger() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert")) {
-            laidOut(() -> new BoatsPanel(world.context));
+            laidOut(() -> new BoatListPanel(world.context));
             onEventThread(() -> {
                 world.context.boats().select(List.of("anna", "bert"));
                 return null;
@@ -54,7 +54,7 @@ class BoatsPanelTest {
                 ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             BoatAddress nobody = new BoatAddress("127.0.0.1", taken.getLocalPort());
             taken.close();
-            BoatsPanel panel = laidOut(() -> new BoatsPanel(world.context));
+            BoatListPanel panel = laidOut(() -> new BoatListPanel(world.context));
             world.session.fleet().connect(nobody);
 
             shows(panel, nobody + "|△ " + nobody + " · no answer · connection refused · tried ");
@@ -70,7 +70,7 @@ class BoatsPanelTest {
         }
     }
 
-    private static void shows(BoatsPanel panel, String text) {
+    private static void shows(BoatListPanel panel, String text) {
         until(text, () -> {
             panel.refresh();
             return rows(panel, "boats-table").contains(text);
@@ -83,7 +83,7 @@ class BoatsPanelTest {
     void boatsAreSeenWithWhatTheyDoAndTheirCharge(int percent, int width, int height, int rows) throws Exception {
         try (TextScale scale = TextScale.percent(percent);
                 SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert", "carl", "dora")) {
-            BoatsPanel panel = onEventThread(() -> new BoatsPanel(world.context));
+            BoatListPanel panel = onEventThread(() -> new BoatListPanel(world.context));
             JTable table = find(panel, "boats-table", JTable.class);
             until("boats are listed", () -> {
                 onEventThread(() -> {

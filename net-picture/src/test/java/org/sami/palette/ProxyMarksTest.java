@@ -6,10 +6,10 @@ import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-class IdentityMarksTest {
+class ProxyMarksTest {
     @Test
     void whoIsOnlyAskedAboutHasAMarkByName() {
-        IdentityMarks marks = new IdentityMarks();
+        ProxyMarks marks = new ProxyMarks();
         marks.of("carl");
         marks.of("anna");
 
@@ -19,7 +19,7 @@ class IdentityMarksTest {
 
     @Test
     void whoWasGivenAMarkKeepsItWhoeverComes() {
-        IdentityMarks marks = new IdentityMarks();
+        ProxyMarks marks = new ProxyMarks();
         marks.of("carl");
         marks.give("dora");
         marks.give("bert");

@@ -11,7 +11,7 @@ import org.sami.mavlink.vehicle.VehicleId;
  * Which ground station commands the boat, if any. A base of ours comes first: while it commands, and for some time after its link was lost, stations only watch;
  * a station that wants to command has the base's operator asked. For the boat's thread.
  */
-final class StationCommand {
+final class CommandingStation {
     /** For so long after its link was lost a base keeps the command, in ms: a short break of a radio hands nothing over. */
     static final long KEPT_MS = 30_000;
 
@@ -40,7 +40,7 @@ final class StationCommand {
      *
      * @param commandChanged receives whether ground stations command the boat, at each change
      */
-    StationCommand(BoatClient boat, String name, Voice voice, Consumer<Boolean> commandChanged, long nowMs) {
+    CommandingStation(BoatClient boat, String name, Voice voice, Consumer<Boolean> commandChanged, long nowMs) {
         this.boat = boat;
         this.name = name;
         this.voice = voice;

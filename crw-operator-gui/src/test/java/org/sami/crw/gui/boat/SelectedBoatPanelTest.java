@@ -24,13 +24,13 @@ import org.sami.spn.value.GeoPoint;
 
 /** The panel of a boat over a real session: what is asked of the boat is answered by its server. */
 @Timeout(900)
-class BoatPanelTest {
+class SelectedBoatPanelTest {
     private static final GeoPoint FAR = GeoPoint.of(45.402, 10.9);
 
     @Test
     void aSettingIsInForceWhenTheBoatHasTakenItAndSaysWhyNot() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
-            BoatPanel panel = panel(world, "anna");
+            SelectedBoatPanel panel = panel(world, "anna");
             until(
                     panel,
                     "it says what is in force",
@@ -64,7 +64,7 @@ class BoatPanelTest {
     @Test
     void aClearedBlockGivesTheBoatToOthersAndACancelledCommandFails() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
-            BoatPanel panel = panel(world, "anna");
+            SelectedBoatPanel panel = panel(world, "anna");
             SessionWorld.get(world.session.fleet().ask(boats -> {
                 boats.find("anna").orElseThrow().commands().submit(new Stop("keep", 7, 7, Priority.LOW, true));
                 return null;
@@ -104,7 +104,7 @@ class BoatPanelTest {
     @Test
     void theChecklistSaysWhatIsMissingUntilTheMotorWasTried() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
-            BoatPanel panel = panel(world, "anna");
+            SelectedBoatPanel panel = panel(world, "anna");
             until(
                     panel,
                     "only the motor is missing",
@@ -132,7 +132,7 @@ class BoatPanelTest {
     @Test
     void theStickDrivesTheBoatUntilItIsGivenBack() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
-            BoatPanel panel = panel(world, "anna");
+            SelectedBoatPanel panel = panel(world, "anna");
             StickView stick = SessionWorld.find(panel, "boat-stick", StickView.class);
             onEventThread(() -> {
                 stick.setSize(148, 148);
@@ -166,8 +166,8 @@ class BoatPanelTest {
         return world.context.models().fleet().boat("anna").orElseThrow();
     }
 
-    private static BoatPanel panel(SessionWorld world, String boat) {
-        BoatPanel panel = laidOut(() -> new BoatPanel(world.context));
+    private static SelectedBoatPanel panel(SessionWorld world, String boat) {
+        SelectedBoatPanel panel = laidOut(() -> new SelectedBoatPanel(world.context));
         onEventThread(() -> {
             world.context.boats().select(List.of(boat));
             return null;
@@ -175,7 +175,7 @@ class BoatPanelTest {
         return panel;
     }
 
-    private static void until(BoatPanel panel, String what, BooleanSupplier condition) {
+    private static void until(SelectedBoatPanel panel, String what, BooleanSupplier condition) {
         SessionWorld.until(what, () -> {
             panel.refresh();
             return condition.getAsBoolean();

@@ -18,7 +18,7 @@ import org.sami.boat.server.ServerSession;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** Who commands, in the boat's time. */
-class StationCommandTest {
+class CommandingStationTest {
     private static final VehicleId STATION = new VehicleId(255, 190);
     private static final VehicleId OTHER = new VehicleId(254, 190);
 
@@ -30,8 +30,8 @@ class StationCommandTest {
     private long nowMs = 1_000;
     private final BoatClient client = new BoatClient(boat, nowMs);
     private final List<String> said = new ArrayList<>();
-    private final StationCommand command =
-            new StationCommand(client, "anna", (severity, text) -> said.add(text), commands -> {}, nowMs);
+    private final CommandingStation command =
+            new CommandingStation(client, "anna", (severity, text) -> said.add(text), commands -> {}, nowMs);
 
     private void pass(long millis) {
         for (long end = nowMs + millis; nowMs < end; nowMs += 100) {
@@ -59,7 +59,7 @@ class StationCommandTest {
         pass(20_000);
         assertThat(command.take(STATION, nowMs))
                 .hasValueSatisfying(why -> assertThat(why).startsWith("base1 commands anna, lost 20 s ago"));
-        pass(StationCommand.KEPT_MS);
+        pass(CommandingStation.KEPT_MS);
         assertThat(command.take(STATION, nowMs)).isEmpty();
         assertThat(boat.commandedBy()).contains(BoatClient.NAME);
         assertThat(said).containsExactly("base1 commands anna; ground stations watch", "ground stations command anna");

@@ -20,7 +20,7 @@ import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
 /** The boats, worst first: what each does or why it stands, charge, speed, path, age of the link. Shows each in its own mark. */
-public final class BoatsPanel extends JPanel {
+public final class BoatListPanel extends JPanel {
     private static final int ALTITUDE_COLUMN = 3; // behind the battery
 
     private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
@@ -39,7 +39,7 @@ public final class BoatsPanel extends JPanel {
     }
 
     /** The boats of the session. */
-    public BoatsPanel(OperatorContext context) {
+    public BoatListPanel(OperatorContext context) {
         super(new BorderLayout());
         this.context = context;
         table = new RowTable<>(
@@ -51,7 +51,7 @@ public final class BoatsPanel extends JPanel {
                 columns(context));
         table.showOneLine();
         table.table().getAccessibleContext().setAccessibleName(context.say("Boats"));
-        BoatTables.shareSelection(context, table, Shown::name);
+        BoatNameColumn.shareSelection(context, table, Shown::name);
         Command giveUp = context.commands()
                 .add(new Command("address-give-up", "Give up the address", this::giveUpAddress)
                         .withKey("alt shift X")
@@ -70,7 +70,7 @@ public final class BoatsPanel extends JPanel {
 
     private List<RowColumn<Shown>> columns(OperatorContext of) {
         List<RowColumn<Shown>> columns = new ArrayList<>(List.of(
-                BoatTables.names(of, Shown::name),
+                BoatNameColumn.names(of, Shown::name),
                 RowColumn.<Shown>words(
                                 "What it does", 0, shown -> of.sayOf(shown.name(), BoatWords.brief(shown.boat())))
                         .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),

@@ -14,11 +14,11 @@ import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
 /** What all tables with a row for each boat share: the column of names with their marks, and the session's selection. */
-public final class BoatTables {
+public final class BoatNameColumn {
     private static final int NAME_WIDTH = 92;
     private static final int KIND_PX = 14;
 
-    private BoatTables() {}
+    private BoatNameColumn() {}
 
     /**
      * The column with each boat's mark and name; what is no boat yet has no mark.
