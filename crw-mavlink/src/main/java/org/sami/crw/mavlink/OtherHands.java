@@ -1,12 +1,16 @@
 package org.sami.crw.mavlink;
 
 import java.util.Locale;
+import java.util.Set;
 import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** Names who has taken a vehicle from the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread. */
 final class OtherHands {
     private static final long WORDS_MS = 4_000; // between a failsafe's words and its mode
+
+    /** In these it obeys sticks only. */
+    private static final Set<String> BY_STICKS = Set.of("MANUAL", "ACRO", "STEERING", "SIMPLE");
 
     private String words = ""; // of its last failsafe
     private long saidMs;
@@ -23,6 +27,11 @@ final class OtherHands {
     /** Whether it carries out a failsafe for want of charge. */
     boolean isBatteryFailsafe(VehicleSnapshot vehicle) {
         return vehicle.health().failsafe() && words.toLowerCase(Locale.ROOT).contains("batt");
+    }
+
+    /** Who drives a vehicle by hand that no base of this process has commanded yet; empty if nobody does. */
+    String driver(VehicleSnapshot vehicle, long atMs) {
+        return vehicle.armed() && BY_STICKS.contains(vehicle.mode()) ? who(vehicle, atMs) : "";
     }
 
     /** Who has changed its state, in words for the operator. */

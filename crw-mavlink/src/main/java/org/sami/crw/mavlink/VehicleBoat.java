@@ -140,13 +140,20 @@ final class VehicleBoat implements BaseSession.Boat {
         return orders.isBusy();
     }
 
-    /** The base has a new connection to it; the earlier one is ended. */
-    void connect(VehicleConnection connection) {
+    /** The base has a new connection to it; the earlier one is ended. Who drives it by hand keeps it, also from the first base of this process. */
+    void connect(VehicleConnection connection, long atMs) {
         session.ifPresent(before -> before.end("the base has connected again"));
-        BaseSession next = new BaseSession(
-                this, connection, session.map(BaseSession::takenBy).orElse(""));
+        String takenBy = session.map(BaseSession::takenBy).orElseGet(() -> others.driver(vehicle, atMs));
+        BaseSession next = new BaseSession(this, connection, takenBy);
         session = Optional.of(next);
         connection.open(next);
+        if (!takenBy.isEmpty()) {
+            sayTaken(next, takenBy);
+        }
+    }
+
+    private void sayTaken(BaseSession to, String who) {
+        to.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
     }
 
     /** The fence that it is to hold by itself; empty for none of the session's. */
@@ -166,7 +173,7 @@ final class VehicleBoat implements BaseSession.Boat {
         if (orders.reported(now, atMs)) {
             String who = others.who(now, atMs);
             session.ifPresent(told -> {
-                told.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
+                sayTaken(told, who);
                 told.takenBy(who);
             });
         }

@@ -122,7 +122,7 @@ final class VehicleLink {
         Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(vehicle.id().system()));
         if (boat.filter(VehicleBoat::isKnown).isPresent()) {
             waiting.remove(one);
-            boat.get().connect(one.connection);
+            boat.get().connect(one.connection, atMs);
         } else if (heard.filter(vehicle -> !isBoat(vehicle)).isPresent()) {
             waiting.remove(one);
             one.connection.end("vehicle " + heard.get().id() + " is a "

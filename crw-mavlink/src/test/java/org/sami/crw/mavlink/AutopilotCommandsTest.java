@@ -273,7 +273,7 @@ class AutopilotCommandsTest {
     @Test
     void vehicleThatDisarmsItselfAtTheStartIsNamedSo() {
         assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
-        boat.disarmsItself();
+        boat.faults().disarmsItself();
 
         assertThat(client.ask(new StartWaypoints("start", "first", 0)))
                 .isInstanceOfSatisfying(
@@ -281,5 +281,18 @@ class AutopilotCommandsTest {
                         nack -> assertThat(nack.detail())
                                 .isEqualTo("vehicle 5 accepts, but does not come into mode AUTO, armed:"
                                         + " it is in mode AUTO, disarmed"));
+    }
+
+    @Test
+    void whoDrivesItByHandKeepsItFromABaseThatComes() {
+        client.close();
+        boat.takenByPilot(MANUAL, true);
+
+        client = new LinkClient(folder, boat.address() + "/5");
+
+        assertThat(client.isObserver()).isTrue();
+        client.untilAlarm("mav5 is taken by a pilot or another ground station (MANUAL): its missions wait until you");
+        client.takeCommand();
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
     }
 }

@@ -109,8 +109,7 @@ public final class SmallBoat implements AutoCloseable {
     private int mode = SmallBoatMotion.HOLD;
     private boolean armed;
     private boolean silent;
-    private boolean stuck;
-    private boolean disarmsItself;
+    private final SmallBoatFaults faults = new SmallBoatFaults();
     private boolean failsafe;
     private boolean beating = true;
     private boolean placed = true;
@@ -248,14 +247,24 @@ public final class SmallBoat implements AutoCloseable {
         silent = now;
     }
 
-    /** Does not move from now on, whatever it is ordered; or moves again. */
-    public synchronized void stuck(boolean now) {
-        stuck = now;
+    /** What does not work on it or its link. */
+    public SmallBoatFaults faults() {
+        return faults;
     }
 
-    /** Disarms itself from now on as soon as it was armed, as ArduPilot does where its main loop stands still. */
-    public synchronized void disarmsItself() {
-        disarmsItself = true;
+    /** Cuts its link, and each new connection, until they are let through again. */
+    public void cut(boolean now) throws IOException {
+        faults.cut(now);
+        if (now) {
+            synchronized (this) {
+                client.close();
+            }
+        }
+    }
+
+    /** Sends a message of the library, whatever it says. */
+    public synchronized void sends(Object payload) {
+        send(payload);
     }
 
     /** Sends no heartbeats from now on, or again. */
@@ -330,6 +339,9 @@ public final class SmallBoat implements AutoCloseable {
     private void serve() {
         while (!server.isClosed()) {
             try (Socket socket = server.accept()) {
+                if (faults.isCut()) {
+                    continue;
+                }
                 socket.setTcpNoDelay(true);
                 MavlinkConnection open = MavlinkConnection.create(socket.getInputStream(), socket.getOutputStream());
                 synchronized (this) {
@@ -337,7 +349,10 @@ public final class SmallBoat implements AutoCloseable {
                     codec = open;
                 }
                 for (MavlinkMessage<?> message = open.next(); message != null; message = open.next()) {
-                    take(message.getPayload());
+                    faults.awaitThaw();
+                    if (!faults.isDeaf()) {
+                        take(message.getPayload());
+                    }
                 }
             } catch (IOException e) {
                 // this client is gone; the next may come
@@ -365,7 +380,7 @@ public final class SmallBoat implements AutoCloseable {
             report(set.paramId());
         } else if (isAboutFence(message)) {
             fence.take(STATION, message, bootMs);
-        } else {
+        } else if (!faults.isIgnoringMissions()) {
             mission.answers(message).forEach(this::send);
         }
     }
@@ -411,7 +426,7 @@ public final class SmallBoat implements AutoCloseable {
                     return false;
                 }
                 armings += first > 0 && !armed ? 1 : 0;
-                armed = first > 0 && !disarmsItself;
+                armed = first > 0 && faults.isArmable();
                 return true;
             }
             case SET_CURRENT -> mission.setCurrent((int) first);
@@ -439,9 +454,12 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private synchronized void step() {
+        if (faults.isFrozen()) {
+            return;
+        }
         bootMs += STEP_MS;
         fence.tick(bootMs);
-        if (armed && !stuck) {
+        if (armed && !faults.isStuck()) {
             motion.step(mode, mission, STEP_MS / 1000.0)
                     .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
         }

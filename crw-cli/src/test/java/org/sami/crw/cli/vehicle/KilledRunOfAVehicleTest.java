@@ -55,14 +55,15 @@ class KilledRunOfAVehicleTest {
             first.destroyForcibly().waitFor();
             int killed = boat.visited().size();
             Await.until("it drives on by itself", WAIT_S, () -> boat.visited().size() > killed + 20);
-            boat.stuck(
-                    true); // the next process may start slowly, and the vehicle is not to come to the end of its part
+            boat.faults()
+                    .stuck(true); // the next process may start slowly, and the vehicle is not to come to the end of
+            // its part
 
             Process second = crw("second", "resume", journal.toString());
             int alone = boat.visited().size();
             Await.until("it is taken up where it is", WAIT_S, () -> visitedBy("second") >= alone - 1);
             assertThat(boat.uploads()).isEqualTo(1);
-            boat.stuck(false);
+            boat.faults().stuck(false);
 
             assertThat(second.waitFor()).isZero();
             assertThat(boat.visited()).hasSize(LOCATIONS).doesNotHaveDuplicates();

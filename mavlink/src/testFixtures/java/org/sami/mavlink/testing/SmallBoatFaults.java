@@ -1,0 +1,79 @@
+package org.sami.mavlink.testing;
+
+/** What does not work on a {@link SmallBoat}, or on its link. Safe for use by several threads. */
+public final class SmallBoatFaults {
+    private boolean stuck;
+    private boolean disarmsItself;
+    private boolean cut;
+    private boolean frozen;
+    private boolean deaf;
+    private boolean ignoresMissions;
+
+    SmallBoatFaults() {}
+
+    /** It does not move from now on, whatever it is ordered; or moves again. */
+    public synchronized void stuck(boolean now) {
+        stuck = now;
+    }
+
+    synchronized boolean isStuck() {
+        return stuck || frozen;
+    }
+
+    /** It disarms itself from now on as soon as it was armed, as ArduPilot does where its main loop stands still. */
+    public synchronized void disarmsItself() {
+        disarmsItself = true;
+    }
+
+    synchronized boolean isArmable() {
+        return !disarmsItself;
+    }
+
+    /** Its link is cut from now on, and each new connection at once; or it takes connections again. */
+    public synchronized void cut(boolean now) {
+        cut = now;
+    }
+
+    synchronized boolean isCut() {
+        return cut;
+    }
+
+    /** Its process stands still, as after {@code kill -STOP}: what comes waits, and is taken when it goes on. */
+    public synchronized void frozen(boolean now) {
+        frozen = now;
+        notifyAll();
+    }
+
+    synchronized boolean isFrozen() {
+        return frozen;
+    }
+
+    /** Returns once its process goes on. */
+    synchronized void awaitThaw() {
+        try {
+            while (frozen) {
+                wait();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Nothing that is sent reaches it from now on, as if the sender had died; or it hears again. */
+    public synchronized void deaf(boolean now) {
+        deaf = now;
+    }
+
+    synchronized boolean isDeaf() {
+        return deaf;
+    }
+
+    /** It answers nothing about missions from now on, or answers again. */
+    public synchronized void ignoresMissions(boolean now) {
+        ignoresMissions = now;
+    }
+
+    synchronized boolean isIgnoringMissions() {
+        return ignoresMissions;
+    }
+}
