@@ -27,11 +27,13 @@ import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
  * What the base asks of a boat, as an autopilot does it (the table of docs/mavlink.md): paths as missions in AUTO, a single place in GUIDED, keeping a place in
- * LOITER, by hand in MANUAL, stop as disarmed in HOLD. Motors are armed only by these orders. For the gateway's thread.
+ * LOITER, by hand in MANUAL, stop as disarmed in HOLD; of a copter as {@link CopterMotion} says. Motors are armed only by these orders. For the gateway's
+ * thread.
  */
 final class AutopilotCommands {
     private final VehicleMotion motion;
@@ -57,7 +59,9 @@ final class AutopilotCommands {
         this.settings = settings;
         this.broadcast = broadcast;
         this.keep = keep;
-        motion = new VehicleMotion(base, first, thread);
+        motion = first.kind() == VehicleKind.COPTER
+                ? new CopterMotion(base, first, thread)
+                : new VehicleMotion(base, first, thread);
         paths = new VehiclePaths(base, motion, thread, broadcast, this::remember, alarm, kept);
         stoppedBy = kept.stoppedBy();
     }
@@ -72,8 +76,8 @@ final class AutopilotCommands {
         }
         return switch (now.mode()) {
             case VehicleMotion.AUTO, VehicleMotion.GUIDED -> paths.isAtEnd() ? BoatMode.HOLD : BoatMode.PATH;
-            case VehicleMotion.LOITER -> BoatMode.HOLD;
-            case "RTL", "SMART_RTL" -> BoatMode.RETURN;
+            case VehicleMotion.LOITER, CopterMotion.BRAKE -> BoatMode.HOLD;
+            case "RTL", "SMART_RTL", "LAND" -> BoatMode.RETURN;
             case VehicleMotion.HOLD, "INITIALIZING" -> BoatMode.STOPPED;
             default -> BoatMode.TELEOPERATION;
         };
@@ -94,8 +98,7 @@ final class AutopilotCommands {
         Gains own = new Gains(0, 0, 0);
         LostLinkAction lostLink =
                 settings.lostLink().orElse(LostLinkAction.CONTINUE); // it goes on unless it says otherwise
-        return new SettingsReport(
-                own, own, paths.multiplier(), lostLink, Optional.empty(), Optional.empty(), stoppedBy);
+        return new SettingsReport(own, own, paths.multiplier(), lostLink, motion.home(), Optional.empty(), stoppedBy);
     }
 
     /** The vehicle reports itself. Whether somebody has taken it from the base just now. */

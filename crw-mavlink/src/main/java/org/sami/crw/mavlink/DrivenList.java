@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
@@ -12,16 +13,23 @@ import org.sami.mavlink.mission.MissionItem;
  * A list of waypoints as a mission of an autopilot, and how far the vehicle is along it. Item 0 is the vehicle's home. Before a waypoint to which it goes at
  * another speed than to the one before stands an item that changes the speed; behind the last one stands an item with which it keeps its place there. Of a long
  * list the vehicle holds a part ({@link MissionWindow}); progress counts over the whole list.
+ *
+ * <p>What flies has the altitudes of its waypoints, metres over its home. Its list begins with a take-off to the altitude of the first waypoint, unless that is
+ * on the ground, and a last waypoint on the ground is a landing, with which the mission ends.
  */
 final class DrivenList {
     private static final int NAV_WAYPOINT = 16;
     private static final int NAV_LOITER_UNLIMITED = 17;
+    private static final int NAV_LAND = 21;
+    private static final int NAV_TAKE_OFF = 22;
+    private static final double LAND_YAW = 1; // ArduPilot ignores it and says 1 when it is read back
     private static final int CHANGE_SPEED = 178;
-    private static final int ON_THE_GROUND = 3; // the frame: height over home
+    private static final int OVER_HOME = 3; // the frame of heights
     private static final int WITHOUT_PLACE = 2;
     private static final int GROUND_SPEED = 1;
 
     private final UploadWaypoints upload;
+    private final boolean flies;
     private final List<Integer> itemOf = new ArrayList<>(); // by waypoint
     private final List<MissionItem> items = new ArrayList<>();
     private final int hint;
@@ -33,7 +41,12 @@ final class DrivenList {
 
     /** A list from its beginning. */
     DrivenList(UploadWaypoints upload) {
-        this(upload, 0);
+        this(upload, 0, false);
+    }
+
+    /** A list from its beginning, of a vehicle that flies or does not. */
+    static DrivenList of(UploadWaypoints upload, boolean flies) {
+        return new DrivenList(upload, 0, flies);
     }
 
     /**
@@ -42,14 +55,15 @@ final class DrivenList {
      * @param hint the end of the part that the vehicle was then known to hold
      * @param next the waypoint to which it was under way; their number where it had come to the end
      */
-    static DrivenList kept(UploadWaypoints upload, int hint, int next) {
-        DrivenList list = new DrivenList(upload, hint);
+    static DrivenList kept(UploadWaypoints upload, int hint, int next, boolean flies) {
+        DrivenList list = new DrivenList(upload, hint, flies);
         list.advance(next);
         return list;
     }
 
-    private DrivenList(UploadWaypoints upload, int hint) {
+    private DrivenList(UploadWaypoints upload, int hint, boolean flies) {
         this.upload = upload;
+        this.flies = flies;
         this.hint = hint;
         List<Waypoint> waypoints = upload.waypoints();
         completed = waypoints.isEmpty();
@@ -61,6 +75,9 @@ final class DrivenList {
 
     private void fill(List<Waypoint> waypoints) {
         items.add(at(0, NAV_WAYPOINT, waypoints.get(0))); // the autopilot puts its home there
+        if (isInTheAir(0)) {
+            items.add(at(1, NAV_TAKE_OFF, waypoints.get(0)));
+        }
         Optional<Double> speed = Optional.empty();
         for (Waypoint waypoint : waypoints) {
             if (!speed.equals(Optional.of(waypoint.speedMps()))) {
@@ -68,14 +85,50 @@ final class DrivenList {
                 items.add(new MissionItem(
                         items.size(), CHANGE_SPEED, WITHOUT_PLACE, 0, 0, 0, GROUND_SPEED, waypoint.speedMps(), -1, 0));
             }
+            int command = flies && !isInTheAir(itemOf.size()) ? NAV_LAND : NAV_WAYPOINT;
             itemOf.add(items.size());
-            items.add(at(items.size(), NAV_WAYPOINT, waypoint));
+            items.add(at(items.size(), command, waypoint));
         }
-        items.add(at(items.size(), NAV_LOITER_UNLIMITED, waypoints.get(waypoints.size() - 1)));
+        if (!lands()) {
+            items.add(at(items.size(), NAV_LOITER_UNLIMITED, waypoints.get(waypoints.size() - 1)));
+        }
     }
 
-    private static MissionItem at(int number, int command, Waypoint waypoint) {
-        return new MissionItem(number, command, ON_THE_GROUND, waypoint.latDeg(), waypoint.lonDeg(), 0, 0, 0, 0, 0);
+    private MissionItem at(int number, int command, Waypoint waypoint) {
+        double altM = flies ? waypoint.altM() : 0;
+        double yaw = command == NAV_LAND ? LAND_YAW : 0;
+        return new MissionItem(number, command, OVER_HOME, waypoint.latDeg(), waypoint.lonDeg(), altM, 0, 0, 0, yaw);
+    }
+
+    private boolean isInTheAir(int waypoint) {
+        return flies && waypoints().get(waypoint).altM() > CopterMotion.GROUND_M;
+    }
+
+    /** Whether it ends with a landing. */
+    boolean lands() {
+        return flies && !waypoints().isEmpty() && !isInTheAir(waypoints().size() - 1);
+    }
+
+    /** The waypoint on which it lands before its end, counted from 1; empty where it does not. */
+    Optional<Integer> landingUnderWay() {
+        return IntStream.range(0, waypoints().size() - 1)
+                .filter(waypoint -> flies
+                        && !isInTheAir(waypoint)
+                        && IntStream.range(waypoint, waypoints().size()).anyMatch(this::isInTheAir))
+                .mapToObj(waypoint -> waypoint + 1)
+                .findFirst();
+    }
+
+    /** Whether a vehicle on the ground has nothing to do for it from a waypoint on. */
+    boolean isOnTheGround(int from) {
+        return flies && IntStream.range(from, waypoints().size()).noneMatch(this::isInTheAir);
+    }
+
+    /** The number of the item with which a copter on the ground begins; empty where the mission that it holds has none. */
+    Optional<Integer> takeOffItem() {
+        return !waypoints().isEmpty() && isInTheAir(0) && window.has(1)
+                ? Optional.of(window.slot(1))
+                : Optional.empty();
     }
 
     String id() {

@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.util.Locale;
 import java.util.Set;
 import org.sami.mavlink.vehicle.StatusText;
+import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** Names who has taken a vehicle from the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread. */
@@ -11,6 +12,9 @@ final class OtherHands {
 
     /** In these it obeys sticks only. */
     private static final Set<String> BY_STICKS = Set.of("MANUAL", "ACRO", "STEERING", "SIMPLE");
+
+    private static final Set<String> COPTER_BY_STICKS =
+            Set.of("STABILIZE", "ACRO", "ALT_HOLD", "LOITER", "POSHOLD", "DRIFT", "SPORT", "FLIP");
 
     private String words = ""; // of its last failsafe
     private long saidMs;
@@ -31,7 +35,8 @@ final class OtherHands {
 
     /** Who drives a vehicle by hand that no base of this process has commanded yet; empty if nobody does. */
     String driver(VehicleSnapshot vehicle, long atMs) {
-        return vehicle.armed() && BY_STICKS.contains(vehicle.mode()) ? who(vehicle, atMs) : "";
+        Set<String> modes = vehicle.kind() == VehicleKind.COPTER ? COPTER_BY_STICKS : BY_STICKS;
+        return vehicle.armed() && modes.contains(vehicle.mode()) ? who(vehicle, atMs) : "";
     }
 
     /** Who has changed its state, in words for the operator. */

@@ -17,6 +17,7 @@ import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
@@ -36,7 +37,14 @@ final class VehicleBoat implements BaseSession.Boat {
                     BoatCapabilities.GAINS, "its gains are parameters of its autopilot"),
             Optional.empty());
 
+    private static final BoatCapabilities OF_COPTERS = new BoatCapabilities(
+            Map.of(
+                    BoatCapabilities.PANORAMA, "a copter with an autopilot takes no pictures that the base can fetch",
+                    BoatCapabilities.GAINS, "its gains are parameters of its autopilot"),
+            Optional.empty());
+
     private final String name;
+    private final boolean flies;
     private final AutopilotCommands orders;
     private final VehicleSettings settings;
     private final VehiclePerformance performance;
@@ -56,10 +64,11 @@ final class VehicleBoat implements BaseSession.Boat {
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
         name = "mav" + first.id();
         vehicle = first;
+        flies = first.kind() == VehicleKind.COPTER;
         this.files = files;
-        settings = new VehicleSettings(base, first.id(), thread, this::reportSettings);
+        settings = new VehicleSettings(base, first.id(), flies, thread, this::reportSettings);
         performance = new VehiclePerformance(
-                base, first.id(), thread, files.consumption(name), counted -> keep(files, counted));
+                base, first.id(), flies, thread, files.consumption(name), counted -> keep(files, counted));
         fence = new VehicleFence(
                 base, first.id(), thread, this::alarm, files.fences(name), given -> keepFences(files, given));
         orders = new AutopilotCommands(
@@ -121,7 +130,7 @@ final class VehicleBoat implements BaseSession.Boat {
             keep(progress);
         }
         LinkMessage whole = message instanceof SettingsReport report
-                ? report.with(performance.now()).with(CAPABILITIES)
+                ? report.with(performance.now()).with(flies ? OF_COPTERS : CAPABILITIES)
                 : message;
         session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(whole));
     }
@@ -156,9 +165,11 @@ final class VehicleBoat implements BaseSession.Boat {
         to.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
     }
 
-    /** The fence that it is to hold by itself; empty for none of the session's. */
+    /** The fence that it is to hold by itself; empty for none of the session's. It bounds the water: a copter keeps its owner's. */
     void keepTo(List<MissionItem> fenceItems) {
-        fence.want(fenceItems);
+        if (!flies) {
+            fence.want(fenceItems);
+        }
     }
 
     /** This is how it reports itself. */
@@ -166,11 +177,17 @@ final class VehicleBoat implements BaseSession.Boat {
         if (now.health().outsideFence() && !vehicle.health().outsideFence()) {
             alarm(name + " says that it is outside of its own fence");
         }
+        boolean another = flies && now.armed() != vehicle.armed(); // its home is where it was armed
+        boolean placed = flies && now.located() && !vehicle.located();
         vehicle = now;
         if (performance.reported(now)) {
             reportSettings();
         }
-        if (orders.reported(now, atMs)) {
+        boolean taken = orders.reported(now, atMs);
+        if (another || placed) {
+            reportSettings();
+        }
+        if (taken) {
             String who = others.who(now, atMs);
             session.ifPresent(told -> {
                 sayTaken(told, who);

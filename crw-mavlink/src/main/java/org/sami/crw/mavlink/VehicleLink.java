@@ -17,7 +17,6 @@ import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleEvent;
-import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** One MAVLink address with the vehicles that are heard there, and the base's connections to them. For the gateway's thread. */
@@ -93,7 +92,7 @@ final class VehicleLink {
     private void take(List<VehicleSnapshot> now, long atMs) {
         vehicles = now;
         for (VehicleSnapshot vehicle : now) {
-            if (isBoat(vehicle)) {
+            if (isCommanded(vehicle)) {
                 GuardedWork.run(() -> boats.computeIfAbsent(vehicle.id().system(), number -> boat(vehicle))
                         .reported(vehicle, atMs));
             }
@@ -109,8 +108,11 @@ final class VehicleLink {
         return boat;
     }
 
-    private static boolean isBoat(VehicleSnapshot vehicle) {
-        return vehicle.kind() == VehicleKind.BOAT || vehicle.kind() == VehicleKind.ROVER;
+    private static boolean isCommanded(VehicleSnapshot vehicle) {
+        return switch (vehicle.kind()) {
+            case BOAT, ROVER, COPTER -> true;
+            default -> false;
+        };
     }
 
     private void look(Waiting one, long atMs) {
@@ -123,10 +125,10 @@ final class VehicleLink {
         if (boat.filter(VehicleBoat::isKnown).isPresent()) {
             waiting.remove(one);
             boat.get().connect(one.connection, atMs);
-        } else if (heard.filter(vehicle -> !isBoat(vehicle)).isPresent()) {
+        } else if (heard.filter(vehicle -> !isCommanded(vehicle)).isPresent()) {
             waiting.remove(one);
             one.connection.end("vehicle " + heard.get().id() + " is a "
-                    + heard.get().kind().word() + ", and here only boats are commanded");
+                    + heard.get().kind().word() + ", and here only boats and copters are commanded");
         } else if (atMs > one.untilMs) {
             waiting.remove(one);
             one.connection.end(whyNot("vehicle " + one.connection.address().getPort(), atMs));
@@ -145,14 +147,14 @@ final class VehicleLink {
             return;
         }
         for (VehicleSnapshot vehicle : vehicles) {
-            if (isBoat(vehicle) && all.found.add(vehicle.id().system())) {
+            if (isCommanded(vehicle) && all.found.add(vehicle.id().system())) {
                 all.connection.found(InetSocketAddress.createUnresolved(
                         address.toString(), vehicle.id().system()));
             }
         }
         if (all.found.isEmpty() && atMs > all.untilMs) {
             several.remove(all);
-            all.connection.end(whyNot("boat", atMs));
+            all.connection.end(whyNot("boat or copter", atMs));
         }
     }
 

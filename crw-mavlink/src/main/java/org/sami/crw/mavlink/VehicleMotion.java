@@ -14,8 +14,11 @@ import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
-/** The ways in which an autopilot moves a boat, each as an order of its own: the later one makes the earlier one void. For the gateway's thread. */
-final class VehicleMotion {
+/**
+ * The ways in which an autopilot moves a boat, each as an order of its own: the later one makes the earlier one void. Those of a copter differ ({@link
+ * CopterMotion}). For the gateway's thread.
+ */
+class VehicleMotion {
     static final String AUTO = "AUTO";
     static final String GUIDED = "GUIDED";
     static final String LOITER = "LOITER";
@@ -23,10 +26,10 @@ final class VehicleMotion {
 
     private static final String MANUAL = "MANUAL";
 
-    private final MavlinkBase base;
-    private final VehicleId id;
+    final MavlinkBase base;
+    final VehicleId id;
+    final VehiclePilot pilot;
     private final Executor thread;
-    private final VehiclePilot pilot;
     private Optional<Hand> hand = Optional.empty();
     private Optional<VehiclePilot.Order> settingOff = Optional.empty(); // along a mission; the last one
     private Optional<VehiclePilot.Order> stopping = Optional.empty(); // the last one
@@ -44,11 +47,19 @@ final class VehicleMotion {
      * How it begins to follow a mission.
      *
      * @param item from which it goes on; empty for a vehicle that follows the mission already, which is not disturbed
+     * @param takeOff the item with which a copter on the ground begins; empty for boats, and where the mission has none
+     * @param lands whether the mission ends with a landing
      * @param speedMps of the leg under way
      * @param goesThere called when the vehicle has taken the item, before it reports progress from there on
      * @param started called when it follows it
      */
-    record Leg(Optional<Integer> item, double speedMps, Runnable goesThere, Runnable started) {}
+    record Leg(
+            Optional<Integer> item,
+            Optional<Integer> takeOff,
+            boolean lands,
+            double speedMps,
+            Runnable goesThere,
+            Runnable started) {}
 
     VehicleMotion(MavlinkBase base, VehicleSnapshot first, Executor thread) {
         this.base = base;
@@ -91,6 +102,36 @@ final class VehicleMotion {
         return pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
     }
 
+    /** Takes the sticks out of force. */
+    final void leaveHand() {
+        hand = Optional.empty();
+    }
+
+    /** The order with which it is being stopped. */
+    final void stopsBy(VehiclePilot.Order order) {
+        stopping = Optional.of(order);
+    }
+
+    /** The order with which it sets off along a mission. */
+    final void setsOffBy(VehiclePilot.Order order) {
+        settingOff = Optional.of(order);
+    }
+
+    /** The gateway's thread. */
+    final Executor thread() {
+        return thread;
+    }
+
+    /** Where it returns to, at the speed at which it does; empty where an autopilot does not say it. */
+    Optional<Waypoint> home() {
+        return Optional.empty();
+    }
+
+    /** Whether it flies. */
+    boolean flies() {
+        return false;
+    }
+
     /** Forgets the ordered state: a change of mode or arming is no longer taken for somebody else's. */
     void release() {
         pilot.release();
@@ -122,7 +163,7 @@ final class VehicleMotion {
     void stop(Consumer<Optional<String>> ended) {
         hand = Optional.empty();
         VehiclePilot.Order order = pilot.begin(ended);
-        stopping = Optional.of(order);
+        stopsBy(order);
         order.command(
                 base.command(id, VehicleCommand.disarmAtOnce()),
                 () -> order.command(
@@ -180,8 +221,8 @@ final class VehicleMotion {
                 }));
     }
 
-    private void follow(VehiclePilot.Order order, Leg leg) {
-        settingOff = Optional.of(order);
+    void follow(VehiclePilot.Order order, Leg leg) {
+        setsOffBy(order);
         Runnable drive = () -> order.arm(() -> order.mode(
                 AUTO,
                 true,

@@ -59,7 +59,7 @@ final class VehiclePaths {
         this.broadcast = broadcast;
         this.changed = changed;
         store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further, alarm);
-        list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next()));
+        list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next(), motion.flies()));
     }
 
     private boolean isInAuto() {
@@ -118,6 +118,9 @@ final class VehiclePaths {
 
     /** The vehicle is there, as it reports; in GUIDED the autopilot does not say that it has arrived. */
     void seen(VehicleSnapshot vehicle) {
+        if (isLanding() && !vehicle.armed() && motion.isOrdered()) {
+            landed();
+        }
         if (motion.isGuided()
                 && list.isPresent()
                 && !list.get().isCompleted()
@@ -129,6 +132,21 @@ final class VehiclePaths {
                 list.get().advance(list.get().waypoints().size());
                 broadcast.accept(progress());
             }
+        }
+    }
+
+    /** Whether it goes to the last waypoint of its list, on the ground; an autopilot turns its motors off there and does not report the item as reached. */
+    private boolean isLanding() {
+        return motion.vehicle().mode().equals(VehicleMotion.AUTO)
+                && store.holds(list)
+                && list.filter(along -> along.lands() && !along.isCompleted()).isPresent()
+                && list.orElseThrow().isOnTheGround(list.orElseThrow().next());
+    }
+
+    /** It has come to the ground at the end of its list. */
+    private void landed() {
+        if (list.orElseThrow().advance(list.orElseThrow().waypoints().size())) {
+            broadcast.accept(progress());
         }
     }
 
@@ -172,12 +190,22 @@ final class VehiclePaths {
      * stays. So no item is replaced under a vehicle that carries it out.
      */
     void upload(UploadWaypoints upload, boolean isUnderWay, Consumer<LinkMessage> answer) {
+        DrivenList asked = DrivenList.of(upload, motion.flies());
+        Optional<Integer> landing = asked.landingUnderWay();
+        if (landing.isPresent()) {
+            answer.accept(new Nack(
+                    upload.commandId(),
+                    NackReason.NOT_ABLE,
+                    "its autopilot lands only at the end of a path, and waypoint " + landing.get()
+                            + " is on the ground"));
+            return;
+        }
         Runnable taken = () -> {
-            list = Optional.of(new DrivenList(upload));
+            list = Optional.of(asked);
             changed.run();
             answer.accept(new Ack(upload.commandId()));
             broadcast.accept(progress());
-            list.filter(VehiclePaths::isMission).ifPresent(store::put);
+            list.filter(this::isMission).ifPresent(store::put);
         };
         if (isUnderWay || isInAuto() || motion.isSettingOff()) {
             motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
@@ -193,9 +221,9 @@ final class VehiclePaths {
                 : new Nack(command.commandId(), NackReason.NOT_ABLE, why);
     }
 
-    /** Whether it goes there by a mission; to a single place it goes in GUIDED. */
-    private static boolean isMission(DrivenList list) {
-        return list.waypoints().size() > 1;
+    /** Whether it goes there by a mission; to a single place a boat goes in GUIDED. */
+    private boolean isMission(DrivenList list) {
+        return motion.flies() ? !list.waypoints().isEmpty() : list.waypoints().size() > 1;
     }
 
     /** Answered once the vehicle has read back what it holds. */
@@ -240,7 +268,11 @@ final class VehiclePaths {
         } else if (start.index() == waypoints) {
             list.get().startAt(start.index());
             motion.hold(ended);
-        } else if (start.index() == waypoints - 1 || !isMission(list.get())) {
+        } else if (!motion.vehicle().armed() && list.get().isOnTheGround(start.index())) {
+            started(list.get(), start.index());
+            landed();
+            ended.accept(Optional.empty());
+        } else if (!motion.flies() && (start.index() == waypoints - 1 || !isMission(list.get()))) {
             guide(list.get(), start.index(), ended);
         } else {
             follow(list.get(), start.index(), ended);
@@ -273,6 +305,8 @@ final class VehiclePaths {
         boolean isPast = isPast(along, index);
         return new VehicleMotion.Leg(
                 isPast ? Optional.empty() : Optional.of(along.itemOf(index)),
+                along.takeOffItem(),
+                along.lands(),
                 speedOf(isPast ? along.next() : index),
                 () -> along.startAt(index),
                 () -> broadcast.accept(progress()));

@@ -15,7 +15,8 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * How far, how fast and how narrowly a vehicle drives: speed and turns by its parameters, the range as {@link VehicleConsumption} has counted it. For the
  * gateway's thread.
  *
- * <p>Source: ArduPilot's parameters {@code WP_SPEED} (0: {@code CRUISE_SPEED} counts), {@code TURN_RADIUS}, and {@code WP_RADIUS}, within which it cuts corners.
+ * <p>Source: ArduPilot's parameters {@code WP_SPEED} (0: {@code CRUISE_SPEED} counts), {@code TURN_RADIUS}, and {@code WP_RADIUS}, within which it cuts corners. A copter
+ * turns on the spot; its speed is {@code WPNAV_SPEED} in cm/s.
  */
 final class VehiclePerformance {
     private static final String SPEED = "WP_SPEED";
@@ -23,6 +24,8 @@ final class VehiclePerformance {
     private static final String TURN = "TURN_RADIUS";
     private static final String CORNER = "WP_RADIUS";
     private static final List<String> NAMES = List.of(SPEED, CRUISE, TURN, CORNER);
+    private static final String FLIGHT_SPEED = "WPNAV_SPEED";
+    private static final double CM = 100;
     private static final double LEAST_MPS = 0.05; // this and the next two are what the link carries
     private static final double MOST_MPS = 50;
     private static final double MOST_RADIUS_M = 1000;
@@ -31,6 +34,7 @@ final class VehiclePerformance {
 
     private final MavlinkBase base;
     private final VehicleId id;
+    private final boolean flies;
     private final Executor thread;
     private final VehicleConsumption consumption;
     private final Consumer<VehicleConsumption> keep;
@@ -48,11 +52,13 @@ final class VehiclePerformance {
     VehiclePerformance(
             MavlinkBase base,
             VehicleId id,
+            boolean flies,
             Executor thread,
             VehicleConsumption consumption,
             Consumer<VehicleConsumption> keep) {
         this.base = base;
         this.id = id;
+        this.flies = flies;
         this.thread = thread;
         this.consumption = consumption;
         this.keep = keep;
@@ -62,8 +68,9 @@ final class VehiclePerformance {
     /** Reads the parameters again: the autopilot has started again. */
     void read() {
         int number = ++reads;
-        open = NAMES.size();
-        for (String name : NAMES) {
+        List<String> names = flies ? List.of(FLIGHT_SPEED) : NAMES;
+        open = names.size();
+        for (String name : names) {
             Results.when(
                     base.parameter(id, name),
                     thread,
@@ -105,12 +112,16 @@ final class VehiclePerformance {
 
     /** What is known now. */
     BoatPerformance now() {
-        OptionalDouble speed = speed(SPEED);
-        return new BoatPerformance(range(), speed.isPresent() ? speed : speed(CRUISE), radius());
+        if (flies) {
+            return new BoatPerformance(range(), speed(FLIGHT_SPEED, CM), OptionalDouble.of(0));
+        }
+        OptionalDouble speed = speed(SPEED, 1);
+        return new BoatPerformance(range(), speed.isPresent() ? speed : speed(CRUISE, 1), radius());
     }
 
-    private OptionalDouble speed(String name) {
+    private OptionalDouble speed(String name, double unitsPerMetre) {
         return number(name).stream()
+                .map(value -> value / unitsPerMetre)
                 .filter(mps -> mps >= LEAST_MPS && mps <= MOST_MPS)
                 .findFirst();
     }

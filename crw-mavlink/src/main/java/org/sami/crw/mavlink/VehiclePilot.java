@@ -18,10 +18,18 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 final class VehiclePilot {
     private static final long SEEN_WITHIN_MS = 4_000; // heartbeats, which tell mode and arming, come once a second
 
-    /** A state of the vehicle that it was ordered into: its mode, and whether its motors may turn. */
-    record Ordered(String mode, boolean armed) {
+    /**
+     * A state of the vehicle that it was ordered into: its mode, and whether its motors may turn.
+     *
+     * @param lands whether the order ends with a landing, after which it turns its motors off by itself
+     */
+    record Ordered(String mode, boolean armed, boolean lands) {
+        Ordered(String mode, boolean armed) {
+            this(mode, armed, false);
+        }
+
         boolean isSo(VehicleSnapshot vehicle) {
-            return vehicle.mode().equals(mode) && vehicle.armed() == armed;
+            return vehicle.mode().equals(mode) && (vehicle.armed() == armed || (lands && !vehicle.armed()));
         }
     }
 
@@ -61,6 +69,19 @@ final class VehiclePilot {
         /** Goes on with the next step once the vehicle accepts. */
         void command(CompletableFuture<CommandOutcome> asked, Runnable next) {
             Results.when(asked, thread, outcome -> took(outcome, next), this::fail);
+        }
+
+        /** Goes on with the next step once the vehicle accepts, with another where it refuses. */
+        void command(CompletableFuture<CommandOutcome> asked, Runnable next, Runnable refused) {
+            Results.when(
+                    asked,
+                    thread,
+                    outcome -> {
+                        if (!isVoid()) {
+                            (outcome.isAccepted() ? next : refused).run();
+                        }
+                    },
+                    this::fail);
         }
 
         private void took(CommandOutcome outcome, Runnable next) {
@@ -173,11 +194,19 @@ final class VehiclePilot {
         return now;
     }
 
+    /** Whether it has landed at the end of its order. */
+    private boolean hasLanded() {
+        return ordered.filter(Ordered::lands).isPresent() && !now.armed();
+    }
+
     /** This is how the vehicle reports itself. Whether somebody else has put it into another state than was ordered. */
     boolean reported(VehicleSnapshot vehicle, long atMs) {
         now = vehicle;
         nowMs = atMs;
         running.ifPresent(Order::look);
+        if (hasLanded()) { // whoever starts its motors again is somebody else
+            ordered = ordered.map(state -> new Ordered(state.mode(), false));
+        }
         return ordered.filter(state -> !state.isSo(vehicle)).isPresent();
     }
 }

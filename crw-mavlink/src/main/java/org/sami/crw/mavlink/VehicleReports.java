@@ -2,6 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
@@ -9,6 +10,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.mavlink.vehicle.VehicleBattery;
+import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleReading;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -31,7 +33,16 @@ final class VehicleReports {
                         at.speedMps(),
                         percent(vehicle).orElse(FULL), // read only where a battery report has come
                         mode,
-                        nowMs));
+                        nowMs,
+                        altitude(vehicle, at)));
+    }
+
+    /** Its altitude in metres over where it was armed, 0 on the ground; none of what does not fly. */
+    private static OptionalDouble altitude(VehicleSnapshot vehicle, VehiclePosition at) {
+        if (vehicle.kind() != VehicleKind.COPTER) {
+            return OptionalDouble.empty();
+        }
+        return OptionalDouble.of(vehicle.armed() ? Math.max(0, at.heightM()) : 0);
     }
 
     /** Where it is; none where its filter does not trust it, or where it says a speed that no boat has. */

@@ -13,7 +13,8 @@ import org.sami.mavlink.vehicle.VehicleId;
  * gateway's thread.
  *
  * <p>Source: ArduPilot's parameters {@code STAT_BOOTCNT}, {@code FS_GCS_ENABLE} (0 off, 1 on, 2 on but not in AUTO) and {@code FS_ACTION} (0 nothing, 1 RTL,
- * 2 hold, 3 and 4 smart RTL: back along the way that it came, 3 straight home where it does not know that, 5 end, 6 keep the place or hold).
+ * 2 hold, 3 and 4 smart RTL: back along the way that it came, 3 straight home where it does not know that, 5 end, 6 keep the place or hold). Copters have
+ * {@code FS_GCS_ENABLE} alone (0 off, 1 RTL, 3 and 4 smart RTL, 5 land, 6 land or RTL, 7 brake or land).
  */
 final class VehicleSettings {
     private static final String STARTS = "STAT_BOOTCNT";
@@ -25,9 +26,12 @@ final class VehicleSettings {
     private static final int SMART_RETURN = 3;
     private static final int SMART_RETURN_OR_HOLD = 4;
     private static final int KEEPS_PLACE = 6;
+    private static final int COPTER_LANDS = 5;
+    private static final int COPTER_BRAKES = 7;
 
     private final MavlinkBase base;
     private final VehicleId id;
+    private final boolean flies;
     private final Executor thread;
     private final Runnable changed;
     private Optional<String> bootId = Optional.empty();
@@ -39,8 +43,9 @@ final class VehicleSettings {
      *
      * @param changed called when what it does without a link is known, or is another
      */
-    VehicleSettings(MavlinkBase base, VehicleId id, Executor thread, Runnable changed) {
+    VehicleSettings(MavlinkBase base, VehicleId id, boolean flies, Executor thread, Runnable changed) {
         this.base = base;
+        this.flies = flies;
         this.id = id;
         this.thread = thread;
         this.changed = changed;
@@ -74,6 +79,8 @@ final class VehicleSettings {
     private void readAction(double failsafe) {
         if (Math.round(failsafe) == OFF) {
             is(LostLinkAction.CONTINUE);
+        } else if (flies) {
+            is(ofCopter(failsafe));
         } else {
             Results.when(base.parameter(id, ACTION), thread, action -> is(meaning(action)), why -> {});
         }
@@ -85,6 +92,23 @@ final class VehicleSettings {
             case KEEPS_PLACE -> LostLinkAction.HOLD;
             case OFF -> LostLinkAction.CONTINUE;
             default -> LostLinkAction.DRIFT; // in its mode HOLD the motors are off
+        };
+    }
+
+    private static LostLinkAction ofCopter(double failsafe) {
+        return switch ((int) Math.round(failsafe)) {
+            case COPTER_BRAKES -> LostLinkAction.HOLD;
+            case COPTER_LANDS -> LostLinkAction.DRIFT; // nothing keeps its place any longer
+            default -> LostLinkAction.RETURN;
+        };
+    }
+
+    private static int ofCopter(LostLinkAction action) {
+        return switch (action) {
+            case CONTINUE -> OFF;
+            case RETURN -> RETURNS;
+            case HOLD -> COPTER_BRAKES;
+            case DRIFT -> COPTER_LANDS;
         };
     }
 
@@ -105,7 +129,9 @@ final class VehicleSettings {
 
     /** Sets what it does when its ground station is lost; {@code ended} receives why it could not be set, or nothing where it was read back. */
     void setLostLink(LostLinkAction action, Consumer<Optional<String>> ended) {
-        if (action == LostLinkAction.CONTINUE) {
+        if (flies) {
+            set(FAILSAFE, ofCopter(action), () -> set(action, ended), ended);
+        } else if (action == LostLinkAction.CONTINUE) {
             set(FAILSAFE, OFF, () -> set(action, ended), ended);
         } else {
             int number = switch (action) {
