@@ -36,12 +36,17 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * thread.
  */
 final class AutopilotCommands {
+    private static final long STICKS_MS = 5_000; // without sticks; then they are a new try
+
     private final VehicleMotion motion;
     private final VehiclePaths paths;
     private final VehicleSettings settings;
     private final Consumer<LinkMessage> broadcast;
     private final Consumer<VehicleFiles.Kept> keep;
+    private final Consumer<String> alarm;
     private final List<Delayed> afterStop = new ArrayList<>();
+    private long atMs; // of the last tick
+    private long sticksMs = Long.MIN_VALUE / 2; // when sticks came last
     private String stoppedBy; // who has latched the fleet stop; empty while it is not latched
 
     /** A list that came while the vehicle was being stopped. */
@@ -59,6 +64,7 @@ final class AutopilotCommands {
         this.settings = settings;
         this.broadcast = broadcast;
         this.keep = keep;
+        this.alarm = alarm;
         motion = first.kind() == VehicleKind.COPTER
                 ? new CopterMotion(base, first, thread)
                 : new VehicleMotion(base, first, thread);
@@ -109,7 +115,7 @@ final class AutopilotCommands {
             other = true;
         }
         if (!other) {
-            paths.seen(vehicle);
+            paths.seen();
         }
         return other;
     }
@@ -125,7 +131,8 @@ final class AutopilotCommands {
         giveUpDelayed();
     }
 
-    void tick(long atMs) {
+    void tick(long nowMs) {
+        atMs = nowMs;
         motion.tick(atMs);
         paths.tick(atMs);
         if (!motion.isStopping() && !afterStop.isEmpty()) {
@@ -218,9 +225,15 @@ final class AutopilotCommands {
         keep.accept(paths.kept(stoppedBy));
     }
 
-    /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */
+    /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. A copter is not flown so. */
     void teleoperate(double thrust, double rudder) {
-        if (stoppedBy.isEmpty()) {
+        if (motion.flies()) {
+            if (atMs - sticksMs > STICKS_MS) {
+                alarm.accept("vehicle " + motion.vehicle().id()
+                        + " is not flown by hand from here: take its radio control, or send it somewhere");
+            }
+            sticksMs = atMs;
+        } else if (stoppedBy.isEmpty()) {
             motion.steer(thrust, rudder);
         }
     }

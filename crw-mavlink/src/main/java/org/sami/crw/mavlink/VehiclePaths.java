@@ -14,7 +14,6 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.VehicleEvent;
@@ -25,14 +24,10 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * thread.
  */
 final class VehiclePaths {
-    private static final double ARRIVED_M =
-            2.5; // of a place in GUIDED, on which an autopilot does not say that it is there
-    private static final double ARRIVED_STILL_M = 3.5;
-    private static final double STILL_MPS = 0.15;
-
     private final MavlinkBase base;
     private final VehicleMotion motion;
     private final MissionStore store;
+    private final VehicleArrival arrival;
     private final MissionWatch watch = new MissionWatch();
     private final GateWatch gate = new GateWatch();
     private final Consumer<LinkMessage> broadcast;
@@ -56,6 +51,7 @@ final class VehiclePaths {
             VehicleFiles.Kept kept) {
         this.base = base;
         this.motion = motion;
+        arrival = new VehicleArrival(motion);
         this.broadcast = broadcast;
         this.changed = changed;
         store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further, alarm);
@@ -116,35 +112,17 @@ final class VehiclePaths {
         return multiplier * list.orElseThrow().waypoints().get(waypoint).speedMps();
     }
 
-    /** The vehicle is there, as it reports; in GUIDED the autopilot does not say that it has arrived. */
-    void seen(VehicleSnapshot vehicle) {
-        if (isLanding() && !vehicle.armed() && motion.isOrdered()) {
-            landed();
-        }
-        if (motion.isGuided()
-                && list.isPresent()
-                && !list.get().isCompleted()
-                && vehicle.position().isPresent()) {
-            Waypoint last = list.get().waypoints().get(list.get().waypoints().size() - 1);
-            var at = vehicle.position().get();
-            double leftM = new LocalFrame(last.latDeg(), last.lonDeg()).distanceM(at.latDeg(), at.lonDeg());
-            if (leftM <= ARRIVED_M || (leftM <= ARRIVED_STILL_M && at.speedMps() < STILL_MPS)) {
-                list.get().advance(list.get().waypoints().size());
-                broadcast.accept(progress());
-            }
+    /** Looks whether the vehicle, as it has just reported itself, has come to the end of its list where an autopilot does not say so. */
+    void seen() {
+        boolean arrived = list.filter(along ->
+                        motion.flies() ? store.holds(list) && arrival.hasLanded(along) : arrival.isThere(along))
+                .isPresent();
+        if (arrived) {
+            atEnd();
         }
     }
 
-    /** Whether it goes to the last waypoint of its list, on the ground; an autopilot turns its motors off there and does not report the item as reached. */
-    private boolean isLanding() {
-        return motion.vehicle().mode().equals(VehicleMotion.AUTO)
-                && store.holds(list)
-                && list.filter(along -> along.lands() && !along.isCompleted()).isPresent()
-                && list.orElseThrow().isOnTheGround(list.orElseThrow().next());
-    }
-
-    /** It has come to the ground at the end of its list. */
-    private void landed() {
+    private void atEnd() {
         if (list.orElseThrow().advance(list.orElseThrow().waypoints().size())) {
             broadcast.accept(progress());
         }
@@ -270,7 +248,7 @@ final class VehiclePaths {
             motion.hold(ended);
         } else if (!motion.vehicle().armed() && list.get().isOnTheGround(start.index())) {
             started(list.get(), start.index());
-            landed();
+            atEnd();
             ended.accept(Optional.empty());
         } else if (!motion.flies() && (start.index() == waypoints - 1 || !isMission(list.get()))) {
             guide(list.get(), start.index(), ended);

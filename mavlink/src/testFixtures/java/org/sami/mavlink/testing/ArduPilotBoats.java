@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
-/** Processes of ArduPilot's simulator with the real firmware of boats, if it is installed next to the project. Their numbers give system ids and ports. */
+/** Processes of ArduPilot's simulator with the real firmware of boats, or of copters, if it is installed next to the project. Their numbers give system ids and ports. */
 public final class ArduPilotBoats implements AutoCloseable {
     private static final Path PEERS = Path.of("../../shared/peers/ardupilot");
     private static final int FIRST_PORT = 5760;
@@ -23,11 +23,20 @@ public final class ArduPilotBoats implements AutoCloseable {
      * @param work a folder for their parameters and logs
      */
     public ArduPilotBoats(int first, int count, int speed, Path work) throws IOException {
+        this("boat", first, count, speed, work);
+    }
+
+    /** Starts copters, as the constructor starts boats. */
+    public static ArduPilotBoats copters(int first, int count, int speed, Path work) throws IOException {
+        return new ArduPilotBoats("copter", first, count, speed, work);
+    }
+
+    private ArduPilotBoats(String kind, int first, int count, int speed, Path work) throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
-                        "bash", "run.sh", "boat", Integer.toString(count), Integer.toString(speed))
+                        "bash", "run.sh", kind, Integer.toString(count), Integer.toString(speed))
                 .directory(PEERS.toFile())
                 .redirectErrorStream(true)
-                .redirectOutput(new File(work.toFile(), "boats.txt"));
+                .redirectOutput(new File(work.toFile(), kind + "s.txt"));
         builder.environment().put("FIRST", Integer.toString(first));
         builder.environment().put("WORK", work.toAbsolutePath().toString());
         process = builder.start();

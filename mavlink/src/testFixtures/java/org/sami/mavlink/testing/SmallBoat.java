@@ -1,7 +1,5 @@
 package org.sami.mavlink.testing;
 
-import io.dronefleet.mavlink.MavlinkConnection;
-import io.dronefleet.mavlink.MavlinkMessage;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandInt;
@@ -33,10 +31,6 @@ import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
-import java.net.Socket;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -71,7 +65,7 @@ public final class SmallBoat implements AutoCloseable {
     private static final int POSITION = 33; // the number of its message
 
     private final int system;
-    private final ServerSocket server;
+    private final SmallVehicleLink link;
     private final SmallBoatMotion motion;
     private final SmallBoatMission mission = new SmallBoatMission();
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
@@ -104,8 +98,6 @@ public final class SmallBoat implements AutoCloseable {
     private int fences; // that were sent to it
     private int refusedCorner = -1;
     private boolean outside;
-    private Socket client = new Socket();
-    private MavlinkConnection codec;
     private int mode = SmallBoatMotion.HOLD;
     private boolean armed;
     private boolean silent;
@@ -132,17 +124,14 @@ public final class SmallBoat implements AutoCloseable {
     public SmallBoat(int system, double latDeg, double lonDeg, double times) throws IOException {
         this.system = system;
         motion = new SmallBoatMotion(latDeg, lonDeg, times);
-        server = new ServerSocket();
-        server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 1);
-        Thread thread = new Thread(this::serve, "small boat " + system);
-        thread.setDaemon(true);
-        thread.start();
+        link = new SmallVehicleLink(system, faults::isCut, this::heard);
+        link.start();
         var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Its address for a base. */
     public String address() {
-        return "mavlink:tcp:127.0.0.1:" + server.getLocalPort();
+        return link.address();
     }
 
     /** Whether its motors may turn. */
@@ -256,9 +245,7 @@ public final class SmallBoat implements AutoCloseable {
     public void cut(boolean now) throws IOException {
         faults.cut(now);
         if (now) {
-            synchronized (this) {
-                client.close();
-            }
+            link.cut();
         }
     }
 
@@ -336,27 +323,10 @@ public final class SmallBoat implements AutoCloseable {
         failsafe = false;
     }
 
-    private void serve() {
-        while (!server.isClosed()) {
-            try (Socket socket = server.accept()) {
-                if (faults.isCut()) {
-                    continue;
-                }
-                socket.setTcpNoDelay(true);
-                MavlinkConnection open = MavlinkConnection.create(socket.getInputStream(), socket.getOutputStream());
-                synchronized (this) {
-                    client = socket;
-                    codec = open;
-                }
-                for (MavlinkMessage<?> message = open.next(); message != null; message = open.next()) {
-                    faults.awaitThaw();
-                    if (!faults.isDeaf()) {
-                        take(message.getPayload());
-                    }
-                }
-            } catch (IOException e) {
-                // this client is gone; the next may come
-            }
+    private void heard(Object message) {
+        faults.awaitThaw();
+        if (!faults.isDeaf()) {
+            take(message);
         }
     }
 
@@ -506,12 +476,8 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private void send(Object payload) {
-        if (codec != null && !silent) {
-            try {
-                codec.send2(system, AUTOPILOT, payload);
-            } catch (IOException e) {
-                // its reading thread finds out
-            }
+        if (!silent) {
+            link.send(payload);
         }
     }
 
@@ -531,10 +497,7 @@ public final class SmallBoat implements AutoCloseable {
     /** Ends it: its port is free, and its client is cut off. */
     @Override
     public void close() throws IOException {
-        server.close();
+        link.close();
         steps.shutdownNow();
-        synchronized (this) {
-            client.close();
-        }
     }
 }

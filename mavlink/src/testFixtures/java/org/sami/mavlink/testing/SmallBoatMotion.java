@@ -99,6 +99,11 @@ final class SmallBoatMotion {
         return reached;
     }
 
+    /** Goes towards a place by so many metres at most. Whether it is there. */
+    boolean comesTo(double toLat, double toLon, double way) {
+        return towards(toLat, toLon, way);
+    }
+
     private boolean towards(double toLat, double toLon, double way) {
         double left = metres(toLat, toLon);
         if (left > REACHED_M) {

@@ -1,0 +1,88 @@
+package org.sami.crw.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.testing.Await;
+import org.sami.mavlink.testing.ArduPilotBoats;
+import org.sami.mavlink.testing.SimulatorTruth;
+
+/** The real firmware of a copter under a base's commands; where it truly was, its simulator says. */
+@Timeout(900)
+class ArduPilotCopterTest {
+    private static final int NUMBER = 92;
+    private static final int SPEED = 5;
+    private static final double FLIGHT_S = 300;
+    private static final double RADIUS_M = 3;
+    private static final double DEGREE_M = 111_319;
+
+    @TempDir
+    private Path work;
+
+    @Test
+    void takesOffFliesAPathStopsInTheAirAndLands() throws Exception {
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats copters = ArduPilotBoats.copters(NUMBER, 1, SPEED, work)) {
+            LinkClient client =
+                    new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
+            try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
+                Telemetry start = client.last(Telemetry.class).orElseThrow();
+                assertThat(start.altM()).hasValue(0);
+                List<Waypoint> out = List.of(off(start, 0, 20), off(start, 40, 20), off(start, 400, 25));
+                fly(client, "out", out);
+                Await.until("it has passed the second place", FLIGHT_S, () -> reached(client, "out", 2));
+
+                assertThat(client.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
+                Await.until("it keeps its place", FLIGHT_S, () -> now(client).mode() == BoatMode.HOLD);
+                assertThat(now(client).altM().orElseThrow()).isGreaterThan(15);
+
+                fly(client, "back", List.of(off(start, 0, 20), off(start, 0, 0)));
+                Await.until(
+                        "it has landed",
+                        FLIGHT_S,
+                        () -> client.hasHeard(message -> message instanceof Progress there
+                                && there.listId().equals("back")
+                                && there.completed()));
+
+                assertThat(now(client).altM()).hasValue(0);
+                assertThat(truth.nearestM(out.get(1).latDeg(), out.get(1).lonDeg()))
+                        .isLessThan(RADIUS_M);
+                assertThat(client.isObserver()).isFalse();
+            } finally {
+                client.close();
+            }
+        }
+    }
+
+    private static Telemetry now(LinkClient client) {
+        return client.last(Telemetry.class).orElseThrow();
+    }
+
+    private static boolean reached(LinkClient client, String list, int next) {
+        return client.hasHeard(message ->
+                message instanceof Progress progress && progress.listId().equals(list) && progress.nextIndex() >= next);
+    }
+
+    private static void fly(LinkClient client, String list, List<Waypoint> waypoints) {
+        assertThat(client.ask(new UploadWaypoints("upload " + list, list, waypoints)))
+                .isInstanceOf(Ack.class);
+        assertThat(client.ask(new StartWaypoints("start " + list, list, 0))).isInstanceOf(Ack.class);
+    }
+
+    private static Waypoint off(Telemetry from, double northM, double altM) {
+        return new Waypoint(from.latDeg() + northM / DEGREE_M, from.lonDeg(), 8, altM);
+    }
+}

@@ -1,0 +1,250 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavResult;
+import io.dronefleet.mavlink.common.MissionCurrent;
+import io.dronefleet.mavlink.common.MissionItemReached;
+import io.dronefleet.mavlink.common.ParamRequestRead;
+import io.dronefleet.mavlink.common.ParamSet;
+import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.minimal.MavType;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A simulated copter with an autopilot, on TCP on loopback: arming, take-off, missions, landing and brake as ArduPilot's copters have them, without any
+ * aerodynamics. It is armed in GUIDED only, takes off in AUTO only, refuses to be disarmed in the air, and turns its motors off after a landing. Safe for use by
+ * several threads.
+ */
+public final class SmallCopter implements AutoCloseable {
+    /** Numbers of its modes. */
+    public static final int STABILIZE = 0;
+
+    public static final int AUTO = 3;
+    public static final int GUIDED = 4;
+    public static final int RTL = 6;
+    public static final int BRAKE = 17;
+
+    private static final long STEP_MS = 50;
+    private static final int BEAT_EVERY = 4; // steps
+    private static final int LOCATED = 16;
+    private static final int SET_MODE = 176;
+    private static final int CHANGE_SPEED = 178;
+    private static final int SET_CURRENT = 224;
+    private static final int MISSION_START = 300;
+    private static final int ARM = 400;
+    private static final double FORCED = 21_196;
+
+    private final SmallVehicleLink link;
+    private final SmallFlight flight;
+    private final SmallBoatMission mission = new SmallBoatMission();
+    private final Map<String, Float> parameters =
+            new HashMap<>(Map.of("STAT_BOOTCNT", 7f, "FS_GCS_ENABLE", 0f, "WPNAV_SPEED", 800f));
+    private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread made = new Thread(work, "small copter moves");
+        made.setDaemon(true);
+        return made;
+    });
+    private int mode = STABILIZE;
+    private boolean armed;
+    private boolean started; // the mission, since it was armed
+    private boolean fell;
+    private int armings;
+    private long bootMs = 60_000;
+    private long stepped;
+
+    /**
+     * A copter that stands at a place, disarmed.
+     *
+     * @param times how many times faster it is than it is asked to be
+     */
+    public SmallCopter(int system, double latDeg, double lonDeg, double times) throws IOException {
+        flight = new SmallFlight(new SmallBoatMotion(latDeg, lonDeg, times), times);
+        link = new SmallVehicleLink(system, () -> false, this::take);
+        link.start();
+        var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
+    }
+
+    /** Its address for a base. */
+    public String address() {
+        return link.address();
+    }
+
+    /** Whether its motors may turn. */
+    public synchronized boolean isArmed() {
+        return armed;
+    }
+
+    /** How often it was armed. */
+    public synchronized int armings() {
+        return armings;
+    }
+
+    /** The number of its mode. */
+    public synchronized int mode() {
+        return mode;
+    }
+
+    /** Its height in metres. */
+    public synchronized double heightM() {
+        return flight.heightM();
+    }
+
+    /** The largest height that it had, in metres. */
+    public synchronized double highestM() {
+        return flight.highestM();
+    }
+
+    /** How far it is from a place, in metres. */
+    public synchronized double metresTo(double latDeg, double lonDeg) {
+        return flight.motion().metresTo(latDeg, lonDeg);
+    }
+
+    /** Whether its motors were turned off in the air. */
+    public synchronized boolean fell() {
+        return fell;
+    }
+
+    /** Its pilot takes it. */
+    public synchronized void takenByPilot(int newMode) {
+        mode = newMode;
+    }
+
+    /** Its pilot lets its motors turn, on the ground. */
+    public synchronized void armedByPilot() {
+        armed = true;
+    }
+
+    /** One of its parameters. */
+    public synchronized double parameter(String name) {
+        return parameters.get(name);
+    }
+
+    private synchronized void take(Object message) {
+        if (message instanceof CommandLong command) {
+            boolean done = command(command.command().value(), command.param1(), command.param2());
+            link.send(CommandAck.builder()
+                    .command(EnumValue.create(MavCmd.class, command.command().value()))
+                    .result(done ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
+                    .build());
+        } else if (message instanceof ParamRequestRead asked) {
+            report(asked.paramId());
+        } else if (message instanceof ParamSet set) {
+            parameters.put(set.paramId(), set.paramValue());
+            report(set.paramId());
+        } else {
+            mission.answers(message).forEach(link::send);
+        }
+    }
+
+    private void report(String name) {
+        if (parameters.containsKey(name)) {
+            link.send(ParamValue.builder()
+                    .paramId(name)
+                    .paramValue(parameters.get(name))
+                    .paramCount(parameters.size())
+                    .build());
+        }
+    }
+
+    private boolean command(int number, double first, double second) {
+        switch (number) {
+            case SET_MODE -> {
+                boolean lacksTakeOff = second == AUTO && !flight.isInTheAir() && !flight.beginsWithTakeOff(mission);
+                mode = lacksTakeOff ? mode : (int) second;
+                return !lacksTakeOff;
+            }
+            case ARM -> {
+                return first > 0 ? arm() : disarm(second == FORCED);
+            }
+            case MISSION_START -> started = true;
+            case SET_CURRENT -> mission.setCurrent((int) first);
+            case CHANGE_SPEED -> flight.motion().speed(second);
+            default -> {
+                // it reports what it reports
+            }
+        }
+        return true;
+    }
+
+    private boolean arm() {
+        if (!armed && mode != GUIDED && mode != STABILIZE) {
+            return false;
+        }
+        armings += armed ? 0 : 1;
+        armed = true;
+        return true;
+    }
+
+    private boolean disarm(boolean forced) {
+        if (flight.isInTheAir() && !forced) {
+            return false;
+        }
+        fell |= flight.isInTheAir();
+        armed = false;
+        started = false;
+        return true;
+    }
+
+    private synchronized void step() {
+        bootMs += STEP_MS;
+        if (armed && mode == AUTO && (started || flight.isInTheAir())) {
+            flight.step(mission, STEP_MS / 1000.0)
+                    .ifPresent(item ->
+                            link.send(MissionItemReached.builder().seq(item).build()));
+            if (flight.hasLanded()) {
+                disarm(false);
+                mission.setCurrent(1);
+            }
+        }
+        if (stepped++ % BEAT_EVERY == 0) {
+            report();
+        }
+    }
+
+    private void report() {
+        link.send(Heartbeat.builder()
+                .type(MavType.MAV_TYPE_QUADROTOR)
+                .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+                .baseMode(armed ? EnumValue.of(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : EnumValue.create(0))
+                .customMode(mode)
+                .systemStatus(MavState.MAV_STATE_ACTIVE)
+                .mavlinkVersion(3)
+                .build());
+        link.send(GlobalPositionInt.builder()
+                .timeBootMs(bootMs)
+                .lat(flight.motion().lat())
+                .lon(flight.motion().lon())
+                .relativeAlt((int) Math.round(flight.heightM() * 1000))
+                .hdg(9_000)
+                .build());
+        link.send(
+                SysStatus.builder().voltageBattery(12_600).batteryRemaining(87).build());
+        link.send(EkfStatusReport.builder().flags(EnumValue.create(LOCATED)).build());
+        link.send(MissionCurrent.builder()
+                .seq(mission.current())
+                .total(mission.total())
+                .build());
+    }
+
+    /** Ends it: its port is free, and its client is cut off. */
+    @Override
+    public void close() throws IOException {
+        link.close();
+        steps.shutdownNow();
+    }
+}

@@ -1,0 +1,93 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.MavlinkConnection;
+import io.dronefleet.mavlink.MavlinkMessage;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/** The port of a small vehicle, on TCP on loopback, with one client at a time. Safe for use by several threads. */
+final class SmallVehicleLink implements AutoCloseable {
+    private static final int AUTOPILOT = 1;
+
+    private final int system;
+    private final BooleanSupplier isCut;
+    private final Consumer<Object> taking;
+    private final ServerSocket server;
+    private Socket client = new Socket();
+    private MavlinkConnection codec;
+
+    /**
+     * Listens on a free port.
+     *
+     * @param isCut whether new clients are turned away
+     * @param taking receives the messages of the client, on the link's thread
+     */
+    SmallVehicleLink(int system, BooleanSupplier isCut, Consumer<Object> taking) throws IOException {
+        this.system = system;
+        this.isCut = isCut;
+        this.taking = taking;
+        server = new ServerSocket();
+        server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 1);
+    }
+
+    /** Begins to serve clients. */
+    void start() {
+        Thread thread = new Thread(this::serve, "small vehicle " + system);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /** Its address for a base. */
+    String address() {
+        return "mavlink:tcp:127.0.0.1:" + server.getLocalPort();
+    }
+
+    private void serve() {
+        while (!server.isClosed()) {
+            try (Socket socket = server.accept()) {
+                if (isCut.getAsBoolean()) {
+                    continue;
+                }
+                socket.setTcpNoDelay(true);
+                MavlinkConnection open = MavlinkConnection.create(socket.getInputStream(), socket.getOutputStream());
+                synchronized (this) {
+                    client = socket;
+                    codec = open;
+                }
+                for (MavlinkMessage<?> message = open.next(); message != null; message = open.next()) {
+                    taking.accept(message.getPayload());
+                }
+            } catch (IOException e) {
+                // this client is gone; the next may come
+            }
+        }
+    }
+
+    /** Sends a message to the client, if there is one. */
+    synchronized void send(Object payload) {
+        if (codec != null) {
+            try {
+                codec.send2(system, AUTOPILOT, payload);
+            } catch (IOException e) {
+                // its reading thread finds out
+            }
+        }
+    }
+
+    /** Cuts the client off. */
+    synchronized void cut() throws IOException {
+        client.close();
+    }
+
+    /** Ends it: its port is free, and its client is cut off. */
+    @Override
+    public void close() throws IOException {
+        server.close();
+        cut();
+    }
+}
