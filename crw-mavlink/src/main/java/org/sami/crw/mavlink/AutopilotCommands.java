@@ -24,10 +24,12 @@ import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakePanorama;
+import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
+import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
@@ -40,6 +42,7 @@ final class AutopilotCommands {
 
     private final VehicleMotion motion;
     private final VehiclePaths paths;
+    private final StepAside aside;
     private final VehicleSettings settings;
     private final Consumer<LinkMessage> broadcast;
     private final Consumer<VehicleFiles.Kept> keep;
@@ -53,6 +56,7 @@ final class AutopilotCommands {
     private record Delayed(UploadWaypoints upload, Consumer<LinkMessage> answer) {}
 
     AutopilotCommands(
+            String name,
             MavlinkBase base,
             VehicleSnapshot first,
             Executor thread,
@@ -69,6 +73,7 @@ final class AutopilotCommands {
                 ? new CopterMotion(base, first, thread)
                 : new VehicleMotion(base, first, thread);
         paths = new VehiclePaths(base, motion, thread, broadcast, this::remember, alarm, kept);
+        aside = new StepAside(name, motion, paths, alarm);
         stoppedBy = kept.stoppedBy();
     }
 
@@ -135,10 +140,21 @@ final class AutopilotCommands {
         atMs = nowMs;
         motion.tick(atMs);
         paths.tick(atMs);
+        aside.tick(atMs);
         if (!motion.isStopping() && !afterStop.isEmpty()) {
             Delayed next = afterStop.remove(0);
             paths.upload(next.upload, mode() == BoatMode.PATH, next.answer);
         }
+    }
+
+    /** The base says which boats are near: it gives way to them while it is under way. */
+    void near(Traffic traffic) {
+        aside.update(traffic);
+    }
+
+    /** Whether another boat is near, which needs to know more often how it moves. */
+    boolean isNearOthers(VehiclePosition at) {
+        return aside.isNearOthers(at);
     }
 
     private void giveUpDelayed() {

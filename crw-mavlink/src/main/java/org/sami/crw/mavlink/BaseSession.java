@@ -23,6 +23,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.WithdrawKeys;
 
@@ -43,6 +44,9 @@ final class BaseSession implements VehicleConnection.Ears {
         void execute(CommandMessage command, String clientId, java.util.function.Consumer<LinkMessage> answer);
 
         void teleoperate(double thrust, double rudder);
+
+        /** The base says which boats are near. */
+        void near(Traffic traffic);
 
         /** The base has become commander or observer: battery, settings and progress are sent to it. */
         void introduce();
@@ -144,6 +148,8 @@ final class BaseSession implements VehicleConnection.Ears {
                 newestExecuted = frame.sequence();
                 boat.teleoperate(hand.thrust(), hand.rudder());
             }
+        } else if (message instanceof Traffic traffic && commands) {
+            boat.near(traffic);
         } // heartbeats only have to arrive; what boats say is ignored
     }
 
@@ -179,7 +185,7 @@ final class BaseSession implements VehicleConnection.Ears {
 
     private void welcome(Role role) {
         String named = role == Role.COMMANDER ? term : "";
-        say(new Welcome(boat.name(), boat.bootId(), role, named, "", false, Optional.of(newest)));
+        say(new Welcome(boat.name(), boat.bootId(), role, named, "", true, Optional.of(newest)));
         boat.introduce();
     }
 

@@ -59,7 +59,7 @@ final class CopterMotion extends VehicleMotion {
     void stop(Consumer<Optional<String>> ended) {
         leaveHand();
         onceUp = Optional.empty();
-        VehiclePilot.Order order = pilot.begin(ended);
+        VehiclePilot.Order order = begin(ended);
         stopsBy(order);
         if (isAirborne(vehicle())) {
             brake(order);

@@ -9,10 +9,12 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatCapabilities;
+import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.SettingsReport;
+import org.sami.boat.link.Traffic;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.TextSeverity;
@@ -29,6 +31,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final long HEARTBEAT_MS = 900; // so that it comes once a second at least
     private static final long TICK_MS = 100;
     private static final long BATTERY_MS = 10_000;
+    private static final double STILL_MPS = 0.1;
 
     /** What {@link AutopilotCommands} refuses. Which sensors there are is known only as they report. */
     private static final BoatCapabilities CAPABILITIES = new BoatCapabilities(
@@ -56,6 +59,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private long saidMs; // time of the last telemetry
     private long heardMs; // time of the last vehicle message that was passed on
     private long positionMs; // time of the position in the last telemetry
+    private long motionMs; // time of the position that was last passed on to boats near it
     private long beatMs;
     private Optional<BatteryReport> battery = Optional.empty();
     private long batteryMs;
@@ -72,6 +76,7 @@ final class VehicleBoat implements BaseSession.Boat {
         fence = new VehicleFence(
                 base, first.id(), thread, this::alarm, files.fences(name), given -> keepFences(files, given));
         orders = new AutopilotCommands(
+                name,
                 base,
                 first,
                 thread,
@@ -241,12 +246,27 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.say(telemetry);
             });
         }
+        reportMotion(told);
         if (news && atMs - beatMs >= HEARTBEAT_MS) {
             heardMs = vehicle.heardMs();
             beatMs = atMs;
             told.beat(atMs);
         }
         reportBattery(told, atMs);
+    }
+
+    /** Each of its positions, while another boat is near and it moves. */
+    private void reportMotion(BaseSession told) {
+        BoatMode mode = orders.mode();
+        vehicle.position()
+                .filter(at -> at.heardMs() > Math.max(motionMs, positionMs)
+                        && (mode == BoatMode.PATH || at.speedMps() > STILL_MPS)
+                        && orders.isNearOthers(at))
+                .flatMap(at -> VehicleReports.motion(vehicle, mode))
+                .ifPresent(motion -> {
+                    motionMs = vehicle.position().orElseThrow().heardMs();
+                    told.say(motion);
+                });
     }
 
     private void reportBattery(BaseSession told, long atMs) {
@@ -277,6 +297,11 @@ final class VehicleBoat implements BaseSession.Boat {
     @Override
     public void teleoperate(double thrust, double rudder) {
         orders.teleoperate(thrust, rudder);
+    }
+
+    @Override
+    public void near(Traffic traffic) {
+        orders.near(traffic);
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.CommandPlace;
+import org.sami.mavlink.command.GuidedCourse;
 import org.sami.mavlink.command.HandControl;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -33,6 +34,7 @@ class VehicleMotion {
     private Optional<Hand> hand = Optional.empty();
     private Optional<VehiclePilot.Order> settingOff = Optional.empty(); // along a mission; the last one
     private Optional<VehiclePilot.Order> stopping = Optional.empty(); // the last one
+    private boolean isAside;
     private long nowMs;
 
     /** Sticks, and when they were set. */
@@ -97,9 +99,15 @@ class VehicleMotion {
         return nowMs - vehicle().heardMs() <= VehicleLink.HEARD_MS;
     }
 
+    /** Whether it is steered around others, or is about to be, in place of what it was ordered to do. */
+    boolean isAside() {
+        return isAside;
+    }
+
     /** Whether it was sent to a single place. */
     boolean isGuided() {
-        return pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
+        return !isAside
+                && pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
     }
 
     /** Takes the sticks out of force. */
@@ -136,6 +144,7 @@ class VehicleMotion {
     void release() {
         pilot.release();
         hand = Optional.empty();
+        isAside = false;
     }
 
     /** The vehicle reports itself. Whether somebody else has changed its state; it is released then. */
@@ -159,10 +168,16 @@ class VehicleMotion {
         });
     }
 
+    /** Every order but {@link #stepAside} and {@link #goOn} ends what is done to give way. */
+    VehiclePilot.Order begin(Consumer<Optional<String>> ended) {
+        isAside = false;
+        return pilot.begin(ended);
+    }
+
     /** Motors off at once, and mode HOLD, so that it lies still if somebody arms it again. */
     void stop(Consumer<Optional<String>> ended) {
         hand = Optional.empty();
-        VehiclePilot.Order order = pilot.begin(ended);
+        VehiclePilot.Order order = begin(ended);
         stopsBy(order);
         order.command(
                 base.command(id, VehicleCommand.disarmAtOnce()),
@@ -187,19 +202,17 @@ class VehicleMotion {
             return Optional.empty();
         }
         hand = Optional.empty();
-        return Optional.of(pilot.begin(ended));
+        return Optional.of(begin(ended));
     }
 
     /** Goes to a single place and keeps it. */
     void guide(Waypoint place, double speedMps, Runnable started, Consumer<Optional<String>> ended) {
-        VehicleCommand go = VehicleCommand.reposition(
-                new CommandPlace(place.latDeg(), place.lonDeg(), 0),
-                Optional.empty()); // with a speed ArduPilot refuses it
         byItself(ended)
                 .ifPresent(order -> order.arm(() -> order.mode(
                         GUIDED,
                         true,
-                        () -> order.command(base.command(id, go), () -> goes(order, speedMps, started)))));
+                        () -> order.command(
+                                base.command(id, reposition(place)), () -> goes(order, speedMps, started)))));
     }
 
     private void goes(VehiclePilot.Order order, double speedMps, Runnable started) {
@@ -243,12 +256,48 @@ class VehicleMotion {
         Results.when(base.command(id, VehicleCommand.setSpeed(mps)), thread, (CommandOutcome outcome) -> {}, why -> {});
     }
 
+    /** Leaves what it was ordered to do, to be steered around others with {@link #steerAside}. Where the vehicle refuses, it goes on as ordered. */
+    void stepAside(Consumer<Optional<String>> ended) {
+        VehiclePilot.Order order = pilot.change(why -> {
+            isAside &= why.isEmpty() || why.get().equals(VehiclePilot.VOID);
+            ended.accept(why);
+        });
+        isAside = true;
+        order.mode(GUIDED, true, () -> order.done(new VehiclePilot.Ordered(GUIDED, true)));
+    }
+
+    /** Heading and speed while it is aside. They hold for at most 3 s. */
+    void steerAside(GuidedCourse course) {
+        base.guide(id, course);
+    }
+
+    /** Goes on along its mission after it was aside; where the vehicle refuses, it stays aside. */
+    void goOn(Leg leg, Consumer<Optional<String>> ended) {
+        VehiclePilot.Order order = pilot.change(ended);
+        follow(order, new Leg(leg.item, leg.takeOff, leg.lands, leg.speedMps, leg.goesThere, () -> {
+            isAside = false;
+            leg.started.run();
+        }));
+    }
+
+    /** Goes on to its single place after it was aside; where the vehicle refuses, it stays aside. */
+    void goOn(Waypoint place, double speedMps, Consumer<Optional<String>> ended) {
+        VehiclePilot.Order order = pilot.change(ended);
+        order.command(base.command(id, reposition(place)), () -> goes(order, speedMps, () -> isAside = false));
+    }
+
+    private static VehicleCommand reposition(Waypoint place) {
+        return VehicleCommand.reposition(
+                new CommandPlace(place.latDeg(), place.lonDeg(), 0),
+                Optional.empty()); // with a speed ArduPilot refuses it
+    }
+
     /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */
     void steer(double thrust, double rudder) {
         boolean begins = hand.isEmpty();
         hand = Optional.of(new Hand(thrust, rudder, nowMs));
         if (begins) {
-            VehiclePilot.Order order = pilot.begin(why -> why.ifPresent(words -> hand = Optional.empty()));
+            VehiclePilot.Order order = begin(why -> why.ifPresent(words -> hand = Optional.empty()));
             order.mode(
                     MANUAL,
                     vehicle().armed(),

@@ -138,7 +138,7 @@ final class VehiclePaths {
         if (isReplaced) {
             store.forget(); // whoever commands it: what it reports is no progress along the list
         }
-        return isReplaced && isInAuto() && motion.isOrdered();
+        return isReplaced && (isInAuto() || motion.isAside()) && motion.isOrdered();
     }
 
     void tick(long atMs) {
@@ -148,6 +148,51 @@ final class VehiclePaths {
                 .ifPresent(number -> {
                     var unused = base.command(motion.vehicle().id(), VehicleCommand.setCurrentItem(number));
                 });
+    }
+
+    // ---- giving way
+
+    /** The waypoint to which it is under way by order of the base; empty where it is not. */
+    Optional<VehicleTarget> target() {
+        boolean isUnderWay = motion.vehicle().armed()
+                && (motion.isAside() || motion.isGuided() || (isInAuto() && motion.isOrdered()));
+        return list.filter(held -> isUnderWay
+                        && !held.isCompleted()
+                        && !held.waypoints().isEmpty()
+                        && (!isMission(held) || motion.isGuided() || store.holds(list)))
+                .map(held -> new VehicleTarget(
+                        held.id(),
+                        held.next(),
+                        held.waypoints().get(held.next()),
+                        speedOf(held.next()),
+                        held.next() == held.waypoints().size() - 1));
+    }
+
+    /** It has come to its target while it gives way. Whether it can go on to the next one without its autopilot. */
+    boolean passes(VehicleTarget target) {
+        boolean passes = !target.isLast() && list.orElseThrow().has(target.index() + 1);
+        if (passes && list.get().advance(target.index() + 1)) {
+            broadcast.accept(progress());
+        }
+        return passes;
+    }
+
+    /** Has it go on by itself, to where it was under way when it gave way. */
+    void goOn(VehicleTarget to, Consumer<Optional<String>> ended) {
+        if (to.isLast()) {
+            motion.goOn(to.place(), to.speedMps(), ended);
+        } else {
+            DrivenList along = list.orElseThrow();
+            motion.goOn(
+                    new VehicleMotion.Leg(
+                            Optional.of(along.itemOf(to.index())),
+                            Optional.empty(),
+                            false,
+                            to.speedMps(),
+                            () -> {},
+                            () -> {}),
+                    ended);
+        }
     }
 
     /** A further part of a list is held. */

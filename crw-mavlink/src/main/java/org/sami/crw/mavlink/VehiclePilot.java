@@ -56,9 +56,11 @@ final class VehiclePilot {
         private String words = "";
         private long untilMs = Long.MAX_VALUE;
         private boolean waits;
+        private final Optional<Ordered> otherwise; // in force again where it fails
 
-        private Order(Consumer<Optional<String>> ended) {
+        private Order(Consumer<Optional<String>> ended, Optional<Ordered> otherwise) {
             this.ended = ended;
+            this.otherwise = otherwise;
         }
 
         /** Whether a later order has come, or none holds any longer. */
@@ -121,7 +123,7 @@ final class VehiclePilot {
                 return;
             }
             running = Optional.empty();
-            ordered = Optional.empty();
+            ordered = otherwise;
             ended.accept(Optional.of(why));
         }
 
@@ -163,8 +165,16 @@ final class VehiclePilot {
 
     /** Begins an order. One that runs is cancelled and ends with {@link #VOID}. */
     Order begin(Consumer<Optional<String>> ended) {
+        return begin(new Order(ended, Optional.empty()));
+    }
+
+    /** Begins an order that changes how the one before is carried out. Where it fails, the state before is the ordered one again. */
+    Order change(Consumer<Optional<String>> ended) {
+        return begin(new Order(ended, ordered));
+    }
+
+    private Order begin(Order order) {
         Optional<Order> before = running;
-        Order order = new Order(ended);
         running = Optional.of(order);
         ordered = Optional.empty();
         before.ifPresent(voided -> voided.ended.accept(Optional.of(VOID)));

@@ -7,6 +7,7 @@ import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Motion;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.mavlink.vehicle.VehicleBattery;
@@ -43,6 +44,13 @@ final class VehicleReports {
             return OptionalDouble.empty();
         }
         return OptionalDouble.of(vehicle.armed() ? Math.max(0, at.heightM()) : 0);
+    }
+
+    /** How it moves, for the boats near it; none as long as it says no position that can be trusted. */
+    static Optional<Motion> motion(VehicleSnapshot vehicle, BoatMode mode) {
+        return place(vehicle)
+                .map(at -> new Motion(
+                        at.latDeg(), at.lonDeg(), Math.toRadians(at.headingDeg().orElse(0.0)), at.speedMps(), mode));
     }
 
     /** Where it is; none where its filter does not trust it, or where it says a speed that no boat has. */

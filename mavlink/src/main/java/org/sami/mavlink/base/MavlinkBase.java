@@ -29,6 +29,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.command.CommandOutcome;
+import org.sami.mavlink.command.GuidedCourse;
 import org.sami.mavlink.command.GuidedTarget;
 import org.sami.mavlink.command.HandControl;
 import org.sami.mavlink.command.RadioOverride;
@@ -235,6 +236,11 @@ public final class MavlinkBase implements AutoCloseable {
     /** Sends a target to a vehicle that is in mode GUIDED; without an answer, and lost where the link loses it. */
     public void guide(VehicleId vehicle, GuidedTarget target) {
         owner.execute(() -> send(vehicle, target.message(vehicle)));
+    }
+
+    /** Sends heading and speed to a boat that is in mode GUIDED; without an answer, and lost where the link loses it. */
+    public void guide(VehicleId vehicle, GuidedCourse course) {
+        owner.execute(() -> send(vehicle, course.message(vehicle)));
     }
 
     /** Sends sticks to a vehicle; without an answer. Whoever drives by hand calls it several times a second. */

@@ -10,7 +10,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
  *
  * <p>Coordinates are metres east and north of the leg's end.
  */
-final class LegGuidance {
+public final class LegGuidance {
     private static final double LEAST_LOOKAHEAD_M = 2;
     // shorter look-aheads oscillate about the line: a hull takes a second to turn
     private static final double LOOKAHEAD_S = 2.5;
@@ -31,7 +31,7 @@ final class LegGuidance {
      * @param startNorthM where it begins
      * @param endMps how fast the vehicle may be at its end
      */
-    LegGuidance(double startEastM, double startNorthM, double endMps) {
+    public LegGuidance(double startEastM, double startNorthM, double endMps) {
         lengthM = PlaneMath.length(startEastM, startNorthM);
         boolean directed = lengthM >= LEAST_LEG_M;
         alongEast = directed ? -startEastM / lengthM : 0;
@@ -45,7 +45,7 @@ final class LegGuidance {
      *
      * @param radiusM distance in metres at which a vehicle may pass a waypoint
      */
-    boolean isDone(double eastM, double northM, double radiusM) {
+    public boolean isDone(double eastM, double northM, double radiusM) {
         double distanceM = PlaneMath.length(eastM, northM);
         passed |= remainingM(eastM, northM) <= 0;
         return distanceM <= REACHED_M || (passed && distanceM <= radiusM);
@@ -64,7 +64,7 @@ final class LegGuidance {
     }
 
     /** Course in radians, clockwise from north, onto the leg and along it; past its end, straight back to the end. */
-    double courseRad(double eastM, double northM, double speedMps) {
+    public double courseRad(double eastM, double northM, double speedMps) {
         if (passed || (alongEast == 0 && alongNorth == 0)) {
             return StrictMath.atan2(-eastM, -northM);
         }
@@ -82,7 +82,7 @@ final class LegGuidance {
      *
      * @param straightRad the course straight to its end, for a leg that has no line
      */
-    LineAhead line(double eastM, double northM, double straightRad) {
+    public LineAhead line(double eastM, double northM, double straightRad) {
         if (alongEast == 0 && alongNorth == 0) {
             return LineAhead.straight(straightRad, PlaneMath.length(eastM, northM));
         }

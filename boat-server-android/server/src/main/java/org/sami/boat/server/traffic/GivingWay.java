@@ -3,7 +3,7 @@ package org.sami.boat.server.traffic;
 import java.util.Arrays;
 import java.util.Optional;
 import org.sami.boat.link.MotionDefaults;
-import org.sami.boat.server.vehicle.Vehicle;
+import org.sami.boat.server.vehicle.Kinematics;
 
 /**
  * Makes a boat give way to others. It tries courses and speeds around the intended one and chooses the cheapest that is safe; where nobody is in the
@@ -75,7 +75,7 @@ public final class GivingWay {
     private static final double AVOID_BLOCKED_AFTER_S = 8; // of waiting, for courses that are blocked farther on
 
     private final Surroundings surroundings;
-    private final Vehicle vehicle;
+    private final Kinematics vehicle;
     private final GoingBack goingBack;
     private final Neighbours neighbours;
     private final double errorMarginM; // for position errors, added to APART_M
@@ -104,7 +104,7 @@ public final class GivingWay {
      *
      * @param positionErrorM standard deviation of positions along each axis, the boat's own and those of others, in metres
      */
-    public GivingWay(Surroundings surroundings, Vehicle vehicle, double positionErrorM) {
+    public GivingWay(Surroundings surroundings, Kinematics vehicle, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
         errorMarginM = errorMarginM(positionErrorM);

@@ -1,10 +1,12 @@
 package org.sami.boat.server.traffic;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
@@ -116,6 +118,21 @@ public final class Surroundings {
             }
         }
         return false;
+    }
+
+    /** The name of the boat nearest to a position; empty where no boat is known. */
+    public Optional<String> nearest(double latDeg, double lonDeg, long nowMs) {
+        double eastM = plane.eastM(latDeg, lonDeg);
+        double northM = plane.northM(latDeg, lonDeg);
+        return others.stream()
+                .min(Comparator.comparingDouble(
+                        other -> PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM)))
+                .map(OtherBoat::boatId);
+    }
+
+    /** Whether no-go edges are known near this boat. */
+    public boolean hasEdges() {
+        return !border.isEmpty();
     }
 
     /** The no-go edges near this boat. */

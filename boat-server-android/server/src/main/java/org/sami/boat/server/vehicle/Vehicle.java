@@ -11,19 +11,7 @@ import org.sami.boat.link.BoardCondition;
  *
  * <p>It is asked and set on the thread that ticks the server.
  */
-public interface Vehicle {
-
-    /** WGS 84 latitude in degrees; NaN as long as it is not known. */
-    double latDeg();
-
-    /** WGS 84 longitude in degrees; NaN as long as it is not known. */
-    double lonDeg();
-
-    /** Heading in radians, clockwise from true north, -π to π; NaN as long as it is not known. */
-    double headingRad();
-
-    /** Speed over ground along the heading in m/s; negative is astern; NaN as long as it is not known. */
-    double speedMps();
+public interface Vehicle extends Kinematics {
 
     /** Charge of the battery in percent of full. */
     double batteryPercent();
