@@ -22,6 +22,7 @@ public final class SimulatorTruth implements AutoCloseable {
 
     private final Socket socket;
     private final List<int[]> track = new ArrayList<>();
+    private final List<Long> heardNs = new ArrayList<>(); // when each was heard, on this process's clock
 
     /** Begins to listen on a vehicle's port. */
     public SimulatorTruth(int port, int system) throws IOException {
@@ -51,6 +52,7 @@ public final class SimulatorTruth implements AutoCloseable {
                 if (message.getPayload() instanceof Simstate state) {
                     synchronized (track) {
                         track.add(new int[] {state.lat(), state.lng()});
+                        heardNs.add(System.nanoTime());
                     }
                 }
             }
@@ -75,6 +77,27 @@ public final class SimulatorTruth implements AutoCloseable {
                     .min()
                     .orElse(Double.MAX_VALUE);
         }
+    }
+
+    /** How near it came to another vehicle at one time, in metres; of vehicles at the speed of real time. */
+    public double closestM(SimulatorTruth other) {
+        List<int[]> others;
+        List<Long> othersNs;
+        synchronized (other.track) {
+            others = List.copyOf(other.track);
+            othersNs = List.copyOf(other.heardNs);
+        }
+        double closest = Double.MAX_VALUE;
+        int next = 0;
+        synchronized (track) {
+            for (int i = 0; i < track.size() && !others.isEmpty(); i++) {
+                while (next < others.size() - 1 && othersNs.get(next) < heardNs.get(i)) {
+                    next++;
+                }
+                closest = Math.min(closest, metres(track.get(i), others.get(next)));
+            }
+        }
+        return closest;
     }
 
     /** How many reports of its place have come. */

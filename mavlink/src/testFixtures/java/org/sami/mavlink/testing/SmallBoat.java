@@ -22,6 +22,7 @@ import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.common.SetPositionTargetLocalNed;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -115,6 +116,7 @@ public final class SmallBoat implements AutoCloseable {
     private long stepped;
     private int armings;
     private final List<Integer> orderedModes = new ArrayList<>();
+    private final List<Double> courses = new ArrayList<>();
 
     /**
      * A boat that lies at a place, disarmed in HOLD.
@@ -152,6 +154,11 @@ public final class SmallBoat implements AutoCloseable {
     /** The modes into which it was ordered, refused ones too. */
     public synchronized List<Integer> orderedModes() {
         return List.copyOf(orderedModes);
+    }
+
+    /** The headings that it was given in GUIDED, radians from north clockwise. */
+    public synchronized List<Double> courses() {
+        return List.copyOf(courses);
     }
 
     /** Holds no mission any longer: another ground station has taken it away. */
@@ -341,6 +348,9 @@ public final class SmallBoat implements AutoCloseable {
             motion.speed(command.param1() > 0 ? command.param1() : motion.speed());
             mode = SmallBoatMotion.GUIDED;
             ack(REPOSITION, true);
+        } else if (message instanceof SetPositionTargetLocalNed course && mode == SmallBoatMotion.GUIDED) {
+            courses.add((double) course.yaw());
+            motion.steer(course.yaw(), course.vx());
         } else if (message instanceof ManualControl sticks) {
             motion.sticks(sticks.z(), sticks.y());
         } else if (message instanceof ParamRequestRead asked) {
@@ -388,6 +398,7 @@ public final class SmallBoat implements AutoCloseable {
                 orderedModes.add(next);
                 boolean refused = next == refusedMode || (next == SmallBoatMotion.AUTO && mission.isEmpty());
                 mode = refused ? mode : next;
+                motion.forgetCourse();
                 return !refused;
             }
             case ARM -> {

@@ -24,6 +24,7 @@ final class SmallBoatMotion {
     private double speedMps = 1;
     private double targetLat;
     private double targetLon;
+    private Optional<double[]> course = Optional.empty(); // heading in radians and speed in m/s, in place of a target
     private double stick;
     private double turn;
     private double movedM;
@@ -58,6 +59,16 @@ final class SmallBoatMotion {
     void goTo(int toLat, int toLon) {
         targetLat = toLat;
         targetLon = toLon;
+        course = Optional.empty();
+    }
+
+    void steer(double headingRad, double mps) {
+        course = Optional.of(new double[] {headingRad, mps});
+    }
+
+    /** It has no course any longer. */
+    void forgetCourse() {
+        course = Optional.empty();
     }
 
     void sticks(double ahead, double right) {
@@ -76,7 +87,10 @@ final class SmallBoatMotion {
     /** Moves for a time. The items of its mission that it has reached. */
     List<Integer> step(int mode, SmallBoatMission mission, double seconds) {
         double way = speedMps * times * seconds;
-        if (mode == GUIDED) {
+        if (mode == GUIDED && course.isPresent()) {
+            double metres = course.get()[1] * times * seconds;
+            move(metres * Math.cos(course.get()[0]), metres * Math.sin(course.get()[0]));
+        } else if (mode == GUIDED) {
             towards(targetLat, targetLon, way);
         } else if (mode == AUTO) {
             return along(mission, way);
