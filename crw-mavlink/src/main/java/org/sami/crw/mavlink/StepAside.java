@@ -28,6 +28,7 @@ final class StepAside {
     private long steeredMs;
     private long beganMs;
     private boolean isLong; // the operator knows
+    private boolean goesOn; // it is being ordered to: a course would undo that
     private long nowMs;
 
     /**
@@ -76,6 +77,9 @@ final class StepAside {
             }
             return;
         }
+        if (goesOn) {
+            return;
+        }
         if (nowMs - steeredMs >= STEER_MS) {
             steeredMs = nowMs;
             motion.steerAside(new GuidedCourse(chosen.courseRad(), chosen.speedMps()));
@@ -106,7 +110,9 @@ final class StepAside {
 
     private void goOn(VehicleTarget target) {
         tryFromMs = nowMs + RETRY_MS;
+        goesOn = true;
         paths.goOn(target, why -> {
+            goesOn = false;
             if (why.isEmpty()) {
                 tryFromMs = nowMs;
                 rule.goesOn();
