@@ -16,11 +16,11 @@ import org.sami.mavlink.vehicle.VehiclePosition;
  * way, and what is safe, is the same for all. The vehicle's leg begins where it was when it set off for the waypoint. For the gateway's thread.
  */
 final class VehicleGivingWay {
-    /**
-     * Standard deviation of a vehicle's position along each axis, in metres. The rule keeps 2.1 times that more: for satellites, and for positions that come four times a
-     * second.
-     */
-    private static final double POSITION_ERROR_M = 0.4;
+    /** Standard deviation of a vehicle's position along each axis, in metres. The rule keeps 2.1 times that more. */
+    private static final double POSITION_ERROR_M = 0.5;
+
+    /** Until a heading and speed take effect: the rule decides for where the vehicle is then. */
+    private static final long LATENCY_MS = 300;
 
     /** The rule may turn a boat on the spot. One with a rudder needs some headway for that. */
     private static final double TURNING_MPS = 0.3;
@@ -40,7 +40,7 @@ final class VehicleGivingWay {
     /** The way to a waypoint. */
     private record Leg(VehicleTarget target, LocalFrame end, LegGuidance guidance, boolean isArrived, double offsetM) {}
 
-    /** The vehicle now, from its last report and the time since. */
+    /** The vehicle when what is chosen takes effect, from its last report and the time since. */
     private static final class Motion implements Kinematics {
         private double latDeg;
         private double lonDeg;
@@ -50,7 +50,8 @@ final class VehicleGivingWay {
         void set(VehiclePosition at, boolean astern, long nowMs) {
             headingRad = Math.toRadians(at.headingDeg().orElse(0.0));
             speedMps = astern ? -at.speedMps() : at.speedMps();
-            double wayM = speedMps * Math.min(LONGEST_STEP_MS, Math.max(0, nowMs - at.heardMs())) / 1000;
+            long aheadMs = Math.min(LONGEST_STEP_MS, Math.max(0, nowMs - at.heardMs())) + LATENCY_MS;
+            double wayM = speedMps * aheadMs / 1000;
             LocalFrame plane = new LocalFrame(at.latDeg(), at.lonDeg());
             double eastM = wayM * StrictMath.sin(headingRad);
             double northM = wayM * StrictMath.cos(headingRad);
