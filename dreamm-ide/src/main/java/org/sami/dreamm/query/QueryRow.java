@@ -18,11 +18,10 @@ record QueryRow(PlanQuery query, Optional<PlanQueryAnswer> answer) {
     }
 
     String word() {
-        return answer.map(PlanQueryAnswer::result)
-                .map(result -> switch (result) {
+        return answer.map(given -> switch (given.result()) {
                     case EXPECTED -> "met";
                     case UNEXPECTED -> "NOT MET";
-                    case OPEN -> "open";
+                    case OPEN -> given.mayBe() ? "not certain" : "open";
                     case FAULT -> "fault";
                 })
                 .orElse("not asked");

@@ -74,12 +74,10 @@ public final class WitnessOnNet {
         listeners.forEach(Runnable::run);
     }
 
-    /** Where it is in the run; empty text where none is shown. */
+    /** Where it is in the run, with names of places and robots; empty text where none is shown. */
     String words() {
         return shown.map(run -> "firing " + at + " of " + run.firings().size()
-                        + (at == 0
-                                ? ", the start"
-                                : ": " + run.firings().get(at - 1).words()))
+                        + (at == 0 ? ", the start" : ": " + run.words().get(at - 1)))
                 .orElse("");
     }
 

@@ -108,7 +108,9 @@ class QueriesViewTest {
             context.commands().get("query-next").run();
         }
         assertThat(shown()).containsExactly("execute");
-        assertThat(message()).startsWith("firing 4 of 4: accepted(robot-1, robot-2)");
+        assertThat(message())
+                .startsWith(
+                        "firing 4 of 4: Allocation accepted (robot-1, robot-2): generic robot-1 robot-2 Choose allocation → Execute paths");
         assertThat(can("query-next")).isFalse();
         context.commands().get("query-play").run();
         assertThat(shown()).isEmpty();

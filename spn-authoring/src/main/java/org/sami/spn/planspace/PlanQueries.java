@@ -23,6 +23,7 @@ import org.sami.spn.model.TestCase;
 import org.sami.spn.plannet.Abstraction;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNet;
+import org.sami.spn.plannet.PlanNetFiring;
 
 /**
  * Answers the queries of a plan by searches of its net, by symmetry where a query names no robot, and takes the runs that it finds on the engine. For one thread.
@@ -71,13 +72,14 @@ public final class PlanQueries {
         boolean happens = isThatItHappens(asked, found);
         boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
         Optional<PlanWitness> witness = found.witness().map(run -> witness(run, query, goal(asked, run)));
+        boolean isOfThePlan = isAProof && (isExact() || !isOnlyAllowed(asked, found, happens, witness));
         return new PlanQueryAnswer(
                 query,
-                isAProof ? result(query, found.verdict()) : PlanQueryAnswer.Result.OPEN,
+                isOfThePlan ? result(query, found.verdict()) : PlanQueryAnswer.Result.OPEN,
                 isAProof ? found.verdict() : NetVerdict.UNKNOWN,
-                isAProof && asked.isFault(found.verdict()),
+                isOfThePlan && asked.isFault(found.verdict()),
                 found.verdict().name().toLowerCase(Locale.ROOT) + ": " + found.words()
-                        + (isAProof ? caution(asked, happens, witness) : notWhole(found)),
+                        + (isAProof ? caution(asked, found, happens, witness) : notWhole(found)),
                 witness,
                 found.graph().states(),
                 found.graph().nanos());
@@ -95,6 +97,18 @@ public final class PlanQueries {
         return (asked instanceof NetQuery.Reachable || asked instanceof NetQuery.Deadlock)
                 ? isYes
                 : (asked instanceof NetQuery.Invariant || asked instanceof NetQuery.Home) && !isYes;
+    }
+
+    /** Whether the answer says what a net that is wider than its plan does, and the engine was not seen to do it. */
+    private static boolean isOnlyAllowed(
+            NetQuery asked, QueryAnswer found, boolean happens, Optional<PlanWitness> witness) {
+        return isWithoutBound(asked, found)
+                || (happens && witness.flatMap(PlanWitness::steps).isEmpty());
+    }
+
+    private static boolean isWithoutBound(NetQuery asked, QueryAnswer found) {
+        return found.verdict() == NetVerdict.NO
+                && (asked instanceof NetQuery.Bound || asked instanceof NetQuery.BoundOfSum);
     }
 
     /** Whether the net follows all that the plan can do. */
@@ -118,10 +132,13 @@ public final class PlanQueries {
     }
 
     /** Whether the plan itself does what the net does. */
-    private String caution(NetQuery asked, boolean happens, Optional<PlanWitness> witness) {
+    private String caution(NetQuery asked, QueryAnswer found, boolean happens, Optional<PlanWitness> witness) {
         boolean goesOn = !happens && (asked instanceof NetQuery.Deadlock || asked instanceof NetQuery.Home);
         if (goesOn && !isExact()) {
             return ", if what is waited for comes";
+        }
+        if (isWithoutBound(asked, found) && !isExact()) {
+            return "; it may be so: the net leaves open what data decide";
         }
         if (!happens || witness.isEmpty()) {
             return "";
@@ -148,7 +165,15 @@ public final class PlanQueries {
 
     private PlanWitness witness(FiringSequence run, PlanQuery query, MarkingTest goal) {
         Optional<TestCase> steps = engine.steps(run, goal, query.name());
-        return new PlanWitness(net.firings(run), markings(run), steps);
+        List<PlanNetFiring> firings = net.firings(run);
+        List<PlanMarking> markings = markings(run);
+        PlanStateWords words = new PlanStateWords(net);
+        return new PlanWitness(
+                firings,
+                markings,
+                firings.stream().map(words::moves).toList(),
+                words.marked(markings.get(markings.size() - 1)),
+                steps);
     }
 
     /** What the engine has to come to: what was asked for; where that is about all that follows, the end of the run itself. */

@@ -12,7 +12,7 @@ import org.sami.spn.plannet.PlanNetFiring;
  * What a search says to a query of a plan.
  *
  * @param verdict yes or no where it is proved for the net, else unknown
- * @param isFault whether the answer is that a rule is broken: an invariant, a deadlock, a run that cannot come home, no bound
+ * @param isFault whether it is certain that a rule is broken: an invariant, a deadlock, a run that cannot come home, no bound
  * @param words the answer, or what is wrong with the query, in one sentence
  * @param witness a run that shows it; empty where nothing shows it
  * @param states how many states of the net were searched
@@ -31,7 +31,7 @@ public record PlanQueryAnswer(
     public enum Result {
         EXPECTED,
         UNEXPECTED,
-        /** Neither was proved. */
+        /** Neither was proved for the plan; {@link #mayBe} says whether its net does it. */
         OPEN,
         /** The query means nothing. */
         FAULT
@@ -48,6 +48,11 @@ public record PlanQueryAnswer(
     /** Nothing was searched: the query means nothing, or its plan has no net that could be. */
     public static PlanQueryAnswer without(PlanQuery query, Result result, String words) {
         return new PlanQueryAnswer(query, result, NetVerdict.UNKNOWN, false, words, Optional.empty(), 0, 0);
+    }
+
+    /** Whether the net does it and the engine was not seen to do it: the net can do more than its plan. */
+    public boolean mayBe() {
+        return result == Result.OPEN && verdict != NetVerdict.UNKNOWN;
     }
 
     /** The firings that show it; none where nothing shows it, or the start does. */

@@ -81,7 +81,31 @@ class PlanQueriesTest {
         assertThat(youngest.verdict()).isEqualTo(NetVerdict.YES);
         assertThat(youngest.witness().orElseThrow().steps()).isEmpty();
         assertThat(youngest.words()).contains("it may be so: the engine was not seen to do it");
+        assertThat(youngest.result()).isEqualTo(Result.OPEN);
+        assertThat(youngest.mayBe()).isTrue();
+        assertThat(oldest.mayBe()).isFalse();
         assertThat(oldest.words()).contains("and the engine comes there by its start");
+    }
+
+    @Test
+    void ruleThatOnlyTheNetBreaksIsNoFault() throws PlanNetTooLargeException {
+        PlanNet net = net(
+                new NetBuilder("p")
+                        .start("a")
+                        .places("c")
+                        .transition("t")
+                        .in("a", "t", "generic >= 1", "proxy >= 1")
+                        .out("t", "c", "take 1 generic", "take 1 proxy"),
+                "A",
+                "B");
+
+        PlanQueryAnswer onlyTheNet = answer(net, "invariant m(c.B) = 0", PlanQuery.Expected.YES);
+        PlanQueryAnswer thePlanToo = answer(net, "invariant m(c.A) = 0", PlanQuery.Expected.YES);
+
+        assertThat(onlyTheNet.isFault()).isFalse();
+        assertThat(onlyTheNet.mayBe()).isTrue();
+        assertThat(thePlanToo.isFault()).isTrue();
+        assertThat(thePlanToo.result()).isEqualTo(Result.UNEXPECTED);
     }
 
     @Test

@@ -47,9 +47,9 @@ import picocli.CommandLine.Spec;
                         + " about them by proof or by a run that shows it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:done; no query has found a fault",
-            "1:the file has errors, or a query has found a fault: a broken invariant, a deadlock, a run that cannot"
-                    + " come home; or a plan's saved query has another answer than expected",
+            "0:done; no fault is certain. What only the net of a plan does is printed as not certain",
+            "1:the file has errors, or it is certain that a query has found a fault: a broken invariant, a deadlock, a"
+                    + " run that cannot come home; or a plan's saved query has another answer than expected",
             "2:wrong usage, a query that makes no sense, or there is no such file",
             "5:the budget was used up before all was known"
         },

@@ -73,12 +73,17 @@ record PlanAnalysis(PlanArgument plan, Kind kind, Optional<ReachabilityGraph> gr
         return graph.map(found -> PlanFacts.of(plan.net(), found));
     }
 
-    /** Whether a rule is broken, or a saved query has another answer than its author expects, or means nothing. */
+    /** Whether it is certain that a rule is broken, or a saved query has another answer than its author expects; or one means nothing. */
     boolean hasFound() {
         return answers.stream()
                 .anyMatch(answer -> kind == Kind.SAVED
                         ? answer.result() == Result.UNEXPECTED || answer.result() == Result.FAULT
                         : answer.isFault());
+    }
+
+    /** The answers of which only the net is known to do what they say: the plan may. */
+    List<PlanQueryAnswer> mayBe() {
+        return answers.stream().filter(PlanQueryAnswer::mayBe).toList();
     }
 
     /** Whether the budget ended a search before all was known, or the net does not follow all that the plan does. */

@@ -6,9 +6,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.net.PetriNet;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.planspace.PlanQueryAnswer;
-import org.sami.spn.planspace.PlanStateWords;
 import org.sami.spn.planspace.PlanWitness;
 
 /** An analysis of a plan as a JSON object for programs; docs/command-line.md lists its members. */
@@ -39,8 +39,7 @@ final class PlanAnalysisJson {
             facts.mostRobots().forEach(most::put);
         });
         ArrayNode queries = object.putArray("queries");
-        PlanStateWords words = new PlanStateWords(analysis.plan().net());
-        analysis.answers().forEach(answer -> put(queries.addObject(), answer, analysis.kind(), words));
+        analysis.answers().forEach(answer -> put(queries.addObject(), answer, analysis.kind()));
         return object;
     }
 
@@ -55,7 +54,7 @@ final class PlanAnalysisJson {
                 .put("end", graph.end().name().toLowerCase(Locale.ROOT));
     }
 
-    private static void put(ObjectNode object, PlanQueryAnswer answer, PlanAnalysis.Kind kind, PlanStateWords words) {
+    private static void put(ObjectNode object, PlanQueryAnswer answer, PlanAnalysis.Kind kind) {
         object.put("query", answer.query().text());
         if (kind == PlanAnalysis.Kind.SAVED) {
             object.put("name", answer.query().name())
@@ -64,14 +63,15 @@ final class PlanAnalysisJson {
         }
         object.put("verdict", answer.verdict().name().toLowerCase(Locale.ROOT))
                 .put("answer", answer.words())
+                .put("certain", !answer.mayBe() && answer.verdict() != NetVerdict.UNKNOWN)
                 .put("states", answer.states())
                 .put("seconds", answer.nanos() / 1e9);
-        answer.witness().ifPresent(witness -> put(object, witness, words));
+        answer.witness().ifPresent(witness -> put(object, witness));
     }
 
-    private static void put(ObjectNode object, PlanWitness witness, PlanStateWords words) {
+    private static void put(ObjectNode object, PlanWitness witness) {
         ArrayNode run = object.putArray("witness");
-        witness.firings().forEach(firing -> run.add(words.moves(firing)));
+        witness.words().forEach(run::add);
         ObjectNode marking = object.putObject("marking");
         PlanMarking end = witness.end();
         end.tokens().forEach((place, tokens) -> {

@@ -3,6 +3,7 @@ package org.sami.crw.cli.analysis;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.spn.plannet.Abstraction;
 import org.sami.spn.planspace.PlanFacts;
@@ -39,6 +40,12 @@ final class PlanAnalysisText {
         }
         analysis.graph().ifPresent(this::printGraph);
         analysis.answers().forEach(this::print);
+        if (!analysis.mayBe().isEmpty()) {
+            out.println("not certain, as the net can do more than the plan: "
+                    + analysis.mayBe().stream()
+                            .map(answer -> answer.query().name())
+                            .collect(Collectors.joining(", ")));
+        }
     }
 
     private void list(List<Abstraction> all, Abstraction.Kind kind, String heading) {
@@ -99,8 +106,8 @@ final class PlanAnalysisText {
     }
 
     private void print(PlanWitness witness) {
-        witness.firings().forEach(firing -> out.println("    " + words.moves(firing)));
-        List<String> marked = words.marked(witness.end());
+        witness.words().forEach(firing -> out.println("    " + firing));
+        List<String> marked = witness.endWords();
         out.println("    then " + (marked.isEmpty() ? "no token anywhere" : String.join("; ", marked)));
     }
 }

@@ -15,7 +15,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.PlanQuery;
 import org.sami.spn.model.Project;
 import org.sami.spn.plannet.PlanNet;
-import org.sami.spn.plannet.PlanNetFiring;
 import org.sami.spn.plannet.PlanNetRequest;
 import org.sami.spn.plannet.PlanNetTooLargeException;
 import org.sami.spn.planspace.PlanQueries;
@@ -87,10 +86,13 @@ final class SavedQueries {
                     "%s: query \"%s\" %s: %s%n",
                     each.plan().id(), answer.query().name(), word(answer), answer.words());
             if (answer.result() == Result.UNEXPECTED) {
-                answer.run().stream().map(PlanNetFiring::words).forEach(firing -> out.println("    " + firing));
-                answer.markings().stream()
-                        .reduce((first, last) -> last)
-                        .ifPresent(end -> out.println("    then " + end.words()));
+                answer.witness().ifPresent(witness -> {
+                    witness.words().forEach(firing -> out.println("    " + firing));
+                    out.println("    then "
+                            + (witness.endWords().isEmpty()
+                                    ? "no token anywhere"
+                                    : String.join("; ", witness.endWords())));
+                });
             }
         }
     }
@@ -100,7 +102,7 @@ final class SavedQueries {
             case EXPECTED -> "as expected";
             case UNEXPECTED ->
                 "NOT AS EXPECTED (" + answer.query().expected().name().toLowerCase(Locale.ROOT) + ")";
-            case OPEN -> "open";
+            case OPEN -> answer.mayBe() ? "not certain" : "open";
             case FAULT -> "has a fault";
         };
     }
