@@ -51,9 +51,7 @@ final class AbstractionsOfPlan {
 
     private void transition(Plan plan, Transition t) {
         if (t.inputs().isEmpty()) {
-            boolean canWait = plan.transitions().stream()
-                    .anyMatch(other -> !other.inputs().isEmpty());
-            if (canWait) {
+            if (plan.transitions().size() > 1) {
                 list.wider(t.id(), "\"" + title(t) + "\" fires at once; the net lets other things happen before");
             }
         } else {

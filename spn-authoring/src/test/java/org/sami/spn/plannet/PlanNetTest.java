@@ -117,6 +117,23 @@ class PlanNetTest {
         assertThat(plan.abstractions()).isNotEmpty();
     }
 
+    /** The engine looks at transitions in one order, the net lets them fire in any. */
+    @Test
+    void orderOfTransitionsThatFireAtOnceIsLeftOpen() throws PlanNetTooLargeException {
+        PlanNet plan = net(new NetBuilder("p")
+                .start("a")
+                .places("b", "c")
+                .transition("t")
+                .in("a", "t", "generic >= 1")
+                .out("t", "b", "take 1 generic")
+                .transition("u")
+                .in("a", "u", "generic >= 1")
+                .out("u", "c", "take 1 generic"));
+
+        assertThat(markings(plan)).containsExactly("a: generic", "b: generic", "c: generic");
+        assertThat(plan.abstractions()).extracting(Abstraction::where).containsExactly("t", "u");
+    }
+
     @Test
     void aRunReadsAsFiringsOfThePlan() throws PlanNetTooLargeException {
         PlanNet plan = net(
