@@ -24,6 +24,7 @@ import org.sami.spn.protocol.Token;
  * state of each marking is followed, by news that lets a transition fire at once; random runs have news that waits as well.
  */
 final class EngineMarkings {
+    private static final int MOST_MARKINGS = 3_000;
     private static final int WALKS = 10;
     private static final int LENGTH = 30;
 
@@ -52,14 +53,14 @@ final class EngineMarkings {
         return named;
     }
 
-    /** The markings in words. */
+    /** The markings in words; of more than some thousand only so many. */
     Set<String> all(Dice dice) {
         EngineState first = engine.newState();
         net.request().robots().forEach(robot -> engine.step(first, 0, new Input.ProxyJoined(robot)));
         step(first, new Input.StartMission(net.request().plan(), "m", Map.of()));
         Set<String> known = new HashSet<>(Set.of(words(first)));
         Deque<EngineState> open = new ArrayDeque<>(List.of(first));
-        while (!open.isEmpty()) {
+        while (!open.isEmpty() && known.size() <= MOST_MARKINGS) {
             EngineState state = open.remove();
             for (Input input : news) {
                 EngineState next = state.copy();

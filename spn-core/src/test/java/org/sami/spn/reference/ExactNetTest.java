@@ -56,6 +56,11 @@ class ExactNetTest {
                 .isGreaterThan(SEEDS / 10);
     }
 
+    /** What the two searches of a seed's plan do not have in common; empty where they agree, or the net is not exact. */
+    static Optional<String> difference(long seed) {
+        return compare(seed).map(Compared::difference).filter(text -> !text.isEmpty());
+    }
+
     private static Optional<Compared> compare(long seed) {
         Project project = NewsPlans.project(seed);
         PlanNet net;

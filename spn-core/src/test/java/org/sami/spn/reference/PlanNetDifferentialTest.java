@@ -44,7 +44,8 @@ class PlanNetDifferentialTest {
         assertThat(firings.get()).isGreaterThan(SEEDS * 3);
     }
 
-    private static Optional<String> difference(long seed, AtomicLong firings, AtomicLong sessions) {
+    /** What the engine did in a seed's session and the net cannot do; empty where it can do all. */
+    static Optional<String> difference(long seed, AtomicLong firings, AtomicLong sessions) {
         Project project = RandomPlans.project(seed);
         RandomInputs world = new RandomInputs(project, seed);
         Subject engine = new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
