@@ -1,6 +1,7 @@
 package org.sami.crw.cli;
 
 import java.util.Map;
+import org.sami.crw.cli.analysis.AnalyseAllCommand;
 import org.sami.crw.cli.analysis.AnalyseCommand;
 import org.sami.crw.cli.analysis.GraphCommand;
 import org.sami.crw.cli.board.BoardCommand;
@@ -66,6 +67,7 @@ import picocli.CommandLine.Spec;
             DrawCommand.class,
             PhasesCommand.class,
             AnalyseCommand.class,
+            AnalyseAllCommand.class,
             GraphCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,

@@ -49,6 +49,14 @@ public final class PlanStateWords implements StateWords {
         return plan.place(id).map(Place::name).filter(name -> !name.isBlank()).orElse(id);
     }
 
+    /** A transition by its name, or by its id where the author gave it none. */
+    public String transition(String id) {
+        return plan.transition(id)
+                .map(Transition::name)
+                .filter(name -> !name.isBlank())
+                .orElse(id);
+    }
+
     @Override
     public String firing(int transition) {
         return firing(net.firing(transition));
@@ -59,10 +67,7 @@ public final class PlanStateWords implements StateWords {
         if (firing.transition().isEmpty()) {
             return "the mission ends";
         }
-        String name = plan.transition(firing.transition())
-                .map(Transition::name)
-                .filter(given -> !given.isBlank())
-                .orElse(firing.transition());
+        String name = transition(firing.transition());
         return firing.named().isEmpty() ? name : name + " (" + String.join(", ", firing.named()) + ")";
     }
 

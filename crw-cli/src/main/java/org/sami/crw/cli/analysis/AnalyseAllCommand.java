@@ -1,0 +1,130 @@
+package org.sami.crw.cli.analysis;
+
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.DomainOption;
+import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.SecondsConverter;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.FindingsText;
+import org.sami.crw.cli.output.ProgressDisplay;
+import org.sami.crw.cli.output.StopOnInterrupt;
+import org.sami.crw.cli.output.Terminal;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Plan;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw analyse-all}: a table of what many plans can reach with several numbers of boats. */
+@Command(
+        name = "analyse-all",
+        mixinStandardHelpOptions = true,
+        description = "Searches all plans of files, or of the library, with several numbers of boats, and prints a"
+                + " table in Markdown: does the plan stop before its end, can every run end, are its queries"
+                + " answered as expected?",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:done; no fault is certain",
+            "1:a file has errors, or it is certain that a plan stops before its end, that a run cannot end, or that a"
+                    + " saved query has another answer than expected",
+            "2:wrong usage, or there is no such file",
+            "5:a search ended before all was known"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {"  crw analyse-all", "  crw analyse-all my-plan.json --boats 1,2,8"})
+public final class AnalyseAllCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "FILE|PLAN",
+            description = "Projects' files or folders, or plans of the library by their ids; without them all plans of"
+                    + " the library.")
+    private List<String> names = new ArrayList<>();
+
+    @Mixin
+    private DomainOption domain = new DomainOption();
+
+    @Option(
+            names = "--boats",
+            paramLabel = "N,...",
+            split = ",",
+            defaultValue = "1,3,5",
+            description = "How many boats there are at the start. Default: ${DEFAULT-VALUE}.")
+    private List<Integer> boats = new ArrayList<>();
+
+    @Option(
+            names = "--time",
+            paramLabel = "SECONDS",
+            defaultValue = "60",
+            converter = SecondsConverter.class,
+            description = "How long each search may take. Default: ${DEFAULT-VALUE}.")
+    private long millis;
+
+    @Override
+    public Integer call() {
+        if (boats.stream().anyMatch(n -> n < 0 || n > PlanArgument.MOST_BOATS)) {
+            throw new UsageFault("--boats is 0 to " + PlanArgument.MOST_BOATS + ", several with commas, not " + boats);
+        }
+        Reading<DomainLibrary> words = domain.read();
+        PrintWriter err = spec.commandLine().getErr();
+        if (words.result().isEmpty()) {
+            FindingsText.print(err, domain.name(), words.findings());
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = words.result().get();
+        List<PlanSource> sources = names.isEmpty()
+                ? List.of(PlanSource.all(library))
+                : names.stream().map(name -> domain.find(name, library)).toList();
+        PrintWriter out = spec.commandLine().getOut();
+        AnalysisTable table = new AnalysisTable(out);
+        table.begin();
+        boolean isRead = true;
+        ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            SearchBudget budget = new SearchBudget(
+                    SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, Duration.ofMillis(millis));
+            AnalysedPlans analysed = new AnalysedPlans(library, budget, SearchProgress.watch(progress, stop));
+            for (PlanSource source : sources) {
+                List<Plan> plans = plans(source);
+                List<Finding> errors = source.concerning(plans).stream()
+                        .filter(Finding::isError)
+                        .toList();
+                FindingsText.print(err, source.source(), errors);
+                isRead &= errors.isEmpty() && source.project().isPresent();
+                for (Plan plan : errors.isEmpty() ? plans : List.<Plan>of()) {
+                    boats.forEach(n -> table.add(analysed.row(source.project().orElseThrow(), plan, n)));
+                }
+            }
+            progress.end();
+        }
+        table.end();
+        out.flush();
+        return isRead ? table.exitCode() : ExitCode.FINDINGS;
+    }
+
+    /** The plans that are meant: the named one, or all that have a start. */
+    private static List<Plan> plans(PlanSource source) {
+        return Optional.of(source)
+                .flatMap(PlanSource::plan)
+                .map(List::of)
+                .orElseGet(() -> source.project().stream()
+                        .flatMap(project -> project.plans().stream())
+                        .filter(plan -> plan.startPlace().isPresent())
+                        .toList());
+    }
+}
