@@ -1,7 +1,10 @@
 package org.sami.petri.query;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.LongSupplier;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.GraphWatch;
@@ -21,11 +24,17 @@ import org.sami.petri.query.QueryAnswer.NetVerdict;
  * within the same budget. For one thread.
  */
 public final class QueryRunner {
+    /** A graph is kept where it takes less than this part of the memory. */
+    private static final int PART_OF_MEMORY = 4;
+
     private final PetriNet net;
     private final SearchBudget budget;
     private final QueryMeans means;
     private final GraphWatch watch;
     private final LongSupplier nanos;
+
+    /** Whole graphs with their edges, by whether states that are alike are one. */
+    private final Map<Boolean, ReachabilityGraph> known = new HashMap<>();
 
     /**
      * A runner for a net.
@@ -41,14 +50,18 @@ public final class QueryRunner {
         this.nanos = nanos;
     }
 
+    /** The whole graph with its edges, by symmetry where the net has any, as far as the budget goes. Later queries are answered from it. */
+    public ReachabilityGraph whole() {
+        ReachabilityGraph graph = known.get(isSymmetric(true));
+        return graph != null ? graph : search(settings(true).withEdges(), isSymmetric(true));
+    }
+
     /** Answers a query about the net. */
     public QueryAnswer answer(NetQuery query) {
         if (query instanceof NetQuery.Reachable reachable) {
-            MarkingCondition goal = reachable.condition();
-            return found(search(settings(goal).withGoal(goal)), true, "such a marking");
+            return first(reachable.condition(), true, "such a marking");
         } else if (query instanceof NetQuery.Invariant invariant) {
-            MarkingCondition goal = new Not(invariant.condition());
-            return found(search(settings(goal).withGoal(goal)), false, "a marking that breaks it");
+            return first(new Not(invariant.condition()), false, "a marking that breaks it");
         } else if (query instanceof NetQuery.Deadlock deadlock) {
             return deadlock(deadlock);
         } else if (query instanceof NetQuery.Home home) {
@@ -61,23 +74,53 @@ public final class QueryRunner {
         throw new IllegalArgumentException("a query of an unknown kind: " + query);
     }
 
-    /** The settings for a query with a condition: with symmetry where the condition allows it. */
-    private SearchSettings settings(MarkingCondition condition) {
-        SearchSettings plain = SearchSettings.within(budget);
+    private boolean isKept(MarkingCondition condition) {
         return means.symmetry()
-                .filter(symmetry -> !symmetry.isEmpty() && ConditionSymmetry.isKept(condition, symmetry))
-                .map(plain::withSymmetry)
-                .orElse(plain);
+                .filter(symmetry -> ConditionSymmetry.isKept(condition, symmetry))
+                .isPresent();
+    }
+
+    /** Whether a search takes states that are alike as one: where the net has such, and the question allows it. */
+    private boolean isSymmetric(boolean isKept) {
+        return isKept
+                && means.symmetry().filter(symmetry -> !symmetry.isEmpty()).isPresent();
+    }
+
+    private SearchSettings settings(boolean isKept) {
+        SearchSettings plain = SearchSettings.within(budget);
+        return isSymmetric(isKept) ? plain.withSymmetry(means.symmetry().orElseThrow()) : plain;
     }
 
     private ReachabilityGraph search(SearchSettings settings) {
         return ReachabilitySearch.explore(net, settings, watch, nanos);
     }
 
+    /** A whole graph with its edges, which is kept where it leaves most of the memory to later searches. */
+    private ReachabilityGraph search(SearchSettings settings, boolean isSymmetric) {
+        ReachabilityGraph graph = search(settings);
+        if (graph.isComplete() && graph.bytes() < budget.bytes() / PART_OF_MEMORY) {
+            known.put(isSymmetric, graph);
+        }
+        return graph;
+    }
+
+    /** The answer of a search for a marking; from a graph that is known already, if there is one. */
+    private QueryAnswer first(MarkingCondition goal, boolean whenFound, String what) {
+        boolean isKept = isKept(goal);
+        ReachabilityGraph whole = known.get(isSymmetric(isKept));
+        return whole == null
+                ? found(search(settings(isKept).withGoal(goal)), whenFound, what)
+                : found(whole, whole.first(goal), whenFound, what);
+    }
+
     /** The answer of a search that ends where it finds something. */
     private static QueryAnswer found(ReachabilityGraph graph, boolean whenFound, String what) {
-        if (graph.found().isPresent()) {
-            FiringSequence run = graph.runTo(graph.found().getAsInt());
+        return found(graph, graph.found(), whenFound, what);
+    }
+
+    private static QueryAnswer found(ReachabilityGraph graph, OptionalInt state, boolean whenFound, String what) {
+        if (state.isPresent()) {
+            FiringSequence run = graph.runTo(state.getAsInt());
             return new QueryAnswer(
                     whenFound ? NetVerdict.YES : NetVerdict.NO,
                     what + " is reached by " + run.transitions().size() + " firings",
@@ -102,14 +145,23 @@ public final class QueryRunner {
     private QueryAnswer deadlock(NetQuery.Deadlock query) {
         MarkingCondition goal = new All(List.of(new NothingEnabled(net), new Not(query.end())));
         String what = "a deadlock";
-        if (!means.reduces()) {
-            return found(search(settings(goal).withGoal(goal)), true, what);
+        boolean isKept = isKept(goal);
+        ReachabilityGraph whole = known.get(isSymmetric(isKept));
+        if (whole != null) {
+            OptionalInt nearest = whole.deadlocks().stream()
+                    .mapToInt(Integer::intValue)
+                    .filter(state -> goal.test(whole.marking(state)))
+                    .min();
+            return found(whole, nearest, true, what);
         }
-        QueryAnswer reduced = found(search(settings(goal).withGoal(goal).withReduction()), true, what);
+        if (!means.reduces()) {
+            return found(search(settings(isKept).withGoal(goal)), true, what);
+        }
+        QueryAnswer reduced = found(search(settings(isKept).withGoal(goal).withReduction()), true, what);
         if (reduced.verdict() != NetVerdict.YES) {
             return reduced;
         }
-        QueryAnswer nearest = found(search(settings(goal).withGoal(goal)), true, what);
+        QueryAnswer nearest = found(search(settings(isKept).withGoal(goal)), true, what);
         return nearest.verdict() == NetVerdict.YES
                 ? nearest
                 : new QueryAnswer(
@@ -120,7 +172,11 @@ public final class QueryRunner {
     }
 
     private QueryAnswer home(MarkingCondition condition) {
-        ReachabilityGraph graph = search(settings(condition).withEdges());
+        boolean isSymmetric = isSymmetric(isKept(condition));
+        ReachabilityGraph graph = known.get(isSymmetric);
+        if (graph == null) {
+            graph = search(settings(isSymmetric).withEdges(), isSymmetric);
+        }
         if (!graph.isComplete()) {
             return unknown(graph, "not every run was followed to its end");
         }
@@ -151,8 +207,9 @@ public final class QueryRunner {
     }
 
     private QueryAnswer bound(NetQuery.BoundOfSum bound) {
-        ReachabilityGraph graph =
-                search(settings(new LinearComparison(bound.terms(), LinearComparison.Relation.AT_LEAST, 0)));
+        boolean isKept = isKept(new LinearComparison(bound.terms(), LinearComparison.Relation.AT_LEAST, 0));
+        ReachabilityGraph whole = known.get(isSymmetric(isKept));
+        ReachabilityGraph graph = whole == null ? search(settings(isKept)) : whole;
         int highest = 0;
         long most = Long.MIN_VALUE;
         for (int state = 0; state < graph.states(); state++) {
@@ -177,7 +234,9 @@ public final class QueryRunner {
     private QueryAnswer bound(int place) {
         MarkingCondition tellsPlaceApart = new LinearComparison(
                 List.of(new LinearComparison.Term(place, 1)), LinearComparison.Relation.AT_LEAST, 0);
-        ReachabilityGraph graph = search(settings(tellsPlaceApart));
+        boolean isKept = isKept(tellsPlaceApart);
+        ReachabilityGraph whole = known.get(isSymmetric(isKept));
+        ReachabilityGraph graph = whole == null ? search(settings(isKept)) : whole;
         int most = graph.mostTokens(place);
         Optional<FiringSequence> run = graph.first(marking -> marking[place] == most).stream()
                 .mapToObj(graph::runTo)

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.MarkingTest;
+import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.net.FiringRule;
 import org.sami.petri.query.NetQuery;
@@ -45,7 +46,9 @@ public final class PlanQueries {
     public PlanQueries(PlanNet net, SearchBudget budget, GraphWatch watch) {
         this.net = net;
         names = new PlanNetNames(net);
-        QueryMeans means = new QueryMeans(true, Optional.of(NetSymmetry.of(net.net())));
+        // without stubborn sets: each end takes the place "running", which every transition needs, so none is
+        // independent of all others
+        QueryMeans means = new QueryMeans(false, Optional.of(NetSymmetry.of(net.net())));
         runner = new QueryRunner(net.net(), budget, means, watch, System::nanoTime);
         engine = new RunOnEngine(net, MOST_STEPS, watch::isCancelled);
     }
@@ -58,6 +61,11 @@ public final class PlanQueries {
         } catch (QueryFaultException fault) {
             return Optional.of(fault.words());
         }
+    }
+
+    /** All states up to an exchange of robots, as far as the budget goes. Later queries are answered from them. */
+    public ReachabilityGraph whole() {
+        return runner.whole();
     }
 
     /** Answers one query. */

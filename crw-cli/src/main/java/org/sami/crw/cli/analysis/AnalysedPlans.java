@@ -5,10 +5,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.ReachabilityGraph;
-import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
-import org.sami.petri.graph.SearchSettings;
-import org.sami.petri.symmetry.NetSymmetry;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.PlanQuery;
@@ -73,11 +70,7 @@ final class AnalysedPlans {
 
     private Found found(PlanNet net, Plan plan) {
         PlanQueries queries = new PlanQueries(net, budget, watch);
-        ReachabilityGraph graph = ReachabilitySearch.explore(
-                net.net(),
-                SearchSettings.within(budget).withSymmetry(NetSymmetry.of(net.net())),
-                watch,
-                System::nanoTime);
+        ReachabilityGraph graph = queries.whole();
         PlanStateWords words = new PlanStateWords(net);
         return new Found(
                 net,

@@ -5,11 +5,8 @@ import java.util.Optional;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.ReachabilityGraph;
-import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
-import org.sami.petri.graph.SearchSettings;
 import org.sami.petri.query.QueryAnswer.NetVerdict;
-import org.sami.petri.symmetry.NetSymmetry;
 import org.sami.spn.model.PlanQuery;
 import org.sami.spn.planspace.PlanFacts;
 import org.sami.spn.planspace.PlanQueries;
@@ -57,14 +54,7 @@ record PlanAnalysis(PlanArgument plan, Kind kind, Optional<ReachabilityGraph> gr
                         .stream()
                                 .map(text -> new PlanQuery(text, text, PlanQuery.Expected.YES))
                                 .toList();
-        Optional<ReachabilityGraph> graph = kind == Kind.GIVEN
-                ? Optional.empty()
-                : Optional.of(ReachabilitySearch.explore(
-                        plan.net().net(),
-                        SearchSettings.within(budget)
-                                .withSymmetry(NetSymmetry.of(plan.net().net())),
-                        watch,
-                        System::nanoTime));
+        Optional<ReachabilityGraph> graph = kind == Kind.GIVEN ? Optional.empty() : Optional.of(queries.whole());
         return new PlanAnalysis(
                 plan, kind, graph, asked.stream().map(queries::answer).toList());
     }
