@@ -95,6 +95,9 @@ class RoundTripTest {
                         .with(new BoatPerformance(
                                 OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(4.5))),
                 new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
+                        .with(BoatPerformance.UNKNOWN.with(
+                                new PowerCurve(new double[] {0, 1.5, 3}, new double[] {2, 150, 1200}))),
+                new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0, 0), 1, LostLinkAction.HOLD)
                         .with(new BoatCapabilities(
                                 Collections.singletonMap("panorama", "there is no camera on board"),
                                 Optional.of(List.of("ctd/temperature", "ctd/oxygen")))),

@@ -127,6 +127,11 @@ public final class BoatProxy {
         return condition.status.battery().map(battery -> battery.charge(condition.performance));
     }
 
+    /** The same where it drives out at a speed in m/s. */
+    public Optional<Charge> charge(double speedMps) {
+        return condition.status.battery().map(battery -> battery.charge(condition.performance, speedMps));
+    }
+
     /** What it cannot do and what it measures, as it has reported. */
     public BoatCapabilities capabilities() {
         return settings.inForce().map(BoatTuning::capabilities).orElse(BoatCapabilities.UNKNOWN);

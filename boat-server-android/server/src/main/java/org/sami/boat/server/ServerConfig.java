@@ -131,9 +131,9 @@ public final class ServerConfig {
         return criticalBatteryPercent;
     }
 
-    /** Mean distance on one percent of charge, in metres; 0 where unknown. */
+    /** Mean distance on one percent of charge on the way home, in metres; 0 where unknown. */
     public double metresPerPercent() {
-        return performance.metresPerPercent().orElse(0);
+        return performance.metresPerPercent(returnSpeedMps).orElse(0);
     }
 
     /** What bases learn of how far, how fast and how narrowly the boat drives. */

@@ -14,6 +14,7 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.PlannedMission;
@@ -153,6 +154,14 @@ public final class ScenarioOptions {
     private @Nullable Double rangeM;
 
     @Option(
+            names = "--energy",
+            paramLabel = "drag,hotel=WATTS,battery=WH|MPS:WATTS,...,battery=WH",
+            description = "What boats of this process use: drag for a metre that costs four times as much at twice the"
+                    + " speed, with a hotel load while afloat; or their own curve of power by speed, from 0 m/s"
+                    + " (default: a metre costs the same at any speed, rest nothing; a battery has 148 Wh).")
+    private @Nullable String energy;
+
+    @Option(
             names = "--radio",
             paramLabel = "loss=PERCENT,range=METRES,lost-link=ACTION",
             description = "The radio of the boats of this process, all of it or parts: how many messages are lost, how"
@@ -264,7 +273,16 @@ public final class ScenarioOptions {
         RunSettings.Fleet fleet =
                 new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site());
         RunSettings.Fleet ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
-        return radio == null ? ranging : ranging.over(radio(radio));
+        RunSettings.Fleet using = energy == null ? ranging : ranging.with(energy(energy));
+        return radio == null ? using : using.over(radio(radio));
+    }
+
+    private static Energy energy(String text) {
+        try {
+            return Energy.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--energy: " + e.getMessage());
+        }
     }
 
     private static Radio radio(String text) {

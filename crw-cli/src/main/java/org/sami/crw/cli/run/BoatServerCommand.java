@@ -27,6 +27,7 @@ import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.StopOnInterrupt;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Command;
@@ -138,6 +139,15 @@ public final class BoatServerCommand implements Callable<Integer> {
             paramLabel = "METRES",
             description = "How far a full battery takes it on average, which it tells its base (default 3500).")
     private @Nullable Double rangeM;
+
+    @Option(
+            names = "--energy",
+            paramLabel = "drag,hotel=WATTS,battery=WH|MPS:WATTS,...,battery=WH",
+            description =
+                    "What it uses by its speed, which it tells its base: drag for a metre that costs four times as"
+                            + " much at twice the speed, with a hotel load while afloat; or its own curve of power by speed, from"
+                            + " 0 m/s (default: a metre costs the same at any speed, rest nothing; a battery has 148 Wh).")
+    private @Nullable String energy;
 
     @Mixin
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -326,7 +336,15 @@ public final class BoatServerCommand implements Callable<Integer> {
                     "the top speed is at most " + MOST_TOP_SPEED_MPS + " m/s, not " + topSpeedMps);
         }
         HullConfig hull = HullConfig.DEFAULT.withTopSpeedMps(topSpeedMps);
-        return rangeM == null ? hull : hull.withRangeM(rangeM);
+        HullConfig ranging = rangeM == null ? hull : hull.withRangeM(rangeM);
+        if (energy == null) {
+            return ranging;
+        }
+        Energy use = Energy.parse(energy);
+        if (use.isCurve() && rangeM != null) {
+            throw new IllegalArgumentException("--energy: a range follows from the boat's curve: give one of the two");
+        }
+        return ranging.with(use);
     }
 
     /** Says on standard error who comes and goes. */

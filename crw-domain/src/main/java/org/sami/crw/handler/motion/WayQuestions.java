@@ -108,7 +108,7 @@ public final class WayQuestions implements HostListener {
         Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
         for (Move move : moves) {
-            Optional<Way> way = way(move, avoid);
+            Optional<Way> way = way(activation, move, avoid);
             Optional<WayDoubt> futile = returns.doubt(move);
             Optional<WayDoubt> doubt = move.doubt().or(() -> futile).or(() -> way.flatMap(WayCheck::doubt));
             Optional<WayBack> back = doubt.isPresent() ? Optional.empty() : way.flatMap(this::wayBack);
@@ -164,12 +164,13 @@ public final class WayQuestions implements HostListener {
         };
     }
 
-    private Optional<Way> way(Move move, List<GeoArea> avoid) {
+    private Optional<Way> way(Activation activation, Move move, List<GeoArea> avoid) {
         List<GeoPoint> points = move.command().unvisitedPoints();
         String boat = move.addressee().boat();
         Optional<BoatStatus> status = boats.find(boat).map(BoatProxy::status);
-        Optional<Charge> charge =
-                boats.find(boat).filter(known -> !known.isFlying()).flatMap(BoatProxy::charge); // aircraft pay for time
+        Optional<Charge> charge = boats.find(boat)
+                .filter(known -> !known.isFlying()) // aircraft pay for time
+                .flatMap(known -> known.charge(SpeedChoice.mps(activation, move.command(), known)));
         return points.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new Way(

@@ -3,9 +3,11 @@ package org.sami.crw.handler.planning;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.boat.link.BoatCapabilities;
+import org.sami.crw.handler.motion.SpeedChoice;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.Charge;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoPoint;
 
 /** How far and how fast each boat gets, what it can do, and where it returns to, as it has reported: what work is divided by. For the fleet's thread. */
@@ -20,6 +22,13 @@ public final class BoatReach {
     /** How far a boat's charge is sure to take it, in metres; empty for one that has not reported a charge. */
     OptionalDouble rangeM(String boat) {
         return boats.find(boat).flatMap(BoatProxy::charge).stream()
+                .mapToDouble(Charge::sureM)
+                .findFirst();
+    }
+
+    /** The same on paths of an activation, whose speed follows from its markup Optimize. */
+    OptionalDouble rangeM(String boat, Activation activation) {
+        return boats.find(boat).flatMap(known -> known.charge(SpeedChoice.mps(activation, known))).stream()
                 .mapToDouble(Charge::sureM)
                 .findFirst();
     }

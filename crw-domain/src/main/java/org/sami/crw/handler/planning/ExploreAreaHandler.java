@@ -192,7 +192,8 @@ public final class ExploreAreaHandler implements ActivationHandler {
 
     private Ranges ranges(List<Addressee> boats, Exploration one) {
         Map<String, Double> metres = new LinkedHashMap<>();
-        boats.forEach(boat -> reach.rangeM(boat.boat()).ifPresent(range -> metres.put(boat.boat(), range)));
+        boats.forEach(
+                boat -> reach.rangeM(boat.boat(), one.activation).ifPresent(range -> metres.put(boat.boat(), range)));
         if (!PlannedSwaps.keepWaysHome(one.activation, one.context)) {
             return Ranges.out(metres, one.context.query(view -> PlannedSwaps.areOf(one.activation.mission(), view)));
         }

@@ -5,14 +5,34 @@ package org.sami.crw.service.reach;
  *
  * @param percent of full, 0 to 100
  * @param metresPerPercent how far one percent takes the boat on average, in metres, more than 0
+ * @param homewardMetresPerPercent the same on its way home, where it may drive at another speed
  */
-public record Charge(double percent, double metresPerPercent) {
+public record Charge(double percent, double metresPerPercent, double homewardMetresPerPercent) {
     /** Refuses a distance that is not positive. */
     public Charge {
-        if (!(metresPerPercent > 0 && metresPerPercent < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException(
-                    "a percent of charge takes a boat farther than 0 m, not " + metresPerPercent);
+        positive(metresPerPercent);
+        positive(homewardMetresPerPercent);
+    }
+
+    /** That of a boat that drives out and home at one speed. */
+    public Charge(double percent, double metresPerPercent) {
+        this(percent, metresPerPercent, metresPerPercent);
+    }
+
+    private static void positive(double metres) {
+        if (!(metres > 0 && metres < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("a percent of charge takes a boat farther than 0 m, not " + metres);
         }
+    }
+
+    /** The same charge on a way out on which a percent takes the boat another distance, in metres. */
+    public Charge outward(double metres) {
+        return new Charge(percent, metres, homewardMetresPerPercent);
+    }
+
+    /** The way out that costs as much as a way home, both in metres. */
+    public double outwardM(double homewardM) {
+        return homewardM * (metresPerPercent / homewardMetresPerPercent);
     }
 
     /** That of a boat which does not say how far a percent takes it: {@link Range#METRES_PER_PERCENT}. */

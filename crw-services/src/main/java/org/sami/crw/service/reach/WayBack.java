@@ -40,13 +40,14 @@ public record WayBack(String words, boolean isSure) {
         double homeM = Geodesy.lengthM(end, Detour.along(end, List.of(home), around));
         Charge charge = way.charge().get();
         double percent = charge.percent();
-        double left = percent - charge.usedPercent(outM + homeM);
+        double asFarAsM = outM + charge.outwardM(homeM);
+        double left = percent - charge.usedPercent(asFarAsM);
         double sureM = charge.sureM();
         if (left >= PLENTY_PERCENT || outM > sureM) {
             return Optional.empty();
         }
         return Optional.of(
-                outM + homeM <= sureM
+                asFarAsM <= sureM
                         ? new WayBack(
                                 String.format(
                                         Locale.ROOT,

@@ -10,6 +10,7 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.reach.Charge;
 import org.sami.spn.value.GeoPoint;
 
 /** Whether what is left of a boat's charge takes it to the end of its path. For one thread. */
@@ -35,7 +36,12 @@ final class RangeCheck {
     static Optional<Double> rangeM(BoatSnapshot boat) {
         BoatPerformance performance =
                 boat.settings().map(BoatTuning::performance).orElse(BoatPerformance.UNKNOWN);
-        return boat.battery().map(battery -> battery.charge(performance).meanM());
+        return boat.battery()
+                .map(battery -> boat.command().orElse(null) instanceof FollowPath path
+                                && path.speedMps().isPresent()
+                        ? battery.charge(performance, path.speedMps().getAsDouble())
+                        : battery.charge(performance))
+                .map(Charge::meanM);
     }
 
     void remove(String boat) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.MotionDefaults;
+import org.sami.boat.link.PowerCurve;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.service.reach.Range;
@@ -18,6 +19,7 @@ import org.sami.crw.service.reach.Range;
  * @param maxTurnAccelerationRadPerS2 most that the turn rate changes, in radians a second per second
  * @param batteryPercentPerM the constant K of thesis 7.1.1: charge in percent that one metre costs on the average
  * @param rotors of a copter; empty for a boat
+ * @param power what it uses by its speed, in place of the constant; empty where each metre costs the same
  */
 public record HullConfig(
         double topSpeedMps,
@@ -25,7 +27,8 @@ public record HullConfig(
         double maxTurnRateRadPerS,
         double maxTurnAccelerationRadPerS2,
         double batteryPercentPerM,
-        Optional<RotorConfig> rotors) {
+        Optional<RotorConfig> rotors,
+        Optional<PowerCurve> power) {
 
     private static final double RETURN_MPS = 8; // this and the next two of a copter, which has to come home and land
     private static final double LOW_PERCENT = 35;
@@ -36,7 +39,8 @@ public record HullConfig(
             new HullConfig(MotionDefaults.FULL_THRUST_SPEED_MPS, 0.6, 0.9, 2.0, 1 / Range.METRES_PER_PERCENT);
 
     /** A copter: 12 m/s, and 25 minutes in the air; distances cost nothing more. */
-    public static final HullConfig COPTER = new HullConfig(12, 3, 1.5, 4, 0, Optional.of(RotorConfig.DEFAULT));
+    public static final HullConfig COPTER =
+            new HullConfig(12, 3, 1.5, 4, 0, Optional.of(RotorConfig.DEFAULT), Optional.empty());
 
     /** That of a kind of robots. */
     public static HullConfig of(RobotKind robots) {
@@ -56,12 +60,14 @@ public record HullConfig(
                 maxTurnRateRadPerS,
                 maxTurnAccelerationRadPerS2,
                 batteryPercentPerM,
+                Optional.empty(),
                 Optional.empty());
     }
 
     /** Refuses limits that are not positive; a battery that never drains (0) is allowed. */
     public HullConfig {
         Objects.requireNonNull(rotors, "rotors");
+        Objects.requireNonNull(power, "power");
         positive("top speed", topSpeedMps);
         positive("acceleration", maxAccelerationMps2);
         positive("turn rate", maxTurnRateRadPerS);
@@ -74,7 +80,13 @@ public record HullConfig(
     /** The same hull with another battery constant. */
     public HullConfig withBatteryPercentPerM(double percentPerM) {
         return new HullConfig(
-                topSpeedMps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, percentPerM, rotors);
+                topSpeedMps,
+                maxAccelerationMps2,
+                maxTurnRateRadPerS,
+                maxTurnAccelerationRadPerS2,
+                percentPerM,
+                rotors,
+                power);
     }
 
     /** The same hull with a battery that lasts for so many metres on average when it is full. */
@@ -86,7 +98,34 @@ public record HullConfig(
     /** The same hull with other motors. */
     public HullConfig withTopSpeedMps(double mps) {
         return new HullConfig(
-                mps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, batteryPercentPerM, rotors);
+                mps,
+                maxAccelerationMps2,
+                maxTurnRateRadPerS,
+                maxTurnAccelerationRadPerS2,
+                batteryPercentPerM,
+                rotors,
+                power);
+    }
+
+    /** The same hull, whose consumption depends on its speed. */
+    HullConfig withPower(PowerCurve curve) {
+        return new HullConfig(
+                topSpeedMps,
+                maxAccelerationMps2,
+                maxTurnRateRadPerS,
+                maxTurnAccelerationRadPerS2,
+                batteryPercentPerM,
+                rotors,
+                Optional.of(curve));
+    }
+
+    /** The same hull, which uses its battery so. */
+    public HullConfig with(Energy energy) {
+        return energy.on(this, cruiseMps());
+    }
+
+    private double cruiseMps() {
+        return Math.min(MotionDefaults.CRUISE_SPEED_MPS, topSpeedMps);
     }
 
     /** What a boat server on it knows of it. */
@@ -98,10 +137,15 @@ public record HullConfig(
     }
 
     private BoatPerformance performance() {
+        OptionalDouble cruise = OptionalDouble.of(cruiseMps());
+        OptionalDouble turning = OptionalDouble.of(0); // opposite thrust turns it on the spot
+        if (power.isPresent()) {
+            return new BoatPerformance(OptionalDouble.empty(), cruise, turning).with(power.get());
+        }
         return new BoatPerformance(
                 batteryPercentPerM > 0 ? OptionalDouble.of(1 / batteryPercentPerM) : OptionalDouble.empty(),
-                OptionalDouble.of(Math.min(MotionDefaults.CRUISE_SPEED_MPS, topSpeedMps)),
-                OptionalDouble.of(0)); // opposite thrust turns it on the spot
+                cruise,
+                turning);
     }
 
     private static void positive(String name, double value) {

@@ -16,7 +16,7 @@ import org.sami.boat.server.vehicle.Vehicle;
  *
  * <p>The battery drains with the distance driven, {@code b(t + τ) = b(t) - K d(τ) (1 + R)} with {@code R} drawn from
  * {@code U(-0.1, 0.1)} for each interval τ of {@link Conditions#dischargeIntervalS} (thesis 7.1.1), and never below zero; an empty one leaves the
- * motors without effect. The distance is that through the water: holding out against a current costs as much as driving.
+ * motors without effect. A hull with a {@link HullConfig#power curve} drains in the same way by the power at its speed, at rest too. The distance is that through the water: holding out against a current costs as much as driving.
  * Equal seeds and equal efforts give equal tracks to the last bit.
  */
 public final class SimulatedHull implements Vehicle {
@@ -218,7 +218,11 @@ public final class SimulatedHull implements Vehicle {
         } else {
             drift(seconds);
         }
+        double speedBefore = speedMps;
         drive(seconds);
+        if (config.power().isPresent() && batteryPercent > 0) {
+            drain(config.power().get().percent((speedBefore + speedMps) / 2, seconds));
+        }
         spreadForS -= seconds;
     }
 
@@ -264,11 +268,18 @@ public final class SimulatedHull implements Vehicle {
         isLocated = false;
         double drivenM = Math.abs(alongM);
         distanceM += drivenM;
+        if (config.power().isEmpty()) {
+            drain(config.batteryPercentPerM() * drivenM);
+        }
+    }
+
+    /** Takes a mean consumption in percent, and its spread, from the battery. */
+    private void drain(double meanPercent) {
         if (spreadForS <= 0) {
             spread = random.nextDouble(-BATTERY_SPREAD, BATTERY_SPREAD);
             spreadForS = dischargeIntervalS;
         }
-        batteryPercent = Math.max(0, batteryPercent - config.batteryPercentPerM() * drivenM * (1 + spread));
+        batteryPercent = Math.max(0, batteryPercent - meanPercent * (1 + spread));
     }
 
     private void locate() {

@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.sami.boat.link.PowerCurve;
 
 /** The file of a hull's settings: one JSON object, as {@code hull-1.schema.json} says. What is left out is as by default; what is unknown or out of range is refused. */
 public final class HullFile {
@@ -126,6 +127,9 @@ public final class HullFile {
             case "metresPerPercent":
                 hull.metresPerPercent(number(value));
                 break;
+            case "power":
+                power(hull, value);
+                break;
             case "cruiseMps":
                 hull.cruiseMps(number(value));
                 break;
@@ -148,19 +152,26 @@ public final class HullFile {
         if (!value.isObject() || value.size() != 2) {
             throw new IllegalArgumentException("expected is a name, or an object with volts and percent");
         }
-        hull.battery(new BatteryCurve(numbers(value, "volts"), numbers(value, "percent")));
+        hull.battery(new BatteryCurve(numbers(value, "/battery", "volts"), numbers(value, "/battery", "percent")));
     }
 
-    private static double[] numbers(JsonNode object, String name) {
+    private static void power(HullSettings.Builder hull, JsonNode value) {
+        if (!value.isObject() || value.size() != 2) {
+            throw new IllegalArgumentException("expected is an object with speedMps and percentPerHour");
+        }
+        hull.power(new PowerCurve(numbers(value, "/power", "speedMps"), numbers(value, "/power", "percentPerHour")));
+    }
+
+    private static double[] numbers(JsonNode object, String where, String name) {
         JsonNode array = object.path(name);
         if (!array.isArray() || array.size() > BatteryCurve.MAX_POINTS) {
             throw new IllegalArgumentException(
-                    "/battery/" + name + ": expected are 2 to " + BatteryCurve.MAX_POINTS + " numbers");
+                    where + "/" + name + ": expected are 2 to " + BatteryCurve.MAX_POINTS + " numbers");
         }
         double[] numbers = new double[array.size()];
         for (int i = 0; i < numbers.length; i++) {
             if (!array.path(i).isNumber()) {
-                throw new IllegalArgumentException("/battery/" + name + "/" + i + ": expected is a number");
+                throw new IllegalArgumentException(where + "/" + name + "/" + i + ": expected is a number");
             }
             numbers[i] = array.path(i).asDouble();
         }
@@ -208,7 +219,14 @@ public final class HullFile {
         } else {
             root.put("battery", hull.batteryName());
         }
-        hull.performance().metresPerPercent().ifPresent(metres -> root.put("metresPerPercent", metres));
+        if (hull.performance().power().isPresent()) {
+            PowerCurve power = hull.performance().power().get();
+            ObjectNode curve = root.putObject("power");
+            Arrays.stream(power.speedsMps()).forEach(curve.putArray("speedMps")::add);
+            Arrays.stream(power.percentsPerHour()).forEach(curve.putArray("percentPerHour")::add);
+        } else {
+            hull.performance().metresPerPercent().ifPresent(metres -> root.put("metresPerPercent", metres));
+        }
         hull.performance().cruiseMps().ifPresent(mps -> root.put("cruiseMps", mps));
         hull.performance().turningRadiusM().ifPresent(metres -> root.put("turningRadiusM", metres));
         root.put("motorsChecked", hull.motorsChecked());

@@ -1,8 +1,10 @@
 package org.sami.boat.hull.settings;
 
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.boat.link.BoatPerformance;
+import org.sami.boat.link.PowerCurve;
 
 /**
  * How one hull is wired and how far its motors may go. Immutable; {@link Builder} refuses values out of range and names them.
@@ -56,7 +58,8 @@ public final class HullSettings {
         batteryName = from.batteryName;
         battery = from.battery;
         motorsChecked = from.motorsChecked;
-        performance = new BoatPerformance(from.metresPerPercent, from.cruiseMps, from.turningRadiusM);
+        BoatPerformance driving = new BoatPerformance(from.metresPerPercent, from.cruiseMps, from.turningRadiusM);
+        performance = from.power.map(driving::with).orElse(driving);
     }
 
     /** A hull of a kind with the defaults: 70 % of full thrust, nothing reversed but the rudder, a lithium pack of four cells. */
@@ -78,7 +81,9 @@ public final class HullSettings {
         builder.batteryName = batteryName;
         builder.battery = battery;
         builder.motorsChecked = motorsChecked;
-        builder.metresPerPercent = performance.metresPerPercent();
+        builder.metresPerPercent =
+                performance.power().isPresent() ? OptionalDouble.empty() : performance.metresPerPercent();
+        builder.power = performance.power();
         builder.cruiseMps = performance.cruiseMps();
         builder.turningRadiusM = performance.turningRadiusM();
         return builder;
@@ -164,6 +169,7 @@ public final class HullSettings {
         private BatteryCurve battery = curve(batteryName);
         private boolean motorsChecked;
         private OptionalDouble metresPerPercent = OptionalDouble.empty();
+        private Optional<PowerCurve> power = Optional.empty();
         private OptionalDouble cruiseMps = OptionalDouble.empty();
         private OptionalDouble turningRadiusM = OptionalDouble.empty();
 
@@ -252,6 +258,12 @@ public final class HullSettings {
             return this;
         }
 
+        /** What the boat uses by its speed: how far a percent takes it follows from that. */
+        public Builder power(PowerCurve value) {
+            power = Optional.of(value);
+            return this;
+        }
+
         /** Speed on paths that name none, in m/s. */
         public Builder cruiseMps(double value) {
             cruiseMps = OptionalDouble.of(within("cruise speed", value, 0.1, MAX_CRUISE_MPS));
@@ -266,6 +278,10 @@ public final class HullSettings {
 
         /** The settings. */
         public HullSettings build() {
+            if (power.isPresent() && metresPerPercent.isPresent()) {
+                throw new IllegalArgumentException(
+                        "/power: the way for a percent follows from it: no metresPerPercent");
+            }
             return new HullSettings(this);
         }
 

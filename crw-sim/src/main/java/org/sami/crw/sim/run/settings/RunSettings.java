@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
 
 /**
@@ -59,6 +60,7 @@ public record RunSettings(
      * @param robots what they are; those of boats are named boats in this record
      * @param rangeM how far a full battery takes boats in this process on average, in metres; empty for the usual range
      * @param copters how many of them, the last ones, are copters where both kinds are together; 0 otherwise
+     * @param energy what decides how much charge boats in this process use
      * @param radio between base and boats in this process; the base's is in the middle of the quay
      */
     public record Fleet(
@@ -72,7 +74,8 @@ public record RunSettings(
             RobotKind robots,
             OptionalDouble rangeM,
             int copters,
-            Radio radio) {
+            Radio radio,
+            Energy energy) {
         /** The greatest number of boats. */
         public static final int MOST_BOATS = 250;
 
@@ -106,12 +109,20 @@ public record RunSettings(
             Objects.requireNonNull(site, "site");
             Objects.requireNonNull(robots, "robots");
             Objects.requireNonNull(radio, "radio");
+            Objects.requireNonNull(energy, "energy");
             double metres = rangeM.orElse(SHORTEST_RANGE_M);
             if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
                 throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
             }
             if (rangeM.isPresent() && robots == RobotKind.COPTER) {
                 throw new IllegalArgumentException("only boats have a range; copters fly for a time");
+            }
+            if (!energy.isPerMetre() && robots == RobotKind.COPTER) {
+                throw new IllegalArgumentException(
+                        "only boats use their battery by their speed; copters fly for a time");
+            }
+            if (energy.isCurve() && rangeM.isPresent()) {
+                throw new IllegalArgumentException("a range follows from the boats' curve: give one of the two");
             }
             within("copters", copters, 0, robots == RobotKind.ROBOT ? boats : 0);
         }
@@ -139,7 +150,19 @@ public record RunSettings(
                 Site site,
                 RobotKind robots,
                 OptionalDouble rangeM) {
-            this(boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0, Radio.PERFECT);
+            this(
+                    boats,
+                    locations,
+                    areaM,
+                    seed,
+                    conditions,
+                    charges,
+                    site,
+                    robots,
+                    rangeM,
+                    0,
+                    Radio.PERFECT,
+                    Energy.PER_METRE);
         }
 
         /** A fleet with full batteries in calm water. */
@@ -149,23 +172,37 @@ public record RunSettings(
 
         /** The same fleet with more or fewer boats. */
         Fleet of(int otherBoats) {
-            return new Fleet(otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0, radio);
+            return new Fleet(
+                    otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0, radio, energy);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water, charges, site, robots, rangeM, copters, radio);
+            return new Fleet(
+                    boats, locations, areaM, seed, water, charges, site, robots, rangeM, copters, radio, energy);
         }
 
         /** The same fleet, with other locations, batteries and all else that is drawn. */
         public Fleet drawnFrom(long otherSeed) {
             return new Fleet(
-                    boats, locations, areaM, otherSeed, conditions, charges, site, robots, rangeM, copters, radio);
+                    boats,
+                    locations,
+                    areaM,
+                    otherSeed,
+                    conditions,
+                    charges,
+                    site,
+                    robots,
+                    rangeM,
+                    copters,
+                    radio,
+                    energy);
         }
 
         /** The same fleet with other charges. */
         public Fleet with(InitialCharges others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, others, site, robots, rangeM, copters, radio);
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, others, site, robots, rangeM, copters, radio, energy);
         }
 
         /** The same fleet with batteries that last for so many metres on average when they are full. */
@@ -181,22 +218,32 @@ public record RunSettings(
                     robots,
                     OptionalDouble.of(metres),
                     copters,
-                    radio);
+                    radio,
+                    energy);
         }
 
         /** The same fleet with links over another radio. */
         public Fleet over(Radio other) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, other);
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, other, energy);
+        }
+
+        /** The same fleet, whose boats use their batteries so. */
+        public Fleet with(Energy other) {
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, radio, other);
         }
 
         /** The same fleet elsewhere. */
         public Fleet at(Site other) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, other, robots, rangeM, copters, radio);
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, charges, other, robots, rangeM, copters, radio, energy);
         }
 
         /** The same fleet of other robots of one kind. */
         public Fleet of(RobotKind others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, charges, site, others, rangeM, 0, radio);
+            return new Fleet(
+                    boats, locations, areaM, seed, conditions, charges, site, others, rangeM, 0, radio, energy);
         }
 
         /** A fleet of boats and copters together, the rest the same. */
@@ -212,7 +259,8 @@ public record RunSettings(
                     RobotKind.ROBOT,
                     rangeM,
                     ofCopters,
-                    radio);
+                    radio,
+                    energy);
         }
 
         /** The names of the robots, in order: boat1, boat2, ..., copter1, ... where both kinds are together. */
@@ -264,6 +312,9 @@ public record RunSettings(
         }
         if (!connect.isEmpty() && fleet.rangeM().isPresent()) {
             throw new IllegalArgumentException("boats behind TCP say their range themselves: see crw boat --help");
+        }
+        if (!connect.isEmpty() && !fleet.energy().isPerMetre()) {
+            throw new IllegalArgumentException("boats behind TCP say what they use themselves: see crw boat --help");
         }
         if (!connect.isEmpty() && !fleet.radio().isPerfect()) {
             throw new IllegalArgumentException("boats behind TCP have a network of their own, and no simulated radio");

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.run.settings.RunSettings.Fleet;
 
@@ -20,6 +21,7 @@ public final class SettingsMap {
     private static final String INTERRUPT = "interrupt.";
     private static final String ALSO = "also.";
     private static final String RANGE = "rangeM";
+    private static final String ENERGY = "energy";
     private static final String ROBOTS = "robots";
     private static final String COPTERS = "copters";
     private static final String RADIO = "radio";
@@ -51,6 +53,9 @@ public final class SettingsMap {
             map.put(BATTERY, fleet.charges().toString());
         }
         fleet.rangeM().ifPresent(metres -> map.put(RANGE, String.valueOf(metres)));
+        if (!fleet.energy().isPerMetre()) {
+            map.put(ENERGY, fleet.energy().toString());
+        }
         if (!fleet.radio().isPerfect()) {
             map.put(RADIO, fleet.radio().toString());
         }
@@ -91,7 +96,8 @@ public final class SettingsMap {
                         ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
                         : OptionalDouble.empty(),
                 Integer.parseInt(map.getOrDefault(COPTERS, "0")),
-                map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT);
+                map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT,
+                map.containsKey(ENERGY) ? Energy.parse(needed(map, ENERGY)) : Energy.PER_METRE);
         RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
                 .speed(Speed.parse(needed(map, "speed")))
                 .parameters(parameters)

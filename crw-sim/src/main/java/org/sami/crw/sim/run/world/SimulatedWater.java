@@ -70,9 +70,10 @@ public final class SimulatedWater {
 
     private static HullConfig hull(RunSettings.Fleet settings) {
         HullConfig usual = HullConfig.of(settings.robots());
-        return settings.rangeM().isPresent()
+        HullConfig ranging = settings.rangeM().isPresent()
                 ? usual.withRangeM(settings.rangeM().getAsDouble())
                 : usual;
+        return ranging.with(settings.energy());
     }
 
     public VirtualClock clock() {
