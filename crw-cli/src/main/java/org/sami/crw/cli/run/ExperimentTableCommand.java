@@ -54,6 +54,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw experiment --table 7.2 --repetitions 2",
             "  crw experiment --table all --out tables",
+            "  crw experiment --table 7.2 --sensitivity --repetitions 3",
             "  crw experiment my-experiment.json --boats 3,5,8 --conditions field"
         })
 final class ExperimentTableCommand implements Callable<Integer> {
@@ -139,6 +140,12 @@ final class ExperimentTableCommand implements Callable<Integer> {
             paramLabel = "NAME=VALUE[,VALUE...]",
             description = "Values of another setting or factor of the experiment. May be given several times.")
     private Map<String, String> others = new LinkedHashMap<>();
+
+    @Option(
+            names = "--sensitivity",
+            description = "One factor at a time: a base with the first value of each factor, and for each further value"
+                    + " of a factor, and of the experiment's sensitivity, a line that differs in that alone.")
+    private boolean sensitivity;
 
     @Option(
             names = "--jobs",
@@ -262,7 +269,8 @@ final class ExperimentTableCommand implements Callable<Integer> {
         given.putAll(others);
         Map<String, List<String>> values = new LinkedHashMap<>();
         given.forEach((name, text) -> values.put(name, List.of(text.split(",", -1))));
-        return read.with(values);
+        ExperimentFile with = read.with(values);
+        return sensitivity ? with.oneFactorAtATime() : with;
     }
 
     private static void put(Map<String, String> given, String name, @Nullable String text) {

@@ -81,7 +81,7 @@ final class TableJob {
         out.println();
         out.flush();
         if (file.isPresent() && folder != null) {
-            write(folder, table, file.get(), rows);
+            write(folder, table, file.get(), rows, !stopped);
         }
         if (stopped) {
             err.println(
@@ -137,6 +137,9 @@ final class TableJob {
                 text.append(name).append(' ').append(value).append('\n');
             }
         });
+        if (experiment.design() == ExperimentFile.Design.ONE_FACTOR_AT_A_TIME) {
+            text.append("one factor at a time\n");
+        }
         return text.append("factors ")
                 .append(String.join(" ", experiment.factors().keySet()))
                 .append('\n')
@@ -145,11 +148,14 @@ final class TableJob {
                 .toString();
     }
 
-    private static void write(Path folder, ResultTable table, RunRowsFile file, List<RunRow> rows) throws IOException {
+    private static void write(Path folder, ResultTable table, RunRowsFile file, List<RunRow> rows, boolean withPicture)
+            throws IOException {
         file.replace(rows);
         Files.writeString(folder.resolve("table.txt"), TableFormats.text(table));
         Files.writeString(folder.resolve("table.csv"), TableFormats.csv(table));
         Files.writeString(folder.resolve("table.html"), TableFormats.html(table));
-        Files.write(folder.resolve("table.png"), BoxPlots.png(table));
+        if (withPicture) { // a process that ends can load no graphics any more
+            Files.write(folder.resolve("table.png"), BoxPlots.png(table));
+        }
     }
 }

@@ -1,13 +1,10 @@
 package org.sami.crw.sim.experiment.table;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
-import org.sami.spn.model.Place;
-import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.Value;
@@ -43,17 +40,8 @@ final class AllocationCriterion {
 
     /** The project with this criterion in all its requests for an allocation. */
     static Project inAll(Project project, String constant) {
-        return project.withPlans(
-                project.plans().stream().map(plan -> inAll(plan, constant)).toList());
-    }
-
-    private static Plan inAll(Plan plan, String constant) {
-        List<Place> places = plan.places().stream()
-                .map(place -> place.withOutputs(place.outputs().stream()
-                        .map(output -> output.type().equals(REQUEST) ? with(output, constant) : output)
-                        .toList()))
-                .toList();
-        return plan.withPlaces(places);
+        return OutputEvents.changed(
+                project, (plan, output) -> output.type().equals(REQUEST) ? with(output, constant) : output);
     }
 
     private static OutputEventSpec with(OutputEventSpec output, String constant) {

@@ -2,6 +2,7 @@ package org.sami.crw.sim.experiment.table;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.sami.crw.sim.run.incident.IncidentRunInput.ResolutionSpan;
@@ -12,11 +13,17 @@ import org.sami.crw.sim.run.incident.PlaceOnWater;
  * The scripts of a configuration.
  *
  * @param versions script by name of the version
+ * @param criteria what single events are optimised for, by name of the version
  * @param incidents what happens in all of them
  */
-record ConfigurationScripts(Map<String, IncidentScript> versions, Incidents incidents, ResolutionSpan resolution) {
+record ConfigurationScripts(
+        Map<String, IncidentScript> versions,
+        Map<String, List<EventCriterion>> criteria,
+        Incidents incidents,
+        ResolutionSpan resolution) {
     ConfigurationScripts {
         versions = Collections.unmodifiableMap(new LinkedHashMap<>(versions));
+        criteria = Map.copyOf(criteria);
         Objects.requireNonNull(incidents, "incidents");
         Objects.requireNonNull(resolution, "resolution");
     }

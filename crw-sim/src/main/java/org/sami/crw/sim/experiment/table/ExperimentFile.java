@@ -7,12 +7,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Collectors;
 
 /**
  * An experiment as its file says it (docs/experiments.md). Settings, factors and derived values are variables, which scripts name with {@code $}.
  *
  * @param settings values of variables in all configurations, by name
  * @param factors values of variables that differ, by name; the last one changes fastest
+ * @param sensitivity further values of variables, for {@link #oneFactorAtATime()}
+ * @param design which configurations there are
  * @param derived variables that follow from another one
  * @param configuration names of the variables that the table's first column shows
  * @param undisturbed the version whose run without incidents says when incidents can happen; empty text where none is needed
@@ -25,6 +28,8 @@ public record ExperimentFile(
         String title,
         Map<String, String> settings,
         Map<String, List<String>> factors,
+        Map<String, List<String>> sensitivity,
+        Design design,
         Map<String, DerivedVariable> derived,
         List<String> configuration,
         String undisturbed,
@@ -37,6 +42,8 @@ public record ExperimentFile(
         Objects.requireNonNull(title, "title");
         settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));
         factors = Collections.unmodifiableMap(new LinkedHashMap<>(factors));
+        sensitivity = Collections.unmodifiableMap(new LinkedHashMap<>(sensitivity));
+        Objects.requireNonNull(design, "design");
         derived = Collections.unmodifiableMap(new LinkedHashMap<>(derived));
         configuration = List.copyOf(configuration);
         Objects.requireNonNull(undisturbed, "undisturbed");
@@ -44,6 +51,14 @@ public record ExperimentFile(
         columns = List.copyOf(columns);
         published = List.copyOf(published);
         notes = List.copyOf(notes);
+    }
+
+    /** Which configurations an experiment has. */
+    public enum Design {
+        /** Every combination of the factors' values. */
+        EVERY_COMBINATION,
+        /** A base, in which each factor has its first value, and those that differ from it in one variable. */
+        ONE_FACTOR_AT_A_TIME
     }
 
     /**
@@ -77,25 +92,77 @@ public record ExperimentFile(
             }
         });
         return new ExperimentFile(
-                id, title, newSettings, newFactors, derived, shown, undisturbed, scripts, columns, published, notes);
+                id,
+                title,
+                newSettings,
+                newFactors,
+                sensitivity,
+                design,
+                derived,
+                shown,
+                undisturbed,
+                scripts,
+                columns,
+                published,
+                notes);
+    }
+
+    /** The same experiment with the configurations that show how much each variable matters: those of its factors, and of its sensitivity. */
+    public ExperimentFile oneFactorAtATime() {
+        return new ExperimentFile(
+                id,
+                title + ", one factor at a time",
+                settings,
+                factors,
+                sensitivity,
+                Design.ONE_FACTOR_AT_A_TIME,
+                derived,
+                configuration,
+                undisturbed,
+                scripts,
+                columns,
+                published,
+                notes);
     }
 
     /** All configurations, in the table's order. */
     public List<Configuration> configurations() {
+        List<Map<String, String>> all = design == Design.EVERY_COMBINATION ? everyCombination() : oneByOne();
+        return all.stream().map(this::configuration).toList();
+    }
+
+    private List<Map<String, String>> everyCombination() {
         List<Map<String, String>> all = new ArrayList<>(List.of(Map.of()));
         factors.forEach((name, values) -> {
             List<Map<String, String>> longer = new ArrayList<>();
             for (Map<String, String> begun : all) {
                 for (String value : values) {
-                    Map<String, String> one = new LinkedHashMap<>(begun);
-                    one.put(name, value);
-                    longer.add(one);
+                    longer.add(with(begun, name, value));
                 }
             }
             all.clear();
             all.addAll(longer);
         });
-        return all.stream().map(this::configuration).toList();
+        return all;
+    }
+
+    private List<Map<String, String>> oneByOne() {
+        Map<String, String> base = new LinkedHashMap<>();
+        factors.forEach((name, values) -> base.put(name, values.get(0)));
+        List<Map<String, String>> all = new ArrayList<>(List.of(base));
+        factors.forEach((name, values) -> values.stream().skip(1).forEach(value -> all.add(with(base, name, value))));
+        sensitivity.forEach((name, values) -> values.stream()
+                .filter(value -> !value.equals(base.getOrDefault(name, usual(name))))
+                .map(value -> with(base, name, value))
+                .filter(one -> !all.contains(one))
+                .forEach(all::add));
+        return all;
+    }
+
+    private static Map<String, String> with(Map<String, String> values, String name, String value) {
+        Map<String, String> more = new LinkedHashMap<>(values);
+        more.put(name, value);
+        return more;
     }
 
     private Configuration configuration(Map<String, String> factorValues) {
@@ -106,7 +173,12 @@ public record ExperimentFile(
                 name, follows.values().getOrDefault(variables.getOrDefault(follows.of(), ""), follows.otherwise())));
         List<String> shown = configuration.stream()
                 .map(name -> variables.getOrDefault(name, "-"))
-                .toList();
+                .collect(Collectors.toCollection(ArrayList::new));
+        factorValues.forEach((name, value) -> {
+            if (!factors.containsKey(name)) {
+                shown.add(name + " " + value);
+            }
+        });
         return new Configuration(factorValues, variables, String.join(", ", shown));
     }
 

@@ -43,6 +43,8 @@ public final class ExperimentFileReader {
             "incidents",
             "places",
             "delays",
+            "background",
+            "sensitivity",
             "resolution",
             "versions",
             "columns",
@@ -112,6 +114,8 @@ public final class ExperimentFileReader {
                 faults.text(top, "title", "", id),
                 texts(top.path("settings"), "/settings"),
                 lists(top.path("factors"), "/factors"),
+                top.has("sensitivity") ? lists(top.path("sensitivity"), "/sensitivity") : Map.of(),
+                ExperimentFile.Design.EVERY_COMBINATION,
                 derived(top.path("derived")),
                 list(top.path("configuration"), "/configuration"),
                 faults.text(top, "undisturbed", "", ""),
@@ -241,7 +245,10 @@ public final class ExperimentFileReader {
             faults.add("E-BAD-VALUE", "/factors", "There are more than " + MOST_CONFIGURATIONS + " configurations");
             return;
         }
-        check(file).forEach(finding -> faults.addAll(List.of(finding)));
+        faults.addAll(check(file));
+        if (faults.areNone() && !file.sensitivity().isEmpty()) {
+            faults.addAll(check(file.oneFactorAtATime()));
+        }
     }
 
     private List<Finding> check(ExperimentFile file) {

@@ -56,10 +56,12 @@ final class Repetition {
         this.number = number;
         seed = firstSeed + number - 1;
         this.vocabulary = vocabulary;
-        this.project = AllocationCriterion.inAll(
+        Project divided = AllocationCriterion.inAll(
                 project, AllocationCriterion.constant(ScenarioVariables.text(configuration.variables(), "allocation")));
-        scripts = ScriptsReader.read(file, configuration.variables(), vocabulary, this.project)
+        scripts = ScriptsReader.read(file, configuration.variables(), vocabulary, divided)
                 .orThrow();
+        this.project =
+                scripts.incidents().kind() == Incidents.Kind.BATTERY ? ChargeForWaysHome.keptByNone(divided) : divided;
     }
 
     String configuration() {
@@ -164,9 +166,10 @@ final class Repetition {
             IncidentKind kind,
             BooleanSupplier stop) {
         RunRow.Place place = new RunRow.Place(configuration.key(), number, attempt, true, version, fleet.seed());
+        String of = version.equals(UNDISTURBED) ? file.undisturbed() : version;
         IncidentRunInput input = new IncidentRunInput(
                 vocabulary,
-                project,
+                EventCriterion.inAll(project, scripts.criteria().getOrDefault(of, List.of())),
                 fleet,
                 ScenarioVariables.answerAfterMillis(configuration.variables()),
                 ScenarioVariables.limitMillis(configuration.variables()),

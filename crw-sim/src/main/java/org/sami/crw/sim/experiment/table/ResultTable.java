@@ -130,6 +130,9 @@ public record ResultTable(ExperimentFile file, List<Line> lines, List<String> fa
         List<String> notes = new ArrayList<>();
         notes.add("Mean [± standard error] of n repetitions. (…): the two-sample t-test finds no difference at 0.05; "
                 + "(…)*: the paired test does.");
+        if (file.design() == ExperimentFile.Design.ONE_FACTOR_AT_A_TIME) {
+            notes.add("The first line is the base; every other one differs from it in one variable.");
+        }
         notes.add("failed: repetitions in which a version did not end, or missed a location; they are in no mean. "
                 + "redrawn: attempts whose incidents could not be placed.");
         notes.add("All versions divide locations by "

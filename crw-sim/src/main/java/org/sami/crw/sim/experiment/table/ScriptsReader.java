@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.sami.crw.sim.experiment.table.ConfigurationScripts.Incidents;
+import org.sami.crw.sim.run.incident.BackgroundActions;
 import org.sami.crw.sim.run.incident.IncidentRunInput.ResolutionSpan;
 import org.sami.crw.sim.run.incident.IncidentScript;
 import org.sami.crw.sim.run.incident.PlaceOnWater;
@@ -25,6 +26,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 final class ScriptsReader {
     private static final Pattern VARIABLE = Pattern.compile("\\$\\{([^}]*)\\}");
     private static final int MOST_INCIDENTS = 1000;
+    private static final String NOBODY = "none"; // in place of a plan: no actions in the background
 
     private final Map<String, String> variables;
     private final DocumentFaults faults = new DocumentFaults();
@@ -44,6 +46,8 @@ final class ScriptsReader {
 
     private ConfigurationScripts read(ExperimentFile file) {
         Map<String, IncidentScript> versions = new LinkedHashMap<>();
+        Map<String, List<EventCriterion>> criteria = new LinkedHashMap<>();
+        BackgroundActions background = background(put(file.scripts().path("background"), "/background"));
         Map<String, PlaceOnWater> places = places(file.scripts().path("places"));
         List<IncidentScript.AnswerDelay> delays = delays(file.scripts().path("delays"));
         JsonNode list = file.scripts().path("versions");
@@ -53,16 +57,19 @@ final class ScriptsReader {
         for (int i = 0; i < list.size(); i++) {
             String at = "/versions/" + i;
             JsonNode version = put(list.get(i), at);
-            if (faults.isObject(version, at, List.of("name", "start", "incident"))) {
+            if (faults.isObject(version, at, List.of("name", "optimize", "start", "incident"))) {
+                String name = faults.text(version.path("name"), at + "/name").orElse("");
+                criteria.put(name, steps.criteria(version.path("optimize"), at + "/optimize"));
                 versions.put(
-                        faults.text(version.path("name"), at + "/name").orElse(""),
+                        name,
                         new IncidentScript(
                                 steps.read(version.path("start"), at + "/start"),
                                 version.has("incident")
                                         ? steps.read(version.path("incident"), at + "/incident")
                                         : List.of(),
                                 places,
-                                delays));
+                                delays,
+                                background));
             }
         }
         for (int i = 0; i < file.columns().size(); i++) {
@@ -77,7 +84,7 @@ final class ScriptsReader {
             checkVersion(versions, file.undisturbed(), "/undisturbed");
         }
         return new ConfigurationScripts(
-                versions, incidents, resolution(file.scripts().path("resolution")));
+                versions, criteria, incidents, resolution(file.scripts().path("resolution")));
     }
 
     private void checkVersion(Map<String, IncidentScript> versions, String name, String at) {
@@ -170,6 +177,18 @@ final class ScriptsReader {
             }
         }
         return delays;
+    }
+
+    private BackgroundActions background(JsonNode node) {
+        if (node.isMissingNode() || !faults.isObject(node, "/background", List.of("plan", "noticing"))) {
+            return BackgroundActions.NONE;
+        }
+        if (node.path("plan").asText().equals(NOBODY)) {
+            return BackgroundActions.NONE;
+        }
+        return new BackgroundActions(
+                steps.plan(node.path("plan"), "/background/plan"),
+                faults.text(node.path("noticing"), "/background/noticing").orElse(""));
     }
 
     private ResolutionSpan resolution(JsonNode node) {

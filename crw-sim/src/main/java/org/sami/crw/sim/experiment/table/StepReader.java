@@ -104,6 +104,36 @@ final class StepReader {
         return BoatChoice.ALL;
     }
 
+    /** What a version's events are optimised for; none where the member is left out. */
+    List<EventCriterion> criteria(JsonNode list, String pointer) {
+        List<EventCriterion> criteria = new ArrayList<>();
+        if (list.isMissingNode() || !faults.isList(list, pointer)) {
+            return criteria;
+        }
+        for (int i = 0; i < list.size(); i++) {
+            String at = pointer + "/" + i;
+            if (faults.isObject(list.get(i), at, List.of("plan", "event", "criterion"))) {
+                criteria.add(criterion(list.get(i), at));
+            }
+        }
+        return criteria;
+    }
+
+    private EventCriterion criterion(JsonNode node, String at) {
+        String plan = plan(node.path("plan"), at + "/plan");
+        String event = faults.text(node.path("event"), at + "/event").orElse("");
+        String word = faults.text(node.path("criterion"), at + "/criterion").orElse("");
+        if (project.plan(plan).isPresent() && !EventCriterion.hasEvent(project, plan, event)) {
+            faults.add("E-UNKNOWN-EVENT", at + "/event", "Plan " + plan + " has no output event \"" + event + "\"");
+        }
+        try {
+            return new EventCriterion(plan, event, AllocationCriterion.constant(word));
+        } catch (IllegalArgumentException unfit) {
+            faults.add("E-BAD-VALUE", at + "/criterion", String.valueOf(unfit.getMessage()));
+            return new EventCriterion(plan, event, "");
+        }
+    }
+
     /** The id of a plan of the project. */
     String plan(JsonNode node, String at) {
         String id = faults.text(node, at).orElse("");

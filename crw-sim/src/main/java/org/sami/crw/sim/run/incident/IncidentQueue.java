@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.sami.crw.sim.run.incident.IncidentKind.PlannedIncident;
 import org.sami.crw.sim.run.record.BoatState;
@@ -17,6 +18,7 @@ final class IncidentQueue {
     private final IncidentKind kind;
     private final CriticalBoats critical;
     private final Supplier<List<BoatState>> reported;
+    private final BooleanSupplier isNoticing;
     private final Deque<PlannedIncident> planned = new ArrayDeque<>();
     private final Set<String> inCare = new HashSet<>(); // boats of earlier incidents that are still inside
     private long nextLookMillis;
@@ -25,11 +27,14 @@ final class IncidentQueue {
      * Incidents of a run.
      *
      * @param reported gives the boats as they report themselves
+     * @param isNoticing whether the operator would notice an incident at a drawn time now; it waits until then
      */
-    IncidentQueue(IncidentKind kind, CriticalBoats critical, Supplier<List<BoatState>> reported) {
+    IncidentQueue(
+            IncidentKind kind, CriticalBoats critical, Supplier<List<BoatState>> reported, BooleanSupplier isNoticing) {
         this.kind = kind;
         this.critical = critical;
         this.reported = reported;
+        this.isNoticing = isNoticing;
         if (kind instanceof IncidentKind.AtTimes times) {
             planned.addAll(times.incidents());
         }
@@ -42,7 +47,7 @@ final class IncidentQueue {
      */
     Optional<PlannedIncident> due(long sinceStartMillis) {
         if (kind instanceof IncidentKind.AtTimes) {
-            return planned.isEmpty() || planned.peek().afterMillis() > sinceStartMillis
+            return planned.isEmpty() || planned.peek().afterMillis() > sinceStartMillis || !isNoticing.getAsBoolean()
                     ? Optional.empty()
                     : Optional.of(planned.poll());
         }

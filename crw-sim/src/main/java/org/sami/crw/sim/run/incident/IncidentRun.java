@@ -42,7 +42,7 @@ public final class IncidentRun {
     private final VirtualClock clock = new VirtualClock();
     private final SimulatedWater water;
     private final Session session;
-    private final RunMissions missions = new RunMissions();
+    private final RunMissions missions;
     private final ClickCount clicks = new ClickCount();
     private final RunHash hash = new RunHash();
     private final LocationsToVisit locations = new LocationsToVisit();
@@ -59,15 +59,18 @@ public final class IncidentRun {
         session = open(new SessionRuntime.OneThread(clock, executor, connector));
         water = new SimulatedWater(clock, input.fleet(), connector::listenerOf);
         connector.launch(water);
+        missions = new RunMissions(input.script().background());
+        BackgroundWork background = new BackgroundWork(input.script().background());
         resolutions = new ResolutionTimes(input.phase());
         readings = new UniqueReadings(water.plane());
         CriticalBoats critical = new CriticalBoats();
         PressOutcome press = new PressOutcome();
-        ScriptedAnswers answers = answers();
+        ScriptedAnswers answers = answers(background);
         operator = new SimulatedOperatorDriver(answers, session.scheduler(), input.answerAfterMillis(), water.quay());
-        queue = new IncidentQueue(input.incidents(), critical, water::reportedBoats);
+        queue = new IncidentQueue(
+                input.incidents(), critical, water::reportedBoats, () -> background.isNoticing(clock.nowMs()));
         player = new ScriptPlayer(input, session, answers, locations, missions, press, queue);
-        List.of(missions, critical, press, resolutions).forEach(session::addListener);
+        List.of(missions, background, critical, press, resolutions).forEach(session::addListener);
         session.addListener((index, atMillis, step, effects, view) -> {
             clicks.count(step, effects);
             hash.add(atMillis, effects);
@@ -93,7 +96,7 @@ public final class IncidentRun {
         }
     }
 
-    private ScriptedAnswers answers() {
+    private ScriptedAnswers answers(BackgroundWork background) {
         RunSettings.Fleet fleet = input.fleet();
         DefaultAnswers defaults = new DefaultAnswers(
                 water.quay(),
@@ -108,7 +111,8 @@ public final class IncidentRun {
                 new SimulatedOperator(input.vocabulary(), defaults, AnswersFile.EMPTY),
                 places,
                 input.script().delays(),
-                locations);
+                locations,
+                background);
     }
 
     /**

@@ -13,17 +13,20 @@ import java.util.Objects;
  * @param onIncident steps for each incident; the next incident waits until they are done
  * @param places what is answered where a point or an area is asked for, by field or variable
  * @param delays of single answers
+ * @param background what the operator does beside the missions, from the start to the end of the run
  */
 public record IncidentScript(
         List<ScriptStep> start,
         List<ScriptStep> onIncident,
         Map<String, PlaceOnWater> places,
-        List<AnswerDelay> delays) {
+        List<AnswerDelay> delays,
+        BackgroundActions background) {
     public IncidentScript {
         start = List.copyOf(start);
         onIncident = List.copyOf(onIncident);
         places = Collections.unmodifiableMap(new LinkedHashMap<>(places));
         delays = List.copyOf(delays);
+        Objects.requireNonNull(background, "background");
     }
 
     /**

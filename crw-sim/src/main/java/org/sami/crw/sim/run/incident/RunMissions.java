@@ -14,14 +14,21 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
 
-/** Which missions of a run are running, roots and sub-missions. For the engine's thread. */
+/**
+ * Which missions of a run are running, roots and sub-missions. A root in the background does not count: it runs until the others have ended. For the engine's thread.
+ */
 final class RunMissions implements HostListener {
+    private final BackgroundActions background;
     private final Map<Long, String> running = new TreeMap<>(); // plan by mission
     private final Map<Long, String> roots = new HashMap<>();
     private OptionalLong firstStart = OptionalLong.empty();
     private long lastEnd;
     private int joined;
     private boolean halted;
+
+    RunMissions(BackgroundActions background) {
+        this.background = background;
+    }
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
@@ -41,7 +48,7 @@ final class RunMissions implements HostListener {
 
     private void started(Effect.MissionStarted started, long atMillis) {
         running.put(started.mission(), started.plan());
-        if (started.parent() == Ids.NONE) {
+        if (started.parent() == Ids.NONE && !started.plan().equals(background.plan())) {
             roots.put(started.mission(), started.plan());
             firstStart = firstStart.isPresent() ? firstStart : OptionalLong.of(atMillis);
         }

@@ -65,6 +65,10 @@ final class ScriptPlayer {
         if (!begun) {
             begun = true;
             steps.addAll(input.script().start());
+            BackgroundActions background = input.script().background();
+            if (!background.areNone()) {
+                steps.add(new ScriptStep.Start(background.plan(), Map.of(), BoatChoice.ALL, false));
+            }
         }
     }
 

@@ -26,17 +26,20 @@ final class ScriptedAnswers implements AnswerSource {
     private final Map<String, Value> places;
     private final List<IncidentScript.AnswerDelay> delays;
     private final LocationsToVisit locations;
+    private final BackgroundWork background;
     private final Map<String, List<String>> boatsOf = new HashMap<>(); // by plan; absent = all
 
     ScriptedAnswers(
             SimulatedOperator others,
             Map<String, Value> places,
             List<IncidentScript.AnswerDelay> delays,
-            LocationsToVisit locations) {
+            LocationsToVisit locations,
+            BackgroundWork background) {
         this.others = others;
         this.places = places;
         this.delays = delays;
         this.locations = locations;
+        this.background = background;
     }
 
     /** Chooses these boats from now on where a plan asks for boats. */
@@ -46,11 +49,13 @@ final class ScriptedAnswers implements AnswerSource {
 
     @Override
     public long furtherMillis(Asked asked) {
-        return delays.stream()
-                .filter(delay -> delay.plan().equals(asked.plan())
-                        && delay.event().equals(asked.decision().type()))
-                .mapToLong(IncidentScript.AnswerDelay::millis)
-                .sum();
+        long waiting = background.waitMillis(asked);
+        return waiting
+                + delays.stream()
+                        .filter(delay -> delay.plan().equals(asked.plan())
+                                && delay.event().equals(asked.decision().type()))
+                        .mapToLong(IncidentScript.AnswerDelay::millis)
+                        .sum();
     }
 
     @Override
