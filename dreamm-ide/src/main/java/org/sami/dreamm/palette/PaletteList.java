@@ -59,6 +59,10 @@ public final class PaletteList extends JPanel implements Explained, TermSource {
         }
     };
 
+    private final transient List<Runnable> markListeners = new ArrayList<>();
+    private transient Optional<PaletteItem> marked = Optional.empty();
+    private boolean isFilling;
+
     /**
      * A list.
      *
@@ -118,6 +122,7 @@ public final class PaletteList extends JPanel implements Explained, TermSource {
         };
         search.addKeyListener(keys);
         list.addKeyListener(keys);
+        list.addListSelectionListener(e -> mark());
         list.addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent e) {
@@ -173,12 +178,22 @@ public final class PaletteList extends JPanel implements Explained, TermSource {
             next.add(group);
             next.addAll(group.items());
         }
+        isFilling = true; // what is marked in between concerns nobody
         rows.clear();
         rows.addAll(next);
         before.ifPresent(item -> list.setSelectedValue(item, true));
         if (list.isSelectionEmpty() && !search.getText().isBlank()) {
             list.setSelectedIndex(-1);
             step(1);
+        }
+        isFilling = false;
+        mark();
+    }
+
+    private void mark() {
+        if (!isFilling && !selected().equals(marked)) {
+            marked = selected();
+            markListeners.forEach(Runnable::run);
         }
     }
 
@@ -220,7 +235,7 @@ public final class PaletteList extends JPanel implements Explained, TermSource {
 
     /** Calls a listener when another item is marked. */
     void whenSelected(Runnable listener) {
-        list.addListSelectionListener(e -> listener.run());
+        markListeners.add(listener);
     }
 
     /** Lets items be dragged; not where there is no display. */

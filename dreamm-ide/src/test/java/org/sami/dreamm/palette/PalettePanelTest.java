@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
 import java.awt.event.KeyListener;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JList;
@@ -93,6 +94,19 @@ class PalettePanelTest {
         assertThat(list(panel).getSelectedValue())
                 .isInstanceOfSatisfying(
                         PaletteItem.class, i -> assertThat(i.label()).isEqualTo("Proxy Goto Point and Block"));
+    }
+
+    @Test
+    void anItemThatStaysMarkedWhileTheListIsNarrowedIsSaidOnce() {
+        PaletteList list = new PaletteList(context, "palette", item -> true, item -> {});
+        List<String> said = new ArrayList<>();
+        list.whenSelected(() -> said.add(list.selected().map(PaletteItem::label).orElse("nothing")));
+
+        for (String typed : List.of("goto", "goto p", "goto point b", "goto point block", "zzz", "zzzz")) {
+            list.searchField().setText(typed);
+        }
+
+        assertThat(said).containsExactly("Proxy Goto Point", "Proxy Goto Point and Block", "nothing");
     }
 
     @Test
