@@ -2,9 +2,9 @@ package org.sami.crw.gui;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.sami.boat.server.testing.OwnPort;
 import org.sami.crw.cli.Crw;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.testing.JavaProcess;
@@ -27,9 +27,7 @@ final class BoatServer implements AutoCloseable {
         this.name = name;
         this.at = at;
         this.logs = logs;
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        port = OwnPort.draw();
         start();
     }
 

@@ -6,8 +6,6 @@ import android.app.Application;
 import android.content.Intent;
 import android.os.BatteryManager;
 import android.os.SystemClock;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,6 +24,7 @@ import org.sami.boat.app.boat.BoatOnPhone;
 import org.sami.boat.app.boat.PhoneStatus;
 import org.sami.boat.hull.position.GpsFix;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.OwnPort;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -46,11 +45,9 @@ public class PhoneAlarmsAtBaseTest {
         Path files = phone.getFilesDir().toPath();
         ShadowStatFs.registerStats(phone.getFilesDir(), 4_000_000, 2_000_000, 2_000_000);
         Files.write(files.resolve("open-links"), new byte[0]);
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            Files.write(
-                    files.resolve("boat.txt"),
-                    ("name=anna\nport=" + free.getLocalPort() + "\n").getBytes(StandardCharsets.UTF_8));
-        }
+        Files.write(
+                files.resolve("boat.txt"),
+                ("name=anna\nport=" + OwnPort.draw() + "\n").getBytes(StandardCharsets.UTF_8));
         boat = ((BoatService.Link) service.create().get().onBind(new Intent()))
                 .boat()
                 .orElseThrow();

@@ -2,9 +2,6 @@ package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.BindException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.KeyRing;
@@ -20,6 +16,7 @@ import org.sami.boat.link.security.KeyStoreFolder;
 import org.sami.boat.link.security.Peer;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.testing.OwnPort;
 import org.sami.crw.cli.CrwProcess;
 
 /** Boats as processes of their own, side by side at a quay, with logs. All end with the fleet. */
@@ -27,10 +24,6 @@ final class BoatProcesses implements AutoCloseable {
     private static final double LAT_DEG = 45.4;
     private static final double LON_DEG = 10.9;
     private static final double APART_DEG = 1e-4;
-    private static final int FIRST_PORT = 20_000;
-    private static final int PORTS = 10_000;
-    private static final AtomicInteger NEXT_PORT = new AtomicInteger(
-            (int) (ProcessHandle.current().pid() % 500 * 20)); // tests in other processes begin elsewhere
 
     private final Path folder;
     private final Map<String, Boat> boats = new LinkedHashMap<>();
@@ -61,7 +54,7 @@ final class BoatProcesses implements AutoCloseable {
             if (keys.isPresent()) {
                 pair(name, keys.get());
             }
-            starting.put(name, start(name, freePort(), lonDeg(starting.size()), folder));
+            starting.put(name, start(name, OwnPort.draw(), lonDeg(starting.size()), folder));
         }
         for (Map.Entry<String, CrwProcess> one : starting.entrySet()) {
             int port = Integer.parseInt(one.getValue().awaitOut(one.getKey() + " listens on 127.0.0.1:"));
@@ -79,24 +72,6 @@ final class BoatProcesses implements AutoCloseable {
 
     private Path keysOf(String name) {
         return folder.resolve("keys").resolve(name);
-    }
-
-    /** Below those that the system gives to outgoing connections, one of which might have it when the boat is started again. */
-    private static int freePort() throws IOException {
-        while (true) {
-            int port = FIRST_PORT + NEXT_PORT.getAndIncrement() % PORTS;
-            if (isFree(port)) {
-                return port;
-            }
-        }
-    }
-
-    private static boolean isFree(int port) throws IOException {
-        try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
-            return socket.isBound();
-        } catch (BindException taken) {
-            return false;
-        }
     }
 
     private static double lonDeg(int number) {

@@ -21,6 +21,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.OwnPort;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.session.file.LogFetch;
@@ -114,10 +115,7 @@ class LogFetchTest {
 
     @Test
     void boatThatDoesNotAnswerIsTriedUntilItDoes() throws Exception {
-        InetSocketAddress at;
-        try (BoatOnTcp anna = boat("anna", 0, true)) {
-            at = anna.address();
-        }
+        InetSocketAddress at = new InetSocketAddress(InetAddress.getLoopbackAddress(), OwnPort.draw());
         offer(link("anna", at));
         begin(Set.of(address(at)), folder.resolve("base"));
         Await.until("it is said that anna does not answer", () -> states().equals("[anna NO_ANSWER]"));
@@ -129,10 +127,7 @@ class LogFetchTest {
 
     @Test
     void cancelledFetchSaysWhatDidNotCome() throws Exception {
-        InetSocketAddress at;
-        try (BoatOnTcp anna = boat("anna", 0, true)) {
-            at = anna.address();
-        }
+        InetSocketAddress at = new InetSocketAddress(InetAddress.getLoopbackAddress(), OwnPort.draw());
         offer(link("anna", at));
         begin(Set.of(address(at)), folder.resolve("base"));
         Await.until("it is said that anna does not answer", () -> states().equals("[anna NO_ANSWER]"));

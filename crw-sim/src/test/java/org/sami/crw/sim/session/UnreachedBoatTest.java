@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -13,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.OwnPort;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.FleetCount;
@@ -30,12 +30,6 @@ class UnreachedBoatTest {
     @TempDir
     private Path folder;
 
-    private static int freePort() throws Exception {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
-        }
-    }
-
     private static String count(OperatorModels models) {
         return FleetCount.of(models.fleet().snapshot(), models.unreached().snapshot())
                 .words();
@@ -50,7 +44,7 @@ class UnreachedBoatTest {
         try (TestSession world = new TestSession(folder)) {
             Session session = world.opened(TestSession.library("clv"));
             OperatorModels models = session.models();
-            int port = freePort();
+            int port = OwnPort.draw();
             BoatAddress absent = new BoatAddress("127.0.0.1", port);
             session.begin();
             session.fleet().connect(TestSession.address(world.boat("anna")));
@@ -119,7 +113,7 @@ class UnreachedBoatTest {
         try (TestSession world = new TestSession(folder)) {
             Session session = world.opened(TestSession.library("clv"));
             OperatorModels models = session.models();
-            BoatAddress absent = new BoatAddress("127.0.0.1", freePort());
+            BoatAddress absent = new BoatAddress("127.0.0.1", OwnPort.draw());
             session.begin();
             session.fleet().connect(absent);
             Await.until("it does not answer", () -> count(models).equals("0 of 1 boat"));

@@ -40,6 +40,7 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.OwnPort;
 
 /** The boat of a phone, with a board and a base on loopback. */
 class BoatOnPhoneTest {
@@ -59,9 +60,7 @@ class BoatOnPhoneTest {
     @BeforeEach
     void plugIn() throws IOException {
         board = new LoopbackBoard();
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            new PhoneSettings("anna", free.getLocalPort()).write(files());
-        }
+        new PhoneSettings("anna", OwnPort.draw()).write(files());
     }
 
     @AfterEach

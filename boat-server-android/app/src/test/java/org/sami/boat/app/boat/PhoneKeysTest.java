@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
@@ -25,6 +24,7 @@ import org.sami.boat.link.security.PairingCode;
 import org.sami.boat.link.security.PairingResponder;
 import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.OwnPort;
 
 /** Who reaches the boat of a phone, over real links on loopback. */
 class PhoneKeysTest {
@@ -35,9 +35,7 @@ class PhoneKeysTest {
 
     @BeforeEach
     void name() throws IOException {
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            new PhoneSettings("anna", free.getLocalPort()).write(files());
-        }
+        new PhoneSettings("anna", OwnPort.draw()).write(files());
     }
 
     private AppFiles files() {

@@ -12,8 +12,6 @@ import android.view.View;
 import android.view.ViewGroup;
 import android.view.WindowManager;
 import android.widget.TextView;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import org.junit.After;
@@ -39,6 +37,7 @@ import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.OwnPort;
 
 /** Pairing as a person on board does it, with a base on loopback; TLS is the phone's own, Conscrypt. */
 @RunWith(RobolectricTestRunner.class)
@@ -50,11 +49,9 @@ public class PairActivityTest {
 
     @Before
     public void begin() throws Exception {
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            Files.write(
-                    phone.getFilesDir().toPath().resolve("boat.txt"),
-                    ("name=anna\nport=" + free.getLocalPort() + "\n").getBytes(StandardCharsets.UTF_8));
-        }
+        Files.write(
+                phone.getFilesDir().toPath().resolve("boat.txt"),
+                ("name=anna\nport=" + OwnPort.draw() + "\n").getBytes(StandardCharsets.UTF_8));
         link = (BoatService.Link) service.create().get().onBind(new Intent());
         ShadowApplication app = Shadow.extract(phone);
         app.setComponentNameAndServiceForBindService(new ComponentName(phone, BoatService.class), link);
