@@ -11,6 +11,7 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
+import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SecondsConverter;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.ProgressDisplay;
@@ -61,6 +62,7 @@ import picocli.CommandLine.Spec;
         })
 public final class GraphCommand implements Callable<Integer> {
     private static final int MOST_DOT_STATES = 1_000_000;
+    private static final int MOST_DRAWN_TRANSITIONS = 200;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -92,6 +94,13 @@ public final class GraphCommand implements Callable<Integer> {
     private @Nullable Path dot;
 
     @Option(
+            names = "--net",
+            paramLabel = "FILE",
+            description = "Write the picture of the net itself as SVG; of a plan's net without the places by which it"
+                    + " only follows the rules of the engine.")
+    private @Nullable Path netFile;
+
+    @Option(
             names = "--states",
             paramLabel = "N",
             defaultValue = "200",
@@ -120,6 +129,12 @@ public final class GraphCommand implements Callable<Integer> {
             return ExitCode.FINDINGS;
         }
         DrawnNet net = drawnNet.get();
+        if (netFile != null) {
+            write(netFile, picture(net));
+            if (svg == null && dot == null) {
+                return ExitCode.OK;
+            }
+        }
         ReachabilityGraph graph = search(net.net(), budget);
         StateGraph drawn = StateGraphs.of(graph, net.title(), isSymmetric, net.words());
         PrintWriter out = spec.commandLine().getOut();
@@ -134,6 +149,15 @@ public final class GraphCommand implements Callable<Integer> {
         }
         out.flush();
         return graph.isComplete() ? ExitCode.OK : ExitCode.RUNNING;
+    }
+
+    private static String picture(DrawnNet net) {
+        if (net.net().transitionCount() > MOST_DRAWN_TRANSITIONS) {
+            throw new UsageFault("--net: a picture has up to " + MOST_DRAWN_TRANSITIONS + " transitions, the net has "
+                    + net.net().transitionCount());
+        }
+        return PetriNetPicture.svg(
+                net.net(), net.title(), net.isDrawn(), PlanSource.library().vocabulary());
     }
 
     private Optional<DrawnNet> net() throws IOException {
@@ -153,8 +177,8 @@ public final class GraphCommand implements Callable<Integer> {
     }
 
     private SearchBudget budget() {
-        if (svg == null && dot == null) {
-            throw new UsageFault("where to? --svg FILE, --dot FILE or both");
+        if (svg == null && dot == null && netFile == null) {
+            throw new UsageFault("where to? --svg FILE, --dot FILE or both; --net FILE for the net itself");
         }
         int most = svg == null ? MOST_DOT_STATES : StateGraphLayout.MOST_STATES;
         if (states < 1 || states > most) {
