@@ -46,7 +46,7 @@ class ExperimentTableCommandTest {
     /** The kept numbers are those of small areas; clicks follow from which locations are unvisited at an incident. */
     @ParameterizedTest
     @CsvSource({
-        "7.1, --set swap=10 --range 600 --charge 50..60, 10, 10",
+        "7.1, --set swap=10 --range 600 --charge 50..60, 28, 10",
         "7.2, --set alarms=1 --alarm-length 10, 36, 4",
         "7.3, --set inside=2 --set side=90, 47, -3"
     })
@@ -60,6 +60,32 @@ class ExperimentTableCommandTest {
         assertThat(ran.out()).contains("Table " + name).contains("divide locations by auction");
     }
 
+    /** Of 20 locations, as eight have five pull-outs, which are seldom all over before the mission is. */
+    @Test
+    void pullOutsHaveTheGainsThatWereKept() throws IOException {
+        CommandResult ran = crw(
+                "experiment",
+                "--table",
+                "7.4",
+                "--boats",
+                "3",
+                "--locations",
+                "20",
+                "--area",
+                "150",
+                "--repetitions",
+                "2",
+                "--set",
+                "swap=10",
+                "--out",
+                folder.resolve("kept").toString());
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(mean("kept", "# interactions")).isCloseTo(47, within(6.0));
+        assertThat(mean("kept", "reassigning # interactions")).isCloseTo(62, within(6.0));
+        assertThat(mean("kept", "total time")).isCloseTo(5, within(12.0));
+    }
+
     /** Boats that drive to safety at twice their speed need less time, though not half of it: they turn and speed up in both versions. */
     @Test
     void markupShortensTheTimeInAHazard() throws IOException {
@@ -69,6 +95,7 @@ class ExperimentTableCommandTest {
         assertThat(mean("hazard", "hazard (-)")).isBetween(-50.0, -15.0);
         assertThat(mean("hazard", "time (-)")).isBetween(-15.0, 0.0);
         assertThat(mean("hazard", "G measurements")).isPositive();
+        assertThat(mean("hazard", "flight alone: hazard (-)")).isCloseTo(mean("hazard", "hazard (-)"), within(3.0));
         assertThat(ran.out()).contains("Table 8.1", "-47 %", "safe place");
     }
 
@@ -159,6 +186,42 @@ class ExperimentTableCommandTest {
         assertThat(ran.out().lines().toList()).element(2).asString().matches("boats +seconds +n +failed +redrawn");
         assertThat(ran.out().lines().filter(line -> line.matches("[23] .*1 +0 +0")))
                 .hasSize(2);
+    }
+
+    @Test
+    void oneFactorAtATimeDiffersFromTheBaseInOneVariable() throws IOException {
+        Path file = folder.resolve("mine.json");
+        Files.writeString(file, """
+            {"format": "crw-experiment", "version": 1, "id": "mine",
+             "settings": {"area": 100, "locations": 2}, "factors": {"boats": [1, 2]}, "configuration": ["boats"],
+             "sensitivity": {"area": [100, 80]},
+             "versions": [{"name": "visit", "start": [{"start": "clv"}]}],
+             "columns": [{"title": "seconds", "mean": "time", "of": "visit"}]}
+            """);
+
+        CommandResult ran = crw("experiment", file.toString(), "--sensitivity", "--repetitions", "1", "--jobs", "1");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out().lines().filter(line -> line.matches(".* 1 +0 +0")))
+                .extracting(line -> line.replaceFirst(" {2,}.*", ""))
+                .containsExactly("1", "2", "1, area 80");
+    }
+
+    @Test
+    void criterionOfAnEventThatThereIsNotIsNamed() throws IOException {
+        Path file = folder.resolve("mine.json");
+        Files.writeString(file, """
+            {"format": "crw-experiment", "version": 1, "id": "mine", "factors": {"boats": [1]},
+             "versions": [{"name": "visit", "start": [{"start": "clv"}],
+              "optimize": [{"plan": "clv", "event": "gone", "criterion": "fast"}]}],
+             "background": {"plan": "background-action"},
+             "columns": [{"mean": "time", "of": "visit"}]}
+            """);
+
+        assertThat(crw("experiment", file.toString()).err())
+                .contains("Plan clv has no output event \"gone\"")
+                .contains("allocation is auction")
+                .contains("There is no plan \"background-action\"");
     }
 
     @Test

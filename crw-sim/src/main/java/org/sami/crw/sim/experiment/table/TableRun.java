@@ -21,7 +21,8 @@ import org.sami.spn.vocabulary.Vocabulary;
  * Repetitions that were made earlier are taken over.
  */
 public final class TableRun {
-    private final List<Repetition> repetitions = new ArrayList<>();
+    private final List<Repetition> repetitions = new ArrayList<>(); // of one configuration after another
+    private final int count;
 
     /** Receives what is made, on the caller's thread. */
     public interface Listener {
@@ -42,6 +43,7 @@ public final class TableRun {
      * @param project with all plans that its scripts start
      */
     public TableRun(ExperimentFile file, int count, long seed, Vocabulary vocabulary, Project project) {
+        this.count = count;
         for (ExperimentFile.Configuration one : file.configurations()) {
             for (int number = 1; number <= count; number++) {
                 repetitions.add(new Repetition(file, one, number, seed, vocabulary, project));
@@ -74,9 +76,8 @@ public final class TableRun {
         try {
             CompletionService<Done> work = new ExecutorCompletionService<>(pool);
             int left = 0;
-            for (int i = 0; i < repetitions.size(); i++) {
-                if (!rows.containsKey(i)) {
-                    int index = i;
+            for (int index : firstOfEachFirst()) {
+                if (!rows.containsKey(index)) {
                     left++;
                     work.submit(() -> new Done(
                             index,
@@ -101,6 +102,17 @@ public final class TableRun {
             pool.shutdown();
         }
         return rows.values().stream().flatMap(List::stream).toList();
+    }
+
+    /** The first repetition of every configuration, then the second ones: what is stopped has something of each line of the table. */
+    private List<Integer> firstOfEachFirst() {
+        List<Integer> order = new ArrayList<>();
+        for (int number = 0; number < count; number++) {
+            for (int i = number; i < repetitions.size(); i += count) {
+                order.add(i);
+            }
+        }
+        return order;
     }
 
     private int runs(Map<Integer, List<RunRow>> rows) {
