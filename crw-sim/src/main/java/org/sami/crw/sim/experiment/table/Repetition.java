@@ -61,7 +61,7 @@ final class Repetition {
         scripts = ScriptsReader.read(file, configuration.variables(), vocabulary, divided)
                 .orThrow();
         this.project =
-                scripts.incidents().kind() == Incidents.Kind.BATTERY ? ChargeForWaysHome.keptByNone(divided) : divided;
+                scripts.incidents().kind() == Incidents.Kind.NONE ? divided : ChargeForWaysHome.keptByNone(divided);
     }
 
     String configuration() {
