@@ -7,6 +7,7 @@ import org.sami.crw.cli.analysis.GraphCommand;
 import org.sami.crw.cli.board.BoardCommand;
 import org.sami.crw.cli.defaults.DefaultsCommand;
 import org.sami.crw.cli.key.KeysCommand;
+import org.sami.crw.cli.key.PeopleCommand;
 import org.sami.crw.cli.key.PhoneCommand;
 import org.sami.crw.cli.lesson.GradeCommand;
 import org.sami.crw.cli.lesson.LessonsCommand;
@@ -39,6 +40,7 @@ import org.sami.crw.cli.run.ExperimentCommand;
 import org.sami.crw.cli.run.FindCommand;
 import org.sami.crw.cli.run.ResumeCommand;
 import org.sami.crw.cli.run.RunCommand;
+import org.sami.crw.cli.run.ServeCommand;
 import org.sami.crw.cli.run.SessionCommand;
 import org.sami.crw.cli.run.StopCommand;
 import org.sami.crw.cli.vehicle.VehiclesCommand;
@@ -77,6 +79,8 @@ import picocli.CommandLine.Spec;
             ExperimentCommand.class,
             ResumeCommand.class,
             SessionCommand.class,
+            ServeCommand.class,
+            PeopleCommand.class,
             JournalCommand.class,
             CopyJournalCommand.class,
             ExportCommand.class,

@@ -1,0 +1,150 @@
+package org.sami.crw.cli.run;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import org.jspecify.annotations.Nullable;
+import org.sami.boat.link.security.Identity;
+import org.sami.crw.cli.key.PeopleOption;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.StopOnInterrupt;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.console.Console;
+import org.sami.crw.console.LineSource;
+import org.sami.crw.console.PlainLines;
+import org.sami.crw.proxy.key.BaseKeys;
+import org.sami.crw.proxy.tcp.BaseProtection;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionListener;
+import org.sami.session.person.People;
+import org.sami.session.server.ServerAddress;
+import org.sami.session.server.SessionServer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code crw serve}: a session without a window, for several people (docs/scale.md). */
+@Command(
+        name = "serve",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Opens a session and serves it to several people: a page for browsers, and the link of docs/session-link.md.",
+            "Without people it listens on this machine only, and everybody on it is an operator. People and their keys:"
+                    + " 'crw people add'.",
+            "Ends with Ctrl-C; the boats of all missions are stopped then."
+        },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:it was ended",
+            "1:the project has errors",
+            "2:wrong usage, or there is no such file",
+            "4:the address is taken, or an internal fault: the engine stopped, its journal could not be written; boats"
+                    + " were stopped then"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw serve --connect 10.0.0.11:11411 --journal today.journal",
+            "  crw serve --host 10.0.0.5 --port 8443 --near       people of ~/.config/sami/people log in by https",
+            "  crw serve --script boats.txt                       commands of 'crw session' first, such as 'add boat'"
+        })
+public final class ServeCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Mixin
+    private SessionOptions options = new SessionOptions();
+
+    @Mixin
+    private PeopleOption people = new PeopleOption();
+
+    @Option(
+            names = "--host",
+            paramLabel = "ADDRESS",
+            description = "The address of this machine at which it listens; other than loopback with people only, by"
+                    + " HTTPS (default: ${DEFAULT-VALUE}).")
+    private String host = "127.0.0.1";
+
+    @Option(names = "--port", paramLabel = "N", description = "0 for any free one (default: ${DEFAULT-VALUE}).")
+    private int port = 8080;
+
+    @Option(
+            names = "--script",
+            paramLabel = "FILE",
+            description = "Carry out the commands of this file first, as 'crw session' does.")
+    private @Nullable Path script;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        if (script != null && !Files.isReadable(script)) {
+            throw new UsageFault("--script: " + script + " cannot be read");
+        }
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            return options.open(false, (session, begin) -> run(session, begin, stop));
+        }
+    }
+
+    private int run(Session session, SessionOptions.Begin begin, StopOnInterrupt stop) throws IOException {
+        PrintWriter out = spec.commandLine().getOut();
+        People who = people.people();
+        try (SessionServer server = UsageFault.of(() -> SessionServer.start(session, who, address()))) {
+            CountDownLatch broken = new CountDownLatch(1);
+            session.addListener(new SessionListener() {
+                @Override
+                public void onBroken(String reason) {
+                    print(out, "crw: the session cannot go on: " + reason);
+                    broken.countDown();
+                }
+            });
+            begin.begin(line -> print(out, line));
+            print(out, "the session is at " + server.url() + (who.needKeys() ? "" : ", for whoever is on this machine"));
+            server.certificate().ifPresent(print -> print(out, "its certificate has the SHA-256 " + print));
+            waitFor(session, broken, out, stop);
+            boolean stoodStill = session.models().health().snapshot().missionsStandStill();
+            session.leave().forEach(line -> print(out, line));
+            return stoodStill || session.faults().failure().isPresent() ? ExitCode.FAILED : ExitCode.OK;
+        }
+    }
+
+    private void waitFor(Session session, CountDownLatch broken, PrintWriter out, StopOnInterrupt stop)
+            throws IOException {
+        try (Console console = new Console(session)) {
+            if (script != null) {
+                try (LineSource lines = new PlainLines("--script: " + script, Files.newBufferedReader(script), out)) {
+                    console.run(lines);
+                }
+            }
+            if (!stop.getAsBoolean()) {
+                broken.await();
+            }
+        } catch (InterruptedException ended) {
+            Thread.interrupted(); // by Ctrl-C: boats are left in order
+        }
+    }
+
+    private ServerAddress address() throws IOException {
+        InetAddress at;
+        try {
+            at = InetAddress.getByName(host);
+        } catch (UnknownHostException unknown) {
+            throw new UsageFault("--host: there is no address '" + host + "'");
+        }
+        Optional<Identity> identity = at.isLoopbackAddress()
+                ? Optional.empty()
+                : Optional.of(new BaseKeys(BaseProtection.ofThisProcess().keysFolder()).open().identity());
+        return new ServerAddress(at, port, identity);
+    }
+
+    private static synchronized void print(PrintWriter out, String line) {
+        out.println(line);
+        out.flush();
+    }
+}

@@ -1,0 +1,283 @@
+package org.sami.crw.cli.run;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.sami.boat.mavlink.StationAddress;
+import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.DomainOption;
+import org.sami.crw.cli.option.JournalConverter;
+import org.sami.crw.cli.option.LinkOptions;
+import org.sami.crw.cli.option.NetworkOption;
+import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.output.ExitCode;
+import org.sami.crw.cli.output.FindingsText;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.cli.station.StationLinks;
+import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.handler.HandlerModules;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionRuntime;
+import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.archive.SessionJournal;
+import org.sami.crw.session.fault.BoatsAtFault;
+import org.sami.crw.session.fault.FaultPolicy;
+import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.journal.JournalAddress;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.model.Project;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** The options with which a session is opened, and its opening; {@code crw session} and {@code crw serve} have them alike. */
+final class SessionOptions {
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Mixin
+    private DomainOption domain = new DomainOption();
+
+    @Mixin
+    private LinkOptions links = new LinkOptions();
+
+    @Parameters(
+            paramLabel = "FILE|PLAN",
+            arity = "0..1",
+            description = "A project's file or folder, or a plan of the library, whose project is taken; else the whole"
+                    + " library.")
+    private @Nullable String name;
+
+    @Option(
+            names = "--connect",
+            paramLabel = "HOST:PORT",
+            split = ",",
+            description = "Boats' servers to connect to; more can be connected later.")
+    private List<String> connect = new ArrayList<>();
+
+    @Option(
+            names = "--near",
+            description = "Look for boats on the local network for 8 s, and connect to all that are found and paired.")
+    private boolean near;
+
+    @Mixin
+    private NetworkOption network = new NetworkOption();
+
+    @Option(
+            names = "--journal",
+            paramLabel = "FILE",
+            converter = JournalConverter.class,
+            description = "Keep the session in this file, or in a database: postgresql://HOST:PORT/DATABASE. If it is"
+                    + " there, its session is resumed: its project, missions, variables and boats.")
+    private @Nullable JournalAddress journal;
+
+    @Option(
+            names = "--conditions",
+            paramLabel = "NAME",
+            converter = ConditionsConverter.class,
+            description =
+                    "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
+                            + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                            + " field; of a session that is resumed, its own).")
+    private @Nullable NamedConditions conditions;
+
+    @Option(
+            names = "--mavlink",
+            paramLabel = "ADDRESS",
+            description =
+                    "Show the simulated boats that are added to a ground station of another maker, each as a vehicle"
+                            + " of its own: " + StationAddress.FORMS + ".")
+    private @Nullable String mavlink;
+
+    @Option(
+            names = "--on-fault",
+            paramLabel = "ACTION",
+            description =
+                    "What boats of missions do while the engine or its journal does not work, such as on a full disk:"
+                            + " hold their places, or stop as by the fleet stop (hold or stop; default: hold).")
+    private BoatsAtFault onFault = BoatsAtFault.HOLD;
+
+    /**
+     * What is to be opened.
+     *
+     * @param stated the errors of boats that do not report theirs
+     * @param water of simulated boats; empty for calm water
+     * @param goesOn whether the journal has a session already
+     */
+    private record Asked(SessionSetup setup, NamedConditions stated, Optional<NamedConditions> water, boolean goesOn) {}
+
+    /** Begins a session, with the boats that are to be connected. */
+    @FunctionalInterface
+    interface Begin {
+        /** Begins it; says by lines what of earlier processes goes on. */
+        void begin(Consumer<String> lines) throws IOException;
+    }
+
+    /** What a command does with a session that is open and has not begun. */
+    @FunctionalInterface
+    interface Use {
+        /**
+         * Runs it.
+         *
+         * @return the exit code
+         */
+        int run(Session session, Begin begin) throws IOException, InterruptedException;
+    }
+
+    /**
+     * Opens the session that the options name, and closes it when it has been used.
+     *
+     * @param attended whether somebody sits at it
+     * @return the exit code
+     * @throws UsageFault if the options do not fit
+     */
+    int open(boolean attended, Use use) throws IOException, InterruptedException {
+        links.use();
+        List<BoatAddress> addresses = addresses();
+        Optional<String> unfit = Optional.ofNullable(mavlink).flatMap(StationLinks::whyNot);
+        if (unfit.isPresent()) {
+            throw new UsageFault("--mavlink: " + unfit.get());
+        }
+        Optional<Asked> asked = journal != null && isThere(journal) ? Optional.of(resumed(journal)) : fresh();
+        return asked.isEmpty() ? ExitCode.FINDINGS : open(asked.get(), addresses, attended, use);
+    }
+
+    private List<BoatAddress> addresses() throws IOException, InterruptedException {
+        List<BoatAddress> addresses = new ArrayList<>();
+        for (String text : connect) {
+            try {
+                addresses.addAll(BoatAddress.parseAll(text));
+            } catch (IllegalArgumentException unfit) {
+                throw new UsageFault("--connect: " + unfit.getMessage());
+            }
+        }
+        if (near) {
+            for (BoatAddress found :
+                    BoatSearch.connectable(network, spec.commandLine().getErr())) {
+                if (!addresses.contains(found)) {
+                    addresses.add(found);
+                }
+            }
+        }
+        return addresses;
+    }
+
+    private Asked resumed(JournalAddress from) throws IOException {
+        if (name != null) {
+            throw new UsageFault("the project is that of " + from + "; leave out '" + name + "'");
+        }
+        SessionJournal opened = opened(from);
+        Map<String, String> settings =
+                opened.header().map(JournalHeader::settings).orElse(Map.of());
+        return new Asked(
+                SessionSetup.resumed(opened),
+                conditions == null ? NamedConditions.of(settings) : conditions,
+                Optional.ofNullable(conditions).or(() -> NamedConditions.ofWater(settings)),
+                true);
+    }
+
+    /** A new session; empty where its project has errors, which are printed. */
+    private Optional<Asked> fresh() throws IOException {
+        Optional<DomainLibrary> words = domain.library(spec.commandLine().getErr());
+        if (words.isEmpty()) {
+            return Optional.empty();
+        }
+        DomainLibrary library = words.get();
+        Project project = library.combined();
+        if (name != null) {
+            PlanSource source = PlanSource.find(name, library);
+            if (source.project().isEmpty() || source.hasErrors()) {
+                PrintWriter err = spec.commandLine().getErr();
+                FindingsText.print(err, name, source.findings());
+                err.flush();
+                return Optional.empty();
+            }
+            project = source.project().get();
+        }
+        NamedConditions stated = conditions == null ? NamedConditions.FIELD : conditions;
+        SessionSetup setup = SessionSetup.of(library.vocabulary(), project);
+        if (journal != null) {
+            Map<String, String> settings = new HashMap<>(stated.settings());
+            Optional.ofNullable(conditions).ifPresent(water -> settings.putAll(water.waterSettings()));
+            settings.put("kind", "session");
+            JournalHeader header = JournalHeader.of(
+                    new ProjectWriter(library.vocabulary()).text(project),
+                    library.files().texts(),
+                    settings);
+            setup = setup.with(SessionJournal.create(journal, header));
+        }
+        return Optional.of(new Asked(setup, stated, Optional.ofNullable(conditions), false));
+    }
+
+    /** A name that is taken by anything is no new journal. */
+    private static boolean isThere(JournalAddress journal) throws IOException {
+        return journal.file().isPresent() ? Files.exists(journal.file().get()) : journal.exists();
+    }
+
+    private static SessionJournal opened(JournalAddress file) throws IOException {
+        SessionJournal opened = SessionJournal.open(file);
+        String kind = opened.header()
+                .map(header -> header.settings().getOrDefault("kind", ""))
+                .orElse("");
+        if (!kind.equals("session")) {
+            opened.close();
+            throw new UsageFault(file + " is the journal of a run; go on with it by: crw resume " + file);
+        }
+        return opened;
+    }
+
+    private int open(Asked asked, List<BoatAddress> addresses, boolean attended, Use use)
+            throws IOException, InterruptedException {
+        Conditions ofSimulated = asked.water().map(NamedConditions::conditions).orElse(Conditions.CALM);
+        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
+                1, ofSimulated, HandlerModules.robotsOf(asked.setup().vocabulary()));
+        StationLinks stations = new StationLinks(simulated);
+        if (mavlink != null && simulated.robots() != RobotKind.BOAT) {
+            throw new UsageFault("--mavlink shows boats, and this session has none");
+        } else if (mavlink != null) {
+            stations.start(mavlink);
+        }
+        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(simulated);
+        FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
+        SessionSetup setup = asked.setup().with(asked.stated().services()).with(runtime).with(policy);
+        try (Session session = Session.open(setup)) {
+            Thread.setDefaultUncaughtExceptionHandler(session.faults().guard());
+            return use.run(session, lines -> begin(session, asked.goesOn(), addresses, lines));
+        } finally {
+            stations.stop();
+            Thread.setDefaultUncaughtExceptionHandler(null);
+        }
+    }
+
+    private void begin(Session session, boolean goesOn, List<BoatAddress> addresses, Consumer<String> lines)
+            throws IOException {
+        if (goesOn) {
+            Set<BoatAddress> known = new HashSet<>(addresses);
+            List<String> boats = session.earlierBoats().reconnect(known);
+            lines.accept("going on with " + journal + (boats.isEmpty() ? "" : ", with " + String.join(", ", boats)));
+            String damage = session.setup().journal().damage();
+            if (!damage.isEmpty()) {
+                lines.accept("crw: " + journal + " is damaged: " + damage);
+            }
+        }
+        addresses.forEach(session.fleet()::connect);
+        session.begin();
+    }
+}

@@ -1,0 +1,275 @@
+package org.sami.session.server;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.eclipse.jetty.websocket.api.StatusCode;
+import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.Session;
+import org.sami.session.person.People;
+import org.sami.session.person.Person;
+import org.sami.session.rows.SessionRows;
+import org.sami.session.rows.Table;
+
+/** The fronts of a session: logins, commands, rows ten times a second. Everything here is done on one thread, the server's. */
+final class Fronts implements AutoCloseable {
+    static final int MOST = 32;
+
+    private static final int VERSION = 1;
+    private static final long TICK_MS = 100;
+    private static final int TICKS_PER_SECOND = 10;
+    private static final long PING_MS = 15_000;
+    private static final long SILENT_MS = 45_000;
+    private static final long HELLO_MS = 10_000;
+    private static final double LOGINS_PER_SECOND = 5 / 60.0;
+    private static final int LOGINS_AT_ONCE = 5;
+    private static final int MOST_ADDRESSES = 1000;
+
+    private final Session session;
+    private final People people;
+    private final RobotKind robots;
+    private final LongSupplier nanos;
+    private final SettledDecisions settled = new SettledDecisions();
+    private final Set<Front> open = new LinkedHashSet<>();
+    private final Map<String, MessageAllowance> failedLogins = new HashMap<>();
+    private final SessionRows rows;
+    private final HandDriving hand;
+    private final FrontCommands commands;
+    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread one = new Thread(work, "session server");
+        one.setDaemon(true);
+        return one;
+    });
+    private long ticks;
+
+    /** Fronts of a session; none is connected. */
+    Fronts(Session session, People people, RobotKind robots, LongSupplier nanos) {
+        this.session = session;
+        this.people = people;
+        this.robots = robots;
+        this.nanos = nanos;
+        PeopleNews news = new PeopleNews(session, this::sendToAll);
+        rows = new SessionRows(
+                session.models(), session.setup().vocabulary().types());
+        hand = new HandDriving(session, news);
+        commands = new FrontCommands(session, settled, hand, news);
+    }
+
+    /** Begins. */
+    void start() {
+        session.execute(() -> session.addOperator(settled));
+        thread.scheduleAtFixedRate(() -> guarded(this::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
+    }
+
+    private void guarded(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException | Error fault) {
+            session.faults().guard().uncaughtException(Thread.currentThread(), fault);
+        }
+    }
+
+    private void execute(Runnable work) {
+        try {
+            thread.execute(() -> guarded(work));
+        } catch (RejectedExecutionException over) {
+            // the server has been closed
+        }
+    }
+
+    Front connect(String address) {
+        return new Front(this, address, nanos);
+    }
+
+    void opened(Front front) {
+        execute(() -> {
+            if (open.size() >= MOST) {
+                front.end(StatusCode.TRY_AGAIN_LATER, "there are " + MOST + " fronts already");
+            } else if (!front.hasEnded()) {
+                open.add(front);
+            }
+        });
+    }
+
+    void closed(Front front) {
+        execute(() -> {
+            if (open.remove(front)) {
+                hand.left(front);
+            }
+        });
+    }
+
+    void take(Front front, FrontMessage message) {
+        execute(() -> {
+            if (front.hasEnded()) {
+                return;
+            }
+            Optional<Person> person = front.person();
+            if (message.type().equals("hello") && person.isEmpty()) {
+                hello(front, message);
+            } else if (person.isEmpty()) {
+                front.refuse(message.id(), "say hello first, with name and key");
+                front.end(StatusCode.POLICY_VIOLATION, "no hello");
+            } else {
+                command(front, person.get(), message);
+            }
+        });
+    }
+
+    private void command(Front front, Person earlier, FrontMessage message) {
+        Optional<Person> person = people.present(earlier);
+        if (person.isEmpty()) {
+            bye(front);
+            return;
+        }
+        front.login(person.get());
+        try {
+            commands.carryOut(front, person.get(), message).whenComplete((reply, fault) -> {
+                if (fault == null) {
+                    front.done(message.id(), reply);
+                } else {
+                    front.refuse(message.id(), RefusedException.reason(fault));
+                }
+            });
+        } catch (RefusedException refused) {
+            front.refuse(message.id(), RefusedException.reason(refused));
+        } catch (MalformedMessageException wrong) {
+            front.malformed(message.id(), wrong);
+        }
+    }
+
+    private void hello(Front front, FrontMessage message) {
+        String name;
+        String key;
+        try {
+            if (message.number("v") != VERSION) {
+                refuseLogin(front, "this server speaks version " + VERSION + " of the link, and no other");
+                return;
+            }
+            name = message.text("name");
+            key = message.textIfThere("key").orElse("");
+        } catch (MalformedMessageException wrong) {
+            front.malformed(0, wrong);
+            return;
+        }
+        Optional<Person> person = people.login(name, key);
+        if (person.isPresent()) {
+            welcome(front, person.get());
+        } else if (!people.needKeys()) {
+            refuseLogin(front, "a name has 1 to 40 letters, digits, '-', '_' or '.'");
+        } else {
+            failed(front);
+        }
+    }
+
+    private void failed(Front front) {
+        failedLogins.values().removeIf(MessageAllowance::isFull);
+        if (failedLogins.size() < MOST_ADDRESSES) {
+            MessageAllowance allowance = failedLogins.computeIfAbsent(
+                    front.address(), address -> new MessageAllowance(LOGINS_PER_SECOND, LOGINS_AT_ONCE, nanos));
+            if (!allowance.allows()) {
+                refuseLogin(front, "too many wrong names or keys from " + front.address() + "; wait a minute");
+                return;
+            }
+        }
+        refuseLogin(front, "no such name and key");
+    }
+
+    private static void refuseLogin(Front front, String why) {
+        front.refuse(0, why);
+        front.end(StatusCode.POLICY_VIOLATION, "not let in");
+    }
+
+    private void welcome(Front front, Person person) {
+        session.ask(view -> List.copyOf(view.project().plans())).thenAccept(plans -> execute(() -> {
+            ObjectNode welcome = JsonNodeFactory.instance.objectNode();
+            welcome.put("t", "welcome").put("v", VERSION);
+            welcome.put("name", person.name()).put("role", person.role().word());
+            ArrayNode rights = welcome.putArray("rights");
+            person.role().rights().forEach(right -> rights.add(right.word()));
+            welcome.put("now", session.scheduler().nowMs()).put("robots", robots.word());
+            ArrayNode offered = welcome.putArray("plans");
+            plans.forEach(plan -> offered.addObject().put("id", plan.id()).put("title", plan.name()));
+            front.send(welcome.toString());
+            front.login(person);
+        }));
+    }
+
+    private void bye(Front front) {
+        front.send(JsonNodeFactory.instance
+                .objectNode()
+                .put("t", "bye")
+                .put("text", front.name() + " was removed from this session")
+                .toString());
+        front.end(StatusCode.POLICY_VIOLATION, "removed");
+    }
+
+    private void sendToAll(String text) {
+        execute(() -> open.stream().filter(front -> front.person().isPresent()).forEach(front -> front.send(text)));
+    }
+
+    private void tick() {
+        ticks++;
+        if (ticks % TICKS_PER_SECOND == 0) {
+            List.copyOf(open).forEach(this::lookAfter);
+        }
+        long now = session.scheduler().nowMs();
+        hand.look(now);
+        List<Front> ready = open.stream()
+                .filter(front -> front.person().isPresent() && front.outbox().isIdle())
+                .toList();
+        if (ready.isEmpty()) {
+            return;
+        }
+        rows.look(now, hand.drivers());
+        Table present = PeopleRows.of(open);
+        for (Front front : ready) {
+            front.person().ifPresent(person -> {
+                List<Table> tables = rows.tables(person);
+                tables.add(present);
+                front.rows().changes(tables, now).ifPresent(message -> front.send(message.toString()));
+            });
+        }
+    }
+
+    /** Once a second. */
+    private void lookAfter(Front front) {
+        Optional<Person> person = front.person();
+        if (person.isPresent()) {
+            Optional<Person> present = people.present(person.get());
+            present.ifPresentOrElse(front::login, () -> bye(front));
+        } else if (front.silentMillis() > HELLO_MS) {
+            front.end(StatusCode.POLICY_VIOLATION, "no hello");
+        }
+        if (front.silentMillis() > SILENT_MS) {
+            front.cut();
+        } else if (ticks % (PING_MS / TICK_MS) == 0) {
+            front.ping();
+        }
+    }
+
+    @Override
+    public void close() {
+        execute(() -> List.copyOf(open).forEach(front -> front.end(StatusCode.SHUTDOWN, "the session ends")));
+        thread.shutdown();
+        try {
+            if (!thread.awaitTermination(2, TimeUnit.SECONDS)) {
+                thread.shutdownNow();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}
