@@ -55,7 +55,8 @@ public final class PeopleFile implements People {
                 String role = one.path("role").asText();
                 people.add(new Person(
                         one.path("name").asText(),
-                        PersonRole.of(role).orElseThrow(() -> new IllegalArgumentException("'" + role + "' is no role")),
+                        PersonRole.of(role)
+                                .orElseThrow(() -> new IllegalArgumentException("'" + role + "' is no role")),
                         decisions,
                         one.path("key").asText()));
             }
@@ -74,7 +75,7 @@ public final class PeopleFile implements People {
     public synchronized void add(Person person) throws IOException {
         List<Person> people = new ArrayList<>(all());
         if (people.stream().anyMatch(one -> one.name().equals(person.name()))) {
-            throw new IllegalArgumentException("there is a " + person.name() + " already; remove it first");
+            throw new IllegalArgumentException(person.name() + " is listed already; remove that entry first");
         }
         people.add(person);
         write(people);
@@ -126,7 +127,8 @@ public final class PeopleFile implements People {
     @Override
     public Optional<Person> present(Person earlier) {
         return readable().stream()
-                .filter(one -> one.name().equals(earlier.name()) && one.keyHash().equals(earlier.keyHash()))
+                .filter(one ->
+                        one.name().equals(earlier.name()) && one.keyHash().equals(earlier.keyHash()))
                 .findFirst();
     }
 

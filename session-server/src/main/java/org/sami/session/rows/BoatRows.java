@@ -38,7 +38,9 @@ final class BoatRows {
                 .filter(Alarm::sounds)
                 .forEach(alarm -> List.of(alarm.boat(), alarm.other())
                         .forEach(boat -> worst.merge(
-                                boat, alarm.kind().severity(), (one, other) -> one.compareTo(other) > 0 ? one : other)));
+                                boat,
+                                alarm.kind().severity(),
+                                (one, other) -> one.compareTo(other) > 0 ? one : other)));
         Table.Builder table = new Table.Builder("boats", MOST_BOATS);
         for (BoatSnapshot boat : boats) {
             ObjectNode row = table.row(boat.boat());

@@ -50,7 +50,8 @@ final class DecisionRows {
     /** Why a decision is not a person's. */
     static String refusal(Person person) {
         return person.may(Right.ANSWER)
-                ? "This question is not among those of " + person.name() + " (" + person.role().word() + ")"
+                ? "This question is not among those of " + person.name() + " ("
+                        + person.role().word() + ")"
                 : "An " + person.role().word() + " answers no questions";
     }
 
@@ -132,8 +133,8 @@ final class DecisionRows {
         shown.map().area().ifPresent(part -> {
             Optional<ObjectNode> shape =
                     part.area().map(Shapes::area).or(() -> part.point().map(Shapes::place));
-            shape.ifPresent(one ->
-                    row.putArray("shapes").addObject().put("label", "").set("shape", one));
+            shape.ifPresent(
+                    one -> row.putArray("shapes").addObject().put("label", "").set("shape", one));
         });
     }
 }

@@ -23,9 +23,9 @@ public final class SentRows {
                     set.withArray("/" + table.name()).add(row);
                 }
             });
-            before.keySet().stream().filter(id -> !table.rows().containsKey(id)).forEach(id -> gone.withArray(
-                            "/" + table.name())
-                    .add(id));
+            before.keySet().stream()
+                    .filter(id -> !table.rows().containsKey(id))
+                    .forEach(id -> gone.withArray("/" + table.name()).add(id));
             sent.put(table.name(), table.rows());
         }
         if (number > 0 && set.isEmpty() && gone.isEmpty()) {

@@ -46,9 +46,18 @@ public final class SessionRows {
             put(BoatRows.boats(boats, models.unreached().snapshot(), alarms, drivers));
             put(BoatRows.paths(map));
         }
-        remake("missions", List.of(models.missions().snapshot()), () -> SituationRows.missions(models.missions().snapshot()));
-        remake("buttons", List.of(models.interrupts().snapshot()), () -> SituationRows.buttons(models.interrupts().snapshot()));
-        remake("messages", List.of(models.messages().snapshot()), () -> SituationRows.messages(models.messages().snapshot()));
+        remake(
+                "missions",
+                List.of(models.missions().snapshot()),
+                () -> SituationRows.missions(models.missions().snapshot()));
+        remake(
+                "buttons",
+                List.of(models.interrupts().snapshot()),
+                () -> SituationRows.buttons(models.interrupts().snapshot()));
+        remake(
+                "messages",
+                List.of(models.messages().snapshot()),
+                () -> SituationRows.messages(models.messages().snapshot()));
         remake("alarms", List.of(alarms), () -> SituationRows.alarms(alarms));
         remake("faults", List.of(health), () -> SituationRows.faults(health));
         remake("areas", List.of(map.areas(), map.places()), () -> SituationRows.areas(map));

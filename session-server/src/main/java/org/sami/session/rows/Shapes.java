@@ -86,8 +86,7 @@ final class Shapes {
     }
 
     private static void add(ArrayNode many, String label, Value value) {
-        of(value).ifPresent(
-                        shape -> many.addObject().put("label", label).set("shape", shape));
+        of(value).ifPresent(shape -> many.addObject().put("label", label).set("shape", shape));
     }
 
     private static Optional<ObjectNode> many(ArrayNode many) {

@@ -47,7 +47,8 @@ final class AnswerReader {
         if (question instanceof Question.FillIn fillIn && given.path("fields").isObject()) {
             return fields(fillIn, given.path("fields"));
         }
-        throw new RefusedException("this is no answer to decision " + decision.id() + ": expected is " + form(question));
+        throw new RefusedException(
+                "this is no answer to decision " + decision.id() + ": expected is " + form(question));
     }
 
     private static String form(Question question) {
@@ -56,7 +57,9 @@ final class AnswerReader {
         } else if (question instanceof Question.ChooseProxies) {
             return "{\"boats\":[...]}";
         }
-        return question instanceof Question.ChooseOption ? "{\"option\":INDEX} or {\"none\":true}" : "{\"fields\":{...}}";
+        return question instanceof Question.ChooseOption
+                ? "{\"option\":INDEX} or {\"none\":true}"
+                : "{\"fields\":{...}}";
     }
 
     private Answer fields(Question.FillIn question, JsonNode given) {

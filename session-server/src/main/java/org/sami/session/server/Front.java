@@ -15,9 +15,9 @@ import org.sami.session.rows.SentRows;
 
 /**
  * One connection of a front. Its messages arrive one after the other on Jetty's threads, where malformed and excess ones end; all others go to the
- * server's thread.
+ * server's thread. Public as Jetty calls it.
  */
-final class Front implements Session.Listener.AutoDemanding {
+public final class Front implements Session.Listener.AutoDemanding {
     private static final double MESSAGES_PER_SECOND = 50;
     private static final int MESSAGES_AT_ONCE = 200;
     private static final int MOST_MALFORMED = 20;
@@ -41,8 +41,8 @@ final class Front implements Session.Listener.AutoDemanding {
         this.nanos = nanos;
         allowance = new MessageAllowance(MESSAGES_PER_SECOND, MESSAGES_AT_ONCE, nanos);
         heardNanos = nanos.getAsLong();
-        outbox = new Outbox((text, sent) -> socket.ifPresent(
-                one -> one.sendText(text, Callback.from(sent, fault -> end(StatusCode.SERVER_ERROR, "")))));
+        outbox = new Outbox((text, sent) -> socket.ifPresent(one ->
+                one.sendText(text, Callback.from(sent, fault -> end(StatusCode.SERVER_ERROR, "")))));
     }
 
     /** Where it connects from, without its port. */

@@ -61,7 +61,8 @@ final class FrontCommands {
                 long mission = running(message.number("mission"));
                 yield noted(person, "aborted mission " + mission, session.abort(mission));
             }
-            case "stopFleet" -> noted(person, "stopped the fleet", session.fleet().stopAll());
+            case "stopFleet" ->
+                noted(person, "stopped the fleet", session.fleet().stopAll());
             case "releaseFleet" -> {
                 require(person, Right.PRESS);
                 yield noted(person, "released the fleet", session.fleet().releaseAll());
@@ -92,7 +93,12 @@ final class FrontCommands {
     }
 
     private long running(long mission) {
-        if (session.models().missions().snapshot().mission(mission).filter(one -> !one.hasEnded()).isEmpty()) {
+        if (session.models()
+                .missions()
+                .snapshot()
+                .mission(mission)
+                .filter(one -> !one.hasEnded())
+                .isEmpty()) {
             throw new RefusedException("No mission " + mission + " runs");
         }
         return mission;
@@ -112,19 +118,22 @@ final class FrontCommands {
                     + person.role().word() + ")");
         }
         Answer answer = answers.read(decision, message.body().path("answer"));
-        Optional<String> wrong = session.models().decisions().check(id, answer, session.setup().vocabulary());
+        Optional<String> wrong =
+                session.models().decisions().check(id, answer, session.setup().vocabulary());
         if (wrong.isPresent()) {
             throw new RefusedException(wrong.get());
         }
-        return session.drafts().judge(decision, DraftAnswer.of(answer, decision.question())).thenCompose(judged -> {
-            judged.refusal().ifPresent(why -> {
-                throw new RefusedException(why);
-            });
-            if (!give) {
-                return CompletableFuture.completedFuture(new CommandReply("", judged.doubts()));
-            }
-            return given(person, pending.get(), answer, judged);
-        });
+        return session.drafts()
+                .judge(decision, DraftAnswer.of(answer, decision.question()))
+                .thenCompose(judged -> {
+                    judged.refusal().ifPresent(why -> {
+                        throw new RefusedException(why);
+                    });
+                    if (!give) {
+                        return CompletableFuture.completedFuture(new CommandReply("", judged.doubts()));
+                    }
+                    return given(person, pending.get(), answer, judged);
+                });
     }
 
     private CompletionStage<CommandReply> given(
@@ -134,7 +143,8 @@ final class FrontCommands {
                 .thenApply(nothing -> {
                     news.tell(
                             person.name(),
-                            "answered [" + id + "] " + pending.presentation().title() + ": " + EngineText.answer(answer));
+                            "answered [" + id + "] " + pending.presentation().title() + ": "
+                                    + EngineText.answer(answer));
                     return new CommandReply("[" + id + "] is answered", judged.doubts());
                 })
                 .exceptionally(fault -> {

@@ -60,7 +60,8 @@ record FrontMessage(String type, long id, JsonNode body) {
         try {
             body = JSON.readTree(text);
         } catch (JsonProcessingException | IllegalArgumentException unreadable) {
-            throw new MalformedMessageException("this is no JSON object"); // what was sent is not repeated: it may hold a key
+            throw new MalformedMessageException(
+                    "this is no JSON object"); // what was sent is not repeated: it may hold a key
         }
         if (body == null || !body.isObject()) {
             throw new MalformedMessageException("this is no JSON object");

@@ -61,8 +61,7 @@ final class Fronts implements AutoCloseable {
         this.robots = robots;
         this.nanos = nanos;
         PeopleNews news = new PeopleNews(session, this::sendToAll);
-        rows = new SessionRows(
-                session.models(), session.setup().vocabulary().types());
+        rows = new SessionRows(session.models(), session.setup().vocabulary().types());
         hand = new HandDriving(session, news);
         commands = new FrontCommands(session, settled, hand, news);
     }
@@ -193,18 +192,20 @@ final class Fronts implements AutoCloseable {
     }
 
     private void welcome(Front front, Person person) {
-        session.ask(view -> List.copyOf(view.project().plans())).thenAccept(plans -> execute(() -> {
-            ObjectNode welcome = JsonNodeFactory.instance.objectNode();
-            welcome.put("t", "welcome").put("v", VERSION);
-            welcome.put("name", person.name()).put("role", person.role().word());
-            ArrayNode rights = welcome.putArray("rights");
-            person.role().rights().forEach(right -> rights.add(right.word()));
-            welcome.put("now", session.scheduler().nowMs()).put("robots", robots.word());
-            ArrayNode offered = welcome.putArray("plans");
-            plans.forEach(plan -> offered.addObject().put("id", plan.id()).put("title", plan.name()));
-            front.send(welcome.toString());
-            front.login(person);
-        }));
+        session.ask(view -> List.copyOf(view.project().plans()))
+                .thenAccept(plans -> execute(() -> {
+                    ObjectNode welcome = JsonNodeFactory.instance.objectNode();
+                    welcome.put("t", "welcome").put("v", VERSION);
+                    welcome.put("name", person.name()).put("role", person.role().word());
+                    ArrayNode rights = welcome.putArray("rights");
+                    person.role().rights().forEach(right -> rights.add(right.word()));
+                    welcome.put("now", session.scheduler().nowMs()).put("robots", robots.word());
+                    ArrayNode offered = welcome.putArray("plans");
+                    plans.forEach(
+                            plan -> offered.addObject().put("id", plan.id()).put("title", plan.name()));
+                    front.send(welcome.toString());
+                    front.login(person);
+                }));
     }
 
     private void bye(Front front) {

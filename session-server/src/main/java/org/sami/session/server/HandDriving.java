@@ -42,8 +42,8 @@ final class HandDriving {
         claims.check(boat, front);
         return switch (message.type()) {
             case "drive" -> {
-                CompletionStage<CommandReply> driven = done(
-                        session.fleet().teleoperate(boat, message.real("thrust"), message.real("rudder")));
+                CompletionStage<CommandReply> driven =
+                        done(session.fleet().teleoperate(boat, message.real("thrust"), message.real("rudder")));
                 drivenAtMillis.put(boat, session.scheduler().nowMs());
                 yield driven;
             }

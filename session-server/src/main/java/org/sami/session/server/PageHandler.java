@@ -20,9 +20,10 @@ final class PageHandler extends Handler.Abstract {
     /** Where the page's files are on the classpath. */
     static final String FOLDER = "org/sami/session/page";
 
-    private static final String POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:;"
-            + " font-src 'self'; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none';"
-            + " form-action 'none'; frame-ancestors 'none'";
+    private static final String POLICY =
+            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:;"
+                    + " font-src 'self'; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none';"
+                    + " form-action 'none'; frame-ancestors 'none'";
     private static final int MOST_BYTES = 8 << 20;
     private static final Pattern PATH = Pattern.compile("(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)+");
     private static final String TEXT = "text/plain; charset=utf-8";

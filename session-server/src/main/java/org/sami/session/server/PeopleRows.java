@@ -16,7 +16,8 @@ final class PeopleRows {
         for (Front front : fronts) {
             front.person().ifPresent(person -> {
                 ObjectNode row = rows.computeIfAbsent(
-                        person.name(), name -> JsonNodeFactory.instance.objectNode().put("id", name));
+                        person.name(),
+                        name -> JsonNodeFactory.instance.objectNode().put("id", name));
                 row.put("role", person.role().word());
                 row.put("fronts", row.path("fronts").asInt() + 1);
             });

@@ -20,7 +20,8 @@ public record ServerAddress(InetAddress host, int port, Optional<Identity> ident
             throw new IllegalArgumentException("a port is 0 to 65535, not " + port);
         }
         if (identity.isEmpty() && !host.isLoopbackAddress()) {
-            throw new IllegalArgumentException("plain HTTP is for loopback addresses only, not " + host.getHostAddress());
+            throw new IllegalArgumentException(
+                    "plain HTTP is for loopback addresses only, not " + host.getHostAddress());
         }
     }
 

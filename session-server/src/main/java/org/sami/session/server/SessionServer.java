@@ -21,7 +21,6 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
-import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.eclipse.jetty.websocket.server.ServerUpgradeRequest;
@@ -51,11 +50,13 @@ public final class SessionServer implements AutoCloseable {
 
     private SessionServer(Session session, People people, ServerAddress address) throws IOException {
         if (!people.needKeys() && !address.host().isLoopbackAddress()) {
-            throw new IllegalArgumentException("without people and keys a session is served on a loopback address only");
+            throw new IllegalArgumentException(
+                    "without people and keys a session is served on a loopback address only");
         }
         this.address = address;
         this.people = people;
-        fronts = new Fronts(session, people, HandlerModules.robotsOf(session.setup().vocabulary()), System::nanoTime);
+        fronts = new Fronts(
+                session, people, HandlerModules.robotsOf(session.setup().vocabulary()), System::nanoTime);
         QueuedThreadPool threads = new QueuedThreadPool(MOST_THREADS);
         threads.setName("session server");
         threads.setDaemon(true);
@@ -135,7 +136,8 @@ public final class SessionServer implements AutoCloseable {
             if (isOfOwnPage(request)) {
                 return fronts.connect(Request.getRemoteAddr(request));
             }
-            Response.writeError(request, response, callback, HttpStatus.FORBIDDEN_403, "not from the session's own page");
+            Response.writeError(
+                    request, response, callback, HttpStatus.FORBIDDEN_403, "not from the session's own page");
             return null;
         });
     }
@@ -145,7 +147,8 @@ public final class SessionServer implements AutoCloseable {
      * machine's own too, as a name of elsewhere can be made to lead here.
      */
     private boolean isOfOwnPage(ServerUpgradeRequest request) {
-        String host = Optional.ofNullable(request.getHeaders().get(HttpHeader.HOST)).orElse("");
+        String host =
+                Optional.ofNullable(request.getHeaders().get(HttpHeader.HOST)).orElse("");
         Optional<String> origin = Optional.ofNullable(request.getHeaders().get(HttpHeader.ORIGIN));
         String scheme = address.identity().isPresent() ? "https://" : "http://";
         boolean own = people.needKeys() || host.matches("(localhost|127\\.[0-9.]+|\\[::1\\])(:[0-9]+)?");
@@ -160,15 +163,16 @@ public final class SessionServer implements AutoCloseable {
     /** Its address for browsers, such as {@code https://10.0.0.5:8443/}. */
     public String url() {
         String host = address.host().getHostAddress();
-        return (address.identity().isPresent() ? "https://" : "http://") + (host.contains(":") ? "[" + host + "]" : host)
-                + ":" + connector.getLocalPort() + "/";
+        return (address.identity().isPresent() ? "https://" : "http://")
+                + (host.contains(":") ? "[" + host + "]" : host) + ":" + connector.getLocalPort() + "/";
     }
 
     /** The SHA-256 of the certificate, as browsers show it; empty for plain HTTP. */
     public Optional<String> certificate() {
         return address.identity().map(identity -> {
             try {
-                byte[] hash = MessageDigest.getInstance("SHA-256").digest(identity.certificate().getEncoded());
+                byte[] hash = MessageDigest.getInstance("SHA-256")
+                        .digest(identity.certificate().getEncoded());
                 return HexFormat.ofDelimiter(":").withUpperCase().formatHex(hash);
             } catch (GeneralSecurityException e) {
                 throw new IllegalStateException("a certificate in use can be written", e);

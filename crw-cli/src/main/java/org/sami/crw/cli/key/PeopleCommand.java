@@ -43,7 +43,8 @@ public final class PeopleCommand implements Runnable {
     @Command(
             name = "add",
             mixinStandardHelpOptions = true,
-            description = "Adds somebody and prints the key. It is stored as a hash only, so it cannot be printed again.")
+            description =
+                    "Adds somebody and prints the key. It is stored as a hash only, so it cannot be printed again.")
     int add(
             @Mixin PeopleOption people,
             @Parameters(paramLabel = "NAME", description = "1 to 40 letters, digits, '-', '_' or '.'.") String name,
@@ -59,7 +60,8 @@ public final class PeopleCommand implements Runnable {
                             names = "--decisions",
                             paramLabel = "TYPE",
                             split = ",",
-                            description = "Answers only decisions of these types, such as OperatorApprove (default: those of the role).")
+                            description =
+                                    "Answers only decisions of these types, such as OperatorApprove (default: those of the role).")
                     List<String> decisions)
             throws IOException {
         String key = PersonKey.generate(new SecureRandom());
@@ -81,7 +83,8 @@ public final class PeopleCommand implements Runnable {
             print("nobody is listed in " + people.list().file());
         }
         for (Person person : all) {
-            List<String> words = new ArrayList<>(List.of(person.name(), person.role().word()));
+            List<String> words =
+                    new ArrayList<>(List.of(person.name(), person.role().word()));
             words.addAll(person.decisions());
             print(String.join("  ", words));
         }

@@ -105,7 +105,9 @@ public final class ServeCommand implements Callable<Integer> {
                 }
             });
             begin.begin(line -> print(out, line));
-            print(out, "the session is at " + server.url() + (who.needKeys() ? "" : ", for whoever is on this machine"));
+            print(
+                    out,
+                    "the session is at " + server.url() + (who.needKeys() ? "" : ", for whoever is on this machine"));
             server.certificate().ifPresent(print -> print(out, "its certificate has the SHA-256 " + print));
             waitFor(session, broken, out, stop);
             boolean stoodStill = session.models().health().snapshot().missionsStandStill();
@@ -139,7 +141,9 @@ public final class ServeCommand implements Callable<Integer> {
         }
         Optional<Identity> identity = at.isLoopbackAddress()
                 ? Optional.empty()
-                : Optional.of(new BaseKeys(BaseProtection.ofThisProcess().keysFolder()).open().identity());
+                : Optional.of(new BaseKeys(BaseProtection.ofThisProcess().keysFolder())
+                        .open()
+                        .identity());
         return new ServerAddress(at, port, identity);
     }
 

@@ -256,7 +256,8 @@ final class SessionOptions {
         }
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(simulated);
         FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
-        SessionSetup setup = asked.setup().with(asked.stated().services()).with(runtime).with(policy);
+        SessionSetup setup =
+                asked.setup().with(asked.stated().services()).with(runtime).with(policy);
         try (Session session = Session.open(setup)) {
             Thread.setDefaultUncaughtExceptionHandler(session.faults().guard());
             return use.run(session, lines -> begin(session, asked.goesOn(), addresses, lines));
