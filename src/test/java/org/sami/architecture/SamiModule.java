@@ -110,6 +110,12 @@ enum SamiModule {
                     "org.sami.crw.replay..",
                     "org.sami.crw.session.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+    /** A session for several people. */
+    SESSION_SERVER(
+            "session-server",
+            30,
+            List.of("org.sami.session.."),
+            List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */
     NET_PICTURE(
             "net-picture",
@@ -156,6 +162,7 @@ enum SamiModule {
             List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
             List.of(
                     CRW_SIM,
+                    SESSION_SERVER,
                     CRW_REPORT,
                     CRW_SESSION,
                     CRW_DOMAIN,

@@ -45,6 +45,7 @@ class ThirdPartyNoticeTest {
             "net-picture",
             "petri",
             "server",
+            "session-server",
             "spn-authoring",
             "spn-core",
             "spn-language",
