@@ -1,0 +1,49 @@
+package org.sami.crw.cli.key;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.cli.CommandResult;
+
+class PeopleCommandTest {
+    @TempDir
+    private Path folder;
+
+    private String list() {
+        return folder.resolve("people").toString();
+    }
+
+    @Test
+    void keyIsPrintedOnceAndStoredAsAHash() throws Exception {
+        CommandResult added = CommandResult.crw("people", "add", "anna", "--role", "operator", "--people", list());
+        String key = added.out().lines().reduce((one, next) -> next).orElseThrow();
+
+        assertThat(added.exitCode()).isZero();
+        assertThat(key).hasSize(32);
+        assertThat(Files.readString(folder.resolve("people"))).doesNotContain(key);
+        assertThat(CommandResult.crw("people", "list", "--people", list()).out()).isEqualToIgnoringNewLines("anna  operator");
+        assertThat(CommandResult.crw("people", "remove", "anna", "--people", list()).exitCode()).isZero();
+        assertThat(CommandResult.crw("people", "list", "--people", list()).out()).startsWith("nobody is listed");
+    }
+
+    @Test
+    void wrongRolesAndNamesAreUsageFaults() throws Exception {
+        assertThat(CommandResult.crw("people", "add", "anna", "--role", "captain", "--people", list()).err())
+                .contains("'captain' is none of operator, pilot, observer");
+        assertThat(CommandResult.crw("people", "add", "an na", "--role", "pilot", "--people", list()).exitCode())
+                .isEqualTo(2);
+        assertThat(CommandResult.crw("people", "remove", "ben", "--people", list()).err())
+                .contains("nobody here is named 'ben'");
+    }
+
+    @Test
+    void serverRefusesAListThatIsNotThere() {
+        CommandResult served = CommandResult.crw("serve", "--port", "0", "--people", list());
+
+        assertThat(served.exitCode()).isEqualTo(2);
+        assertThat(served.err()).contains("there is no list");
+    }
+}
