@@ -22,8 +22,11 @@ final class VehicleGivingWay {
     /** Until a heading and speed take effect: the rule decides for where the vehicle is then. */
     private static final long LATENCY_MS = 300;
 
-    /** The rule may turn a boat on the spot. One with a rudder needs some headway for that. */
+    /** A boat with a rudder needs some headway to turn. */
     private static final double TURNING_MPS = 0.3;
+
+    /** The vehicle is ordered to be faster than it is by at most this: autopilots overshoot where they accelerate at once. */
+    private static final double GAIN_MPS = 0.4;
 
     private static final double ARRIVED_M = 2; // at a waypoint, as with an autopilot's WP_RADIUS
     private static final double ON_LINE_M = 0.6;
@@ -83,7 +86,7 @@ final class VehicleGivingWay {
     /** Nobody is near yet. */
     VehicleGivingWay(String boatId) {
         surroundings = new Surroundings(boatId);
-        rule = new GivingWay(surroundings, motion, POSITION_ERROR_M);
+        rule = new GivingWay(surroundings, motion, POSITION_ERROR_M, TURNING_MPS);
     }
 
     /** The base says who is near. */
@@ -125,7 +128,20 @@ final class VehicleGivingWay {
                 true,
                 nowMs,
                 seconds);
-        return rule.isTurning() ? new CourseAndSpeed(chosen.courseRad(), TURNING_MPS) : chosen;
+        return new CourseAndSpeed(chosen.courseRad(), orderedMps());
+    }
+
+    /** As fast as the rule assumes that a boat is while it turns to its course. */
+    private double orderedMps() {
+        if (rule.isTurning()) {
+            return TURNING_MPS;
+        }
+        if (chosen.speedMps() <= 0) {
+            return chosen.speedMps();
+        }
+        double turned = StrictMath.cos(chosen.courseRad() - motion.headingRad);
+        double mps = rule.whileTurningMps(chosen.speedMps(), turned);
+        return Math.min(mps, Math.max(0, motion.speedMps) + GAIN_MPS);
     }
 
     private Leg begin(VehicleTarget target) {

@@ -78,6 +78,7 @@ public final class GivingWay {
     private final Kinematics vehicle;
     private final GoingBack goingBack;
     private final Neighbours neighbours;
+    private final double turningMps;
     private final double errorMarginM; // for position errors, added to APART_M
     private final TurnLimit leastTurn = new TurnLimit(REACTION_TURN_RAD / 3); // the boat hardly turns yet
     private final TurnLimit farthestTurn = new TurnLimit(1.5 * REACTION_TURN_RAD); // it goes on turning while it stops
@@ -105,6 +106,16 @@ public final class GivingWay {
      * @param positionErrorM standard deviation of positions along each axis, the boat's own and those of others, in metres
      */
     public GivingWay(Surroundings surroundings, Kinematics vehicle, double positionErrorM) {
+        this(surroundings, vehicle, positionErrorM, 0);
+    }
+
+    /**
+     * The same for a hull that turns only with headway, as one with a rudder does.
+     *
+     * @param turningMps least speed at which it turns, in m/s; 0 where it turns on the spot
+     */
+    public GivingWay(Surroundings surroundings, Kinematics vehicle, double positionErrorM, double turningMps) {
+        this.turningMps = turningMps;
         this.surroundings = surroundings;
         this.vehicle = vehicle;
         errorMarginM = errorMarginM(positionErrorM);
@@ -286,7 +297,7 @@ public final class GivingWay {
      */
     private boolean isSafe(CourseVector direction, double atMps, boolean followsLine) {
         double turn = direction.turnFrom(heading.rad());
-        double wantedMps = atMps * Math.max(0, direction.along(heading));
+        double wantedMps = whileTurningMps(atMps, direction.along(heading));
         double gain = ACCELERATION_MPS2 * Stopping.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
         CourseVector least = leastTurn.after(direction, turn);
@@ -297,6 +308,16 @@ public final class GivingWay {
         return isClear(Stopping.segment(thenEastM, thenNorthM, least, thenMps, 0), followsLine)
                 && (farthest == least
                         || isClear(Stopping.segment(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine));
+    }
+
+    /**
+     * The speed at which the boat turns to a course, in m/s.
+     *
+     * @param atMps speed on the course; not astern
+     * @param along cosine of the turn
+     */
+    public double whileTurningMps(double atMps, double along) {
+        return Math.max(Math.min(atMps, turningMps), atMps * Math.max(0, along));
     }
 
     /** Whether a boat that hardly moves can take this course after turning on the spot. */
