@@ -100,14 +100,20 @@ public final class AnalyseAllCommand implements Callable<Integer> {
                     SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, Duration.ofMillis(millis));
             AnalysedPlans analysed = new AnalysedPlans(library, budget, SearchProgress.watch(progress, stop));
             for (PlanSource source : sources) {
-                List<Plan> plans = plans(source);
-                List<Finding> errors = source.concerning(plans).stream()
-                        .filter(Finding::isError)
-                        .toList();
-                FindingsText.print(err, source.source(), errors);
-                isRead &= errors.isEmpty() && source.project().isPresent();
-                for (Plan plan : errors.isEmpty() ? plans : List.<Plan>of()) {
-                    boats.forEach(n -> table.add(analysed.row(source.project().orElseThrow(), plan, n)));
+                isRead &= source.project().isPresent();
+                if (source.project().isEmpty()) {
+                    FindingsText.print(err, source.source(), source.findings());
+                }
+                for (Plan plan : plans(source)) {
+                    List<Finding> errors = source.concerning(List.of(plan)).stream()
+                            .filter(Finding::isError)
+                            .toList();
+                    FindingsText.print(err, source.source(), errors);
+                    isRead &= errors.isEmpty();
+                    if (errors.isEmpty()) {
+                        boats.forEach(
+                                n -> table.add(analysed.row(source.project().orElseThrow(), plan, n)));
+                    }
                 }
             }
             progress.end();

@@ -1,0 +1,55 @@
+package org.sami.crw.cli.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.cli.CommandResult;
+
+class AnalyseAllCommandTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void tableHasARowForEachPlanAndNumberOfBoats() {
+        CommandResult ran = CommandResult.crw("analyse-all", "pull-out", "look-around", "--boats", "1,2");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out().lines().filter(line -> line.startsWith("| `")))
+                .hasSize(4)
+                .allMatch(line -> line.contains("| no | yes | – | – |"));
+        assertThat(ran.out())
+                .contains("| `pull-out` | 1 | ")
+                .contains("| `look-around` | 2 | ")
+                .contains("4 rows in ");
+    }
+
+    @Test
+    void whatOnlyTheNetDoesIsNotCertainAndNoFault() {
+        CommandResult ran = CommandResult.crw("analyse-all", "add-simulated-boats", "--boats", "1");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out()).contains("| yes, not certain | no, not certain |").contains("it may be so");
+    }
+
+    @Test
+    void numbersOfBoatsAreChecked() {
+        CommandResult ran = CommandResult.crw("analyse-all", "--boats", "1,26");
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("--boats is 0 to 25");
+    }
+
+    @Test
+    void netOfAPlanIsDrawn() throws Exception {
+        Path file = folder.resolve("net.svg");
+
+        CommandResult ran = CommandResult.crw(
+                "graph", "../docs/reductions/reductions.json", "--plan", "add", "--net", file.toString());
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(Files.readString(file)).startsWith("<").contains("From: robot-1 ●");
+    }
+}
