@@ -31,9 +31,9 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "analyse-all",
         mixinStandardHelpOptions = true,
-        description = "Searches all plans of files, or of the library, with several numbers of boats, and prints a"
-                + " table in Markdown: does the plan stop before its end, can every run end, are its queries"
-                + " answered as expected?",
+        description =
+                "Searches all plans of files, or of the library, with several numbers of boats. A table says whether"
+                        + " each plan stops before its end, whether every run can end, and how its queries are answered.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:done; no fault is certain",
