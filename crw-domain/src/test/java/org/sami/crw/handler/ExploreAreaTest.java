@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BoatPerformance;
+import org.sami.boat.link.PowerCurve;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
@@ -198,6 +200,61 @@ class ExploreAreaTest {
         assertThat(usual).isCloseTo(1.5, within(0.1));
         assertThat(fast).isCloseTo(2 * usual, within(0.1));
         assertThat(messages()).containsExactly("here: boats drive at twice the cruise speed, for execution time");
+    }
+
+    @Test
+    void forExecutionEfficiencyABoatThatKnowsWhatItUsesDrivesAtTheSpeedThatCostsLeast() {
+        world.addBoat("known", 0, 20, hull -> hull.performance = BoatPerformance.UNKNOWN.with(dragOf(35)));
+        world.run(1);
+
+        for (String boat : List.of("known", "east")) {
+            world.happens(
+                    engine,
+                    new TestActivations("ProxyGotoLatLon")
+                            .id(boat.length())
+                            .with("location", at(60, 500))
+                            .markup("Optimize", "criteria", new EnumValue("Criterion", "EXECUTION_EFFICIENCY"))
+                            .of(boat)
+                            .effect());
+        }
+        world.run(15);
+
+        assertThat(world.hull("known").speedMps()).isCloseTo(0.75, within(0.1));
+        assertThat(world.hull("east").speedMps()).isCloseTo(1.5, within(0.1));
+    }
+
+    /** A full battery takes such a boat 200 m at the cruise speed, and 50 m at twice of it. */
+    @Test
+    void chargesAreCountedAtTheSpeedThatOptimizeAsksFor() {
+        for (String boat : List.of("a", "b")) {
+            world.addBoat(boat, 0, 0, hull -> hull.performance = BoatPerformance.UNKNOWN.with(dragOf(2)));
+        }
+        world.run(1);
+
+        world.happens(engine, asking(7).of("a", "b").effect());
+        world.run(5);
+        boolean isAskedAtCruiseSpeed = isAsked();
+        world.happens(
+                engine,
+                asking(8)
+                        .mission(2)
+                        .markup("Optimize", "criteria", new EnumValue("Criterion", "EXECUTION_TIME"))
+                        .of("a", "b")
+                        .effect());
+        world.run(5);
+
+        assertThat(isAskedAtCruiseSpeed).isFalse();
+        assertThat(isAsked()).isTrue();
+    }
+
+    private boolean isAsked() {
+        return engine.inputs.stream()
+                .anyMatch(input -> input instanceof Input.AskOperator asked
+                        && asked.prompt().startsWith("charges are sure to last for "));
+    }
+
+    private static PowerCurve dragOf(double metresPerPercent) {
+        return PowerCurve.drag(metresPerPercent, 1.5, 0);
     }
 
     private static TestActivations moving(String how) {

@@ -72,4 +72,14 @@ class WayBackTest {
     void wayThatTheChargeDoesNotLastForIsAskedAboutInstead() {
         assertThat(words(9, Optional.empty(), at(350, 0))).isEmpty();
     }
+
+    /** Out 1 % takes it 10 m, and home 40 m: 100 m out cost 10 %, and home 2.5 %. */
+    @Test
+    void wayHomeCostsWhatItCostsAtTheSpeedOfWaysHome() {
+        Charge charge = new Charge(32.4, 40).outward(10);
+        Way way = new Way("anna", Optional.of(HOME), Optional.of(charge), List.of(at(100, 0)), List.of());
+
+        assertThat(WayBack.of(way, HOME).map(WayBack::words))
+                .contains("anna comes home from its way with about 20 % of charge");
+    }
 }

@@ -46,6 +46,21 @@ class HullFileTest {
     }
 
     @Test
+    void curveOfItsOwnSaysHowFarAPercentTakesTheBoat() {
+        String text = "{\"format\":\"sami-hull-1\",\"kind\":\"differential\",\"cruiseMps\":2,"
+                + "\"power\":{\"speedMps\":[0,2],\"percentPerHour\":[4,72]}}";
+
+        HullSettings hull = HullFile.parse(text);
+
+        assertThat(hull.performance().metresPerPercent()).hasValue(100);
+        assertThat(HullFile.text(hull)).contains("percentPerHour").doesNotContain("metresPerPercent");
+        assertThat(HullFile.text(HullFile.parse(HullFile.text(hull)))).isEqualTo(HullFile.text(hull));
+        assertThat(HullFile.text(hull.change().build())).isEqualTo(HullFile.text(hull));
+        assertThatThrownBy(() -> HullFile.parse(text.replace("cruiseMps", "metresPerPercent")))
+                .hasMessageContaining("/power: the way for a percent follows from it");
+    }
+
+    @Test
     void whatIsLeftOutIsAsByDefault() {
         HullSettings hull = HullFile.parse("{\"format\":\"sami-hull-1\",\"kind\":\"differential\"}");
 
@@ -64,6 +79,7 @@ class HullFileTest {
         'battery': {'volts':[12,'x'],'percent':[0,100]} | /battery/volts/1: expected is a number
         'battery': {'volts':[12,11],'percent':[0,100]}  | /battery: volts and percents rise: 11.0 V, 100.0 %
         'metresPerPercent': 0          | /metresPerPercent: the way for a percent of charge is 0.1 to 10000.0, not 0.0
+        'power': {'speedMps':[0,'x'],'percentPerHour':[0,9]} | /power/speedMps/1: expected is a number
         'cruiseMps': 'fast'            | /cruiseMps: expected is a number, not "fast"
         'turningRadiusM': -1           | /turningRadiusM: the turning radius is 0.0 to 100.0, not -1.0
         'turnRateRadPerS': 1e99        | /turnRateRadPerS: the turn rate is 0.05 to 3.0, not 1.0E99

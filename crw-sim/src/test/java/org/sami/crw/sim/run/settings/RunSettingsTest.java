@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.value.GeoPoint;
@@ -83,6 +84,19 @@ class RunSettingsTest {
         assertThat(SettingsMap.write(FULL)).doesNotContainKey("battery");
         assertThatThrownBy(() -> low.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
                 .hasMessageContaining("their own batteries");
+    }
+
+    @Test
+    void comesBackWithTheConsumptionOfItsBoats() {
+        RunSettings loaded = RunSettings.of("visit", "visit", FULL.fleet().with(Energy.parse("drag,hotel=12")))
+                .build();
+
+        assertThat(SettingsMap.read(SettingsMap.write(loaded))).isEqualTo(loaded);
+        assertThat(SettingsMap.write(FULL)).doesNotContainKey("energy");
+        assertThatThrownBy(() -> loaded.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
+                .hasMessageContaining("say what they use themselves");
+        assertThatThrownBy(() -> FULL.fleet().withRangeM(1500).with(Energy.parse("0:1,1.5:100")))
+                .hasMessageContaining("a range follows from the boats' curve");
     }
 
     @Test
