@@ -21,7 +21,7 @@ import org.sami.spn.value.GeoPoint;
 final class BoatRows {
     static final int MOST_BOATS = 500;
 
-    private static final long HEARD_STEP_MS = 1000; // else a boat that stands still would be sent ten times a second
+    private static final long STEP_MS = 1000; // else a boat that stands still would be sent ten times a second
     private static final double TENTHS = 10;
 
     private BoatRows() {}
@@ -65,10 +65,10 @@ final class BoatRows {
             row.put("lat", Shapes.rounded(pose.position().latDeg()));
             row.put("lon", Shapes.rounded(pose.position().lonDeg()));
             row.put("heading", Math.round(Math.toDegrees(pose.headingRad()) * TENTHS) / TENTHS);
-            row.put("at", boat.poseAtMillis());
+            row.put("at", boat.poseAtMillis() / STEP_MS * STEP_MS);
         });
         boat.speedMps().ifPresent(speed -> row.put("speed", Math.round(speed * TENTHS) / TENTHS));
-        boat.heardAtMillis().ifPresent(at -> row.put("heard", at / HEARD_STEP_MS * HEARD_STEP_MS));
+        boat.heardAtMillis().ifPresent(at -> row.put("heard", at / STEP_MS * STEP_MS));
         boat.battery().ifPresent(battery -> {
             row.put("battery", Math.round(battery.percent()));
             row.put("batteryLevel", word(battery.level()));

@@ -69,7 +69,7 @@ final class Fronts implements AutoCloseable {
     /** Begins. */
     void start() {
         session.execute(() -> session.addOperator(settled));
-        thread.scheduleAtFixedRate(() -> guarded(this::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
+        var unused = thread.scheduleAtFixedRate(() -> guarded(this::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
     }
 
     private void guarded(Runnable work) {

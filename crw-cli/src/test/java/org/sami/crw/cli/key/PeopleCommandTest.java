@@ -24,18 +24,25 @@ class PeopleCommandTest {
         assertThat(added.exitCode()).isZero();
         assertThat(key).hasSize(32);
         assertThat(Files.readString(folder.resolve("people"))).doesNotContain(key);
-        assertThat(CommandResult.crw("people", "list", "--people", list()).out()).isEqualToIgnoringNewLines("anna  operator");
-        assertThat(CommandResult.crw("people", "remove", "anna", "--people", list()).exitCode()).isZero();
-        assertThat(CommandResult.crw("people", "list", "--people", list()).out()).startsWith("nobody is listed");
+        assertThat(CommandResult.crw("people", "list", "--people", list()).out())
+                .isEqualToIgnoringNewLines("anna  operator");
+        assertThat(CommandResult.crw("people", "remove", "anna", "--people", list())
+                        .exitCode())
+                .isZero();
+        assertThat(CommandResult.crw("people", "list", "--people", list()).out())
+                .startsWith("nobody is listed");
     }
 
     @Test
     void wrongRolesAndNamesAreUsageFaults() throws Exception {
-        assertThat(CommandResult.crw("people", "add", "anna", "--role", "captain", "--people", list()).err())
+        assertThat(CommandResult.crw("people", "add", "anna", "--role", "captain", "--people", list())
+                        .err())
                 .contains("'captain' is none of operator, pilot, observer");
-        assertThat(CommandResult.crw("people", "add", "an na", "--role", "pilot", "--people", list()).exitCode())
+        assertThat(CommandResult.crw("people", "add", "an na", "--role", "pilot", "--people", list())
+                        .exitCode())
                 .isEqualTo(2);
-        assertThat(CommandResult.crw("people", "remove", "ben", "--people", list()).err())
+        assertThat(CommandResult.crw("people", "remove", "ben", "--people", list())
+                        .err())
                 .contains("nobody here is named 'ben'");
     }
 
