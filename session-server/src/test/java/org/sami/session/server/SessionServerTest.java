@@ -6,7 +6,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.URI;
 import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.WebSocket;
 import java.nio.file.Path;
 import java.security.cert.X509Certificate;
 import java.util.List;
@@ -112,6 +116,48 @@ class SessionServerTest {
     }
 
     @Test
+    void missionGoesOnWithTheAnswerOfABrowser() throws Exception {
+        TestFront anna = login("anna");
+        anna.send(START);
+        JsonNode asked = anna.decision();
+        anna.send(answer(2, asked));
+
+        JsonNode gone = anna.until(message -> message.path("gone")
+                .path("decisions")
+                .toString()
+                .contains(asked.path("id").toString()));
+        assertThat(gone.path("full").asBoolean()).isFalse();
+    }
+
+    @Test
+    void observerIsRefusedByNameAndMayStopTheFleet() throws Exception {
+        TestFront otto = login("otto");
+        otto.send(START);
+        JsonNode refused = otto.reply(1);
+
+        assertThat(refused.path("text").asText())
+                .isEqualTo("The role observer of otto does not have the right 'start'");
+        otto.send("{\"t\":\"stopFleet\",\"id\":2}");
+        JsonNode stopped = otto.until(message ->
+                message.path("set").path("fleet").path(0).path("stopped").asBoolean());
+        assertThat(stopped.path("set").path("fleet").path(0).path("words").asText())
+                .startsWith("FLEET STOP");
+    }
+
+    @Test
+    void wrongKeyIsLetInNowhere() throws Exception {
+        TestFront nobody = new TestFront(server);
+        nobody.send("{\"t\":\"hello\",\"v\":1,\"name\":\"anna\",\"key\":\"guessed\"}");
+
+        assertThat(nobody.reply(0).path("text").asText()).isEqualTo("no such name and key");
+        assertThat(nobody.closed()).isEqualTo(1008);
+        TestFront early = new TestFront(server);
+        early.send(START);
+        assertThat(early.reply(1).path("t").asText()).isEqualTo("refused");
+        assertThat(early.closed()).isEqualTo(1008);
+    }
+
+    @Test
     void removedPersonIsOutAndOthersGoOn() throws Exception {
         TestFront anna = login("anna");
         TestFront ben = login("ben");
@@ -144,6 +190,38 @@ class SessionServerTest {
         anna.send(PING);
 
         assertThat(anna.reply(9).path("t").asText()).isEqualTo("done");
+    }
+
+    @Test
+    void tooLargeMessageEndsItsOwnConnectionOnly() throws Exception {
+        TestFront anna = login("anna");
+        TestFront ben = login("ben");
+        ben.trySend("{\"t\":\"note\",\"id\":1,\"text\":\"" + "x".repeat(70_000) + "\"}");
+
+        assertThat(ben.closed()).isIn(1006, 1009);
+        anna.send(PING);
+        assertThat(anna.reply(9).path("t").asText()).isEqualTo("done");
+    }
+
+    @Test
+    void pageIsKeptToItsOwnOrigin() throws Exception {
+        HttpClient client = HttpClient.newHttpClient();
+        HttpResponse<String> page = client.send(
+                HttpRequest.newBuilder(URI.create(server.url())).build(), HttpResponse.BodyHandlers.ofString());
+        HttpResponse<String> outside = client.send(
+                HttpRequest.newBuilder(URI.create(server.url() + "../people")).build(),
+                HttpResponse.BodyHandlers.ofString());
+
+        assertThat(page.statusCode()).isEqualTo(200);
+        assertThat(page.headers().firstValue("Content-Security-Policy").orElseThrow())
+                .startsWith("default-src 'none'; script-src 'self';");
+        assertThat(outside.statusCode()).isIn(400, 404);
+        assertThatThrownBy(() -> client.newWebSocketBuilder()
+                        .header("Origin", "http://elsewhere.example")
+                        .buildAsync(
+                                URI.create(server.url().replace("http", "ws") + "session"), new WebSocket.Listener() {})
+                        .join())
+                .hasMessageContaining("WebSocketHandshakeException");
     }
 
     @Test
