@@ -20,6 +20,11 @@ final class PageHandler extends Handler.Abstract {
     /** Where the page's files are on the classpath. */
     static final String FOLDER = "org/sami/session/page";
 
+    /** Where the map library is on the classpath; the page has it below {@code /leaflet/}. */
+    private static final String LEAFLET = "META-INF/resources/webjars/leaflet/1.9.4/dist";
+
+    private static final String LEAFLET_PATH = "/leaflet/";
+
     private static final String POLICY =
             "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:;"
                     + " font-src 'self'; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none';"
@@ -61,9 +66,6 @@ final class PageHandler extends Handler.Abstract {
         if (content.isPresent()) {
             String type = TYPES.getOrDefault(file.substring(file.lastIndexOf('.') + 1), "application/octet-stream");
             send(response, HttpStatus.OK_200, type, content.get(), callback);
-        } else if (path.equals("/")) {
-            String words = "A session of SAMI is served here. This program has no page; fronts connect to /session.\n";
-            send(response, HttpStatus.OK_200, TEXT, bytes(words), callback);
         } else {
             send(response, HttpStatus.NOT_FOUND_404, TEXT, bytes("Nothing is here\n"), callback);
         }
@@ -71,7 +73,9 @@ final class PageHandler extends Handler.Abstract {
     }
 
     private static Optional<byte[]> content(String file) throws IOException {
-        try (InputStream in = PageHandler.class.getClassLoader().getResourceAsStream(FOLDER + file)) {
+        String place =
+                file.startsWith(LEAFLET_PATH) ? LEAFLET + file.substring(LEAFLET_PATH.length() - 1) : FOLDER + file;
+        try (InputStream in = PageHandler.class.getClassLoader().getResourceAsStream(place)) {
             if (in == null) {
                 return Optional.empty();
             }

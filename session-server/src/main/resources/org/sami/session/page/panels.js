@@ -1,0 +1,93 @@
+// @ts-check
+// The lists of the session: decisions, boats, missions with their interrupts, messages and alarms.
+import {Chart} from './chart.js';
+import {duration, element, hold} from './dom.js';
+
+/** @typedef {import('./link.js').Link} Link */
+/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null}} Actions */
+
+/** @param {Link} link @param {Actions} actions */
+export function decisions(link, actions) {
+  const rows = link.all('decisions').map((one) =>
+    element('button', {class: 'row ' + one.priority, onclick: () => actions.open(one)},
+      element('strong', {}, one.title),
+      element('small', {}, [one.plan, one.deadline ? 'in ' + duration(one.deadline - link.now()) + ' it ' + one.autonomy : null, one.yours ? null : 'not yours'].filter(Boolean).join(' · '))));
+  return rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'Nothing is to be decided.')];
+}
+
+/** @param {Link} link @param {Actions} actions */
+export function boats(link, actions) {
+  return link.all('boats').map((boat) => {
+    const mark = element('i', {class: 'mark'});
+    mark.style.background = Chart.color(link, boat.id);
+    const figures = [
+      boat.battery === undefined ? null : Math.round(boat.battery) + ' %',
+      boat.speed === undefined ? null : Math.abs(boat.speed).toFixed(1) + ' m/s',
+      boat.heard === undefined ? null : 'heard ' + duration(link.now() - boat.heard) + ' ago',
+      boat.driver ? 'driven by ' + boat.driver : null,
+    ].filter(Boolean).join(' · ');
+    const node = element('button', {class: 'row' + (boat.alarm ? ' ' + boat.alarm : '') + (boat.id === actions.selected() ? ' selected' : ''), onclick: () => actions.select(boat.id)},
+      element('strong', {}, mark, boat.id), element('span', {class: boat.batteryLevel ?? ''}, figures), element('small', {}, boat.why ?? ''));
+    return node;
+  });
+}
+
+/** @param {Link} link @param {Actions} actions */
+export function missions(link, actions) {
+  const running = link.all('missions').filter((one) => one.state === 'running' && one.parent === undefined);
+  const nodes = /** @type {HTMLElement[]} */ ([]);
+  for (const mission of running) {
+    const buttons = link.all('buttons').filter((one) => one.mission === mission.id);
+    nodes.push(element('section', {class: 'mission'},
+      element('h2', {}, mission.name),
+      element('p', {}, 'For ' + duration(link.now() - mission.since) + (mission.stuck ? '. ' + mission.stuck : '')),
+      ...buttons.map((one) => interrupt(link, actions, one)),
+      link.may('start') ? abort(actions, mission) : null));
+  }
+  if (link.may('start')) {
+    const plans = (link.welcome.plans ?? []).map((/** @type {any} */ plan) => element('option', {value: plan.id}, plan.title));
+    const list = /** @type {HTMLSelectElement} */ (element('select', {id: 'plans', 'aria-label': 'Plan'}, ...plans));
+    nodes.push(element('div', {class: 'start'}, list, element('button', {class: 'main', onclick: () => actions.command({t: 'start', plan: list.value})}, 'Start mission')));
+  }
+  return nodes.length > 0 ? nodes : [element('p', {class: 'hint'}, 'No mission runs.')];
+}
+
+/** A button that is held. @param {Actions} actions @param {any} mission */
+function abort(actions, mission) {
+  const button = element('button', {class: 'danger'}, 'Hold to abort');
+  hold(button, () => actions.command({t: 'abort', mission: mission.id}));
+  return button;
+}
+
+/** @param {Link} link @param {Actions} actions @param {any} one */
+function interrupt(link, actions, one) {
+  const why = one.whyNot ?? (link.may('press') ? null : 'not yours to press');
+  const selected = actions.selected();
+  const press = () => actions.command({t: 'press', mission: one.mission, name: one.name, ...(one.boats && selected ? {boats: [selected]} : {})});
+  return element('div', {class: 'interrupt'},
+    element('button', {disabled: why !== null, onclick: press}, one.name + (one.boats && selected ? ' for ' + selected : '')),
+    element('small', {}, [why ?? one.description, one.final].filter(Boolean).join('. ')));
+}
+
+/** @param {Link} link @param {Actions} actions */
+export function messages(link, actions) {
+  const rows = link.all('messages').map((one) =>
+    element('div', {class: 'row ' + one.priority + (one.acknowledged ? ' seen' : '')},
+      element('span', {}, one.text + (one.count > 1 ? ' (' + one.count + ' times)' : '')),
+      element('small', {}, duration(link.now() - one.at) + ' ago'),
+      one.acknowledged || !link.may('answer') ? null : element('button', {onclick: () => actions.command({t: 'acknowledge', message: Number(one.id)})}, 'Seen')));
+  return rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'No messages.')];
+}
+
+/** @param {Link} link @param {Actions} actions */
+export function alarms(link, actions) {
+  const rows = [
+    ...link.all('faults').map((one) => element('div', {class: 'row ' + one.severity}, element('strong', {}, one.text), element('small', {}, one.advice))),
+    ...link.all('alarms').map((one) =>
+      element('div', {class: 'row ' + one.severity + (one.active ? '' : ' seen')},
+        element('strong', {}, one.text),
+        element('small', {}, (one.active ? '' : 'over · ') + one.advice),
+        one.acknowledged || !link.may('answer') ? null : element('button', {onclick: () => actions.command({t: 'acknowledge', alarm: Number(one.id)})}, 'Acknowledge'))),
+  ];
+  return rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'No alarms.')];
+}

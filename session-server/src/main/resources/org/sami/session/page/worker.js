@@ -1,0 +1,20 @@
+// Keeps the page's own files, so that it opens and says "last seen" where the base cannot be reached.
+const FILES = ['./', 'page.js', 'page.css', 'dom.js', 'link.js', 'chart.js', 'decisions.js', 'panels.js', 'icon.svg', 'manifest.webmanifest', 'leaflet/leaflet-src.esm.js', 'leaflet/leaflet.css'];
+const CACHE = 'sami-session-1';
+
+self.addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));
+self.addEventListener('activate', (event) =>
+  event.waitUntil(caches.keys().then((names) => Promise.all(names.filter((name) => name !== CACHE).map((name) => caches.delete(name))))));
+self.addEventListener('fetch', (event) => {
+  if (event.request.method !== 'GET') {
+    return;
+  }
+  event.respondWith(
+    fetch(event.request)
+      .then((answer) => {
+        const kept = answer.clone();
+        event.waitUntil(caches.open(CACHE).then((cache) => cache.put(event.request, kept)));
+        return answer;
+      })
+      .catch(() => caches.match(event.request).then((kept) => kept ?? Response.error())));
+});

@@ -1,0 +1,139 @@
+package org.sami.session.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionSetup;
+import org.sami.session.person.PeopleFile;
+import org.sami.session.person.Person;
+import org.sami.session.person.PersonKey;
+import org.sami.session.person.PersonRole;
+import org.sami.spn.json.DomainLibrary;
+
+/** The page of a served session in a real browser of a phone's size. */
+@Timeout(900)
+class SessionPageTest {
+    @TempDir
+    private Path folder;
+
+    private Session session;
+    private SessionServer server;
+    private TestBrowser browser;
+
+    @BeforeEach
+    void openThePage() throws Exception {
+        Optional<Path> program = TestBrowser.installed();
+        assumeTrue(program.isPresent(), "there is no Chromium; get one by: apt-get install chromium");
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        session = Session.open(SessionSetup.of(
+                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
+        session.begin();
+        browser = new TestBrowser(program.get(), folder.resolve("profile"));
+        browser.open(server.url());
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        if (browser != null) {
+            browser.close();
+            server.close();
+            session.close();
+        }
+    }
+
+    private void join(String key) throws Exception {
+        browser.until("document.getElementById('login') !== null && !document.getElementById('login').hidden");
+        browser.type("#login-name", "anna");
+        browser.type("#login-key", key);
+        browser.click("#login button");
+    }
+
+    private void joined() throws Exception {
+        join("key of anna");
+        browser.until("document.getElementById('state').textContent.includes('anna (operator)')");
+    }
+
+    @Test
+    void personStartsAMissionAndAnswersItsQuestion() throws Exception {
+        joined();
+        browser.click("#tabs button:nth-child(3)");
+        browser.until("document.querySelector('#plans option[value=station-keep]') !== null");
+        browser.value("document.getElementById('plans').value = 'station-keep'");
+        browser.click("#panel .start button.main");
+        browser.click("#tabs button:nth-child(1)");
+        browser.click("#panel button.row");
+        browser.until("document.querySelector('.decision .fields') !== null");
+        browser.value("document.querySelectorAll('.decision input[type=number]').forEach(one => one.value ||= 1)");
+        browser.click(".decision .draw button");
+        double[] middle = browser.middle("#map");
+        browser.press(middle[0], middle[1]);
+        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
+        browser.click(".bar button.main");
+        browser.click(".decision .answers button.main");
+
+        browser.until("document.querySelector('.decision') === null");
+        browser.until("document.getElementById('notice').textContent !== ''");
+        assertThat(browser.value("document.querySelector('#tabs button:nth-child(3)').textContent")
+                        .asText())
+                .isEqualTo("Missions1");
+    }
+
+    @Test
+    void wrongKeyIsSaidAtTheLogin() throws Exception {
+        join("another key");
+
+        browser.until("document.getElementById('login-fault').textContent !== ''");
+        assertThat(browser.value("document.getElementById('login').hidden").asBoolean())
+                .isFalse();
+    }
+
+    @Test
+    void stopThatIsHeldStopsTheFleet() throws Exception {
+        joined();
+        double[] stop = browser.middle("#stop");
+        browser.press(stop[0], stop[1]); // a touch by accident
+        assertThat(browser.value("document.getElementById('stop').classList.contains('held')")
+                        .asBoolean())
+                .isFalse();
+        browser.mouse("mousePressed", stop[0], stop[1]);
+
+        browser.until("!document.getElementById('stopped').hidden");
+        assertThat(browser.value("document.getElementById('stopped').textContent")
+                        .asText())
+                .isNotEmpty();
+    }
+
+    @Test
+    void pageSaysWhenItHasLostTheSession() throws Exception {
+        joined();
+        browser.until("document.getElementById('state').textContent.includes('0 of 0')");
+
+        server.close();
+
+        browser.until("document.getElementById('state').textContent.startsWith('Last seen ')");
+    }
+
+    @Test
+    void everyFileThatThePageNeedsIsServed() throws Exception {
+        joined();
+
+        browser.until("performance.getEntriesByType('resource').length > 6");
+        assertThat(browser.value("performance.getEntriesByType('resource').filter(one => one.responseStatus >= 400)"
+                                + ".map(one => one.name).join()")
+                        .asText())
+                .isEmpty();
+    }
+}
