@@ -133,7 +133,7 @@ enum SamiModule {
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
-            220,
+            240,
             List.of("org.sami.crw.sim.."),
             List.of(
                     CRW_REPORT,
@@ -152,7 +152,7 @@ enum SamiModule {
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
-            35,
+            40,
             List.of("org.sami.crw.mavlink.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */

@@ -22,7 +22,7 @@ public final class Front implements Session.Listener.AutoDemanding {
     private static final int MESSAGES_AT_ONCE = 200;
     private static final int MOST_MALFORMED = 20;
 
-    private final Fronts fronts;
+    private final FrontListener listener;
     private final String address;
     private final LongSupplier nanos;
     private final MessageAllowance allowance;
@@ -35,8 +35,8 @@ public final class Front implements Session.Listener.AutoDemanding {
     private int malformed; // for the thread of its messages
 
     /** A connection from an address. */
-    Front(Fronts fronts, String address, LongSupplier nanos) {
-        this.fronts = fronts;
+    Front(FrontListener listener, String address, LongSupplier nanos) {
+        this.listener = listener;
         this.address = address;
         this.nanos = nanos;
         allowance = new MessageAllowance(MESSAGES_PER_SECOND, MESSAGES_AT_ONCE, nanos);
@@ -125,7 +125,7 @@ public final class Front implements Session.Listener.AutoDemanding {
                     one.close(code, why, Callback.from(() -> {}, fault -> one.disconnect()));
                 }
             });
-            fronts.closed(this);
+            listener.closed();
         }
     }
 
@@ -138,7 +138,7 @@ public final class Front implements Session.Listener.AutoDemanding {
     @Override
     public void onWebSocketOpen(Session session) {
         socket = Optional.of(session);
-        fronts.opened(this);
+        listener.opened();
     }
 
     @Override
@@ -153,7 +153,7 @@ public final class Front implements Session.Listener.AutoDemanding {
             return;
         }
         try {
-            fronts.take(this, FrontMessage.read(text));
+            listener.received(FrontMessage.read(text));
         } catch (MalformedMessageException wrong) {
             malformed(0, wrong);
         }
@@ -191,7 +191,7 @@ public final class Front implements Session.Listener.AutoDemanding {
 
     private void gone() {
         if (ended.compareAndSet(false, true)) {
-            fronts.closed(this);
+            listener.closed();
         }
     }
 }

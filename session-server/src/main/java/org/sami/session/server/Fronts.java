@@ -89,10 +89,34 @@ final class Fronts implements AutoCloseable {
     }
 
     Front connect(String address) {
-        return new Front(this, address, nanos);
+        return new Connection(address).front;
     }
 
-    void opened(Front front) {
+    /** What happens to one front. */
+    private final class Connection implements FrontListener {
+        private final Front front;
+
+        Connection(String address) {
+            front = new Front(this, address, nanos);
+        }
+
+        @Override
+        public void opened() {
+            Fronts.this.opened(front);
+        }
+
+        @Override
+        public void received(FrontMessage message) {
+            take(front, message);
+        }
+
+        @Override
+        public void closed() {
+            Fronts.this.closed(front);
+        }
+    }
+
+    private void opened(Front front) {
         execute(() -> {
             if (open.size() >= MOST) {
                 front.end(StatusCode.TRY_AGAIN_LATER, "there are " + MOST + " fronts already");
@@ -102,7 +126,7 @@ final class Fronts implements AutoCloseable {
         });
     }
 
-    void closed(Front front) {
+    private void closed(Front front) {
         execute(() -> {
             if (open.remove(front)) {
                 hand.left(front);
@@ -110,7 +134,7 @@ final class Fronts implements AutoCloseable {
         });
     }
 
-    void take(Front front, FrontMessage message) {
+    private void take(Front front, FrontMessage message) {
         execute(() -> {
             if (front.hasEnded()) {
                 return;

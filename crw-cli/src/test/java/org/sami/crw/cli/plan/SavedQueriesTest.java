@@ -68,8 +68,8 @@ class SavedQueriesTest {
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out())
                 .contains("clv: query \"nobody sails\" NOT AS EXPECTED (no): yes: such a marking is reached by ")
-                .contains("    accepted")
-                .containsPattern("    then .*execute: .*robot-1");
+                .contains("    Allocation accepted")
+                .containsPattern("    then .*Execute paths: .*robot-1");
         assertThat(json.at("/queries/0/result").asText()).isEqualTo("unexpected");
         assertThat(json.at("/queries/0/run")).isNotEmpty();
         assertThat(json.at("/queries/0/marking").asText()).contains("execute: ");

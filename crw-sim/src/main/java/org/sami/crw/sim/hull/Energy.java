@@ -3,6 +3,7 @@ package org.sami.crw.sim.hull;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.sami.boat.link.PowerCurve;
 
 /**
@@ -112,15 +113,20 @@ public record Energy(boolean isDrag, List<Point> points, double hotelW, double b
         return !points.isEmpty();
     }
 
-    /** The same hull, which uses charge so; its constant of one metre counts for its motors at a speed. */
-    HullConfig on(HullConfig hull, double cruiseMps) {
+    /**
+     * What a hull uses by its speed; empty where a metre costs the same at any speed.
+     *
+     * @param percentPerM charge in percent that a metre at cruise speed costs its motors
+     * @param cruiseMps cruise speed in m/s
+     */
+    Optional<PowerCurve> power(double percentPerM, double cruiseMps) {
         if (isPerMetre()) {
-            return hull;
+            return Optional.empty();
         }
-        return hull.withPower(
+        return Optional.of(
                 isCurve()
                         ? curve(points, batteryWh)
-                        : PowerCurve.drag(1 / hull.batteryPercentPerM(), cruiseMps, hotelW * PERCENT / batteryWh));
+                        : PowerCurve.drag(1 / percentPerM, cruiseMps, hotelW * PERCENT / batteryWh));
     }
 
     private static PowerCurve curve(List<Point> points, double batteryWh) {

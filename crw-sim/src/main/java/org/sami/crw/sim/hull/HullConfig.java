@@ -121,7 +121,9 @@ public record HullConfig(
 
     /** The same hull, which uses its battery so. */
     public HullConfig with(Energy energy) {
-        return energy.on(this, cruiseMps());
+        return energy.power(batteryPercentPerM, cruiseMps())
+                .map(this::withPower)
+                .orElse(this);
     }
 
     private double cruiseMps() {
