@@ -77,7 +77,7 @@ export class Chart {
     const text = JSON.stringify([color, Math.round(boat.heading ?? 0), selected, silent, boat.alarm]);
     let marker = this.markers.get(boat.id);
     if (!marker) {
-      marker = L.marker([boat.lat, boat.lon], {keyboard: false, icon: L.divIcon({className: 'boat'})}).on('click', () => this.chosen(boat.id));
+      marker = L.marker([boat.lat, boat.lon], {keyboard: false, icon: L.divIcon({className: 'boat'})}).on('click', (/** @type {any} */ event) => this.touched(boat.id, event));
       this.markers.set(boat.id, marker);
       this.boats.addLayer(marker);
     }
@@ -85,6 +85,16 @@ export class Chart {
     if (marker.shownText !== text) {
       marker.shownText = text;
       marker.setIcon(L.divIcon({className: 'boat', iconSize: [48, 48], html: Chart.figure(boat, color, selected, silent)}));
+    }
+  }
+
+  /** A point is drawn over a boat, too. @param {string} boat @param {any} event */
+  touched(boat, event) {
+    if (this.taking) {
+      const at = this.map.mouseEventToLatLng(event.originalEvent);
+      this.taking([at.lat, at.lng]);
+    } else {
+      this.chosen(boat);
     }
   }
 
@@ -110,7 +120,7 @@ export class Chart {
     this.areas.clearLayers();
     this.ways.clearLayers();
     for (const area of link.all('areas')) {
-      this.put(this.areas, area.shape, Chart.style(area.kind), area.name);
+      this.put(this.areas, area.shape, Chart.style(area.kind), area.name.startsWith('@') ? '' : area.name);
     }
     for (const way of link.all('paths')) {
       L.polyline(way.points, {color: Chart.color(link, way.id), weight: 2, dashArray: '6 4', interactive: false}).addTo(this.ways);

@@ -255,7 +255,7 @@ export class DecisionForm {
     if (input.type === 'number') {
       return Number(input.value);
     }
-    return typeof field.value === 'object' ? DecisionForm.parsed(field, input.value) : input.value;
+    return typeof field.value === 'object' || field.type.startsWith('list<') ? DecisionForm.parsed(field, input.value) : input.value;
   }
 
   /** @param {any} field @param {string} text */
@@ -263,7 +263,7 @@ export class DecisionForm {
     try {
       return JSON.parse(text);
     } catch {
-      throw new Error(field.key + ' is not JSON such as ' + JSON.stringify(field.value) + '.');
+      throw new Error(field.key + ' is not JSON' + (field.value === undefined ? '' : ' such as ' + JSON.stringify(field.value)) + '.');
     }
   }
 

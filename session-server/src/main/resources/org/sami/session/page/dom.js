@@ -51,12 +51,15 @@ export function hold(button, action) {
     button.classList.add('held');
     timer = window.setTimeout(() => {
       end();
-      action();
+      if (button.isConnected) { // a button that was replaced meanwhile does nothing
+        action();
+      }
     }, 1000);
   };
   button.addEventListener('pointerdown', begin);
   for (const over of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) {
     button.addEventListener(over, end);
+    window.addEventListener(over, end);
   }
   button.addEventListener('keydown', (event) => {
     if ((event.key === 'Enter' || event.key === ' ') && !event.repeat) {
@@ -65,6 +68,17 @@ export function hold(button, action) {
   });
   button.addEventListener('keyup', end);
   button.addEventListener('contextmenu', (event) => event.preventDefault());
+}
+
+let pressed = false;
+window.addEventListener('pointerdown', () => (pressed = true), true);
+for (const over of ['pointerup', 'pointercancel', 'blur']) {
+  window.addEventListener(over, () => window.setTimeout(() => (pressed = false), 50), true); // after the click that follows
+}
+
+/** Whether a pointer is down, so that nothing below it is to be replaced. */
+export function isPressed() {
+  return pressed;
 }
 
 /**

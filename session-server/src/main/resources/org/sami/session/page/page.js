@@ -2,7 +2,7 @@
 // The page: who joins, the strip with the fleet stop, the map, and the lists in tabs.
 import {Chart} from './chart.js';
 import {DecisionForm} from './decisions.js';
-import {byId, duration, element, hold} from './dom.js';
+import {byId, duration, element, hold, isPressed} from './dom.js';
 import {Link} from './link.js';
 import * as panels from './panels.js';
 
@@ -18,6 +18,7 @@ let selected = null;
 let form = null;
 /** @type {Chart | null} */
 let chart = null;
+let tabbed = ''; // what the tabs were made of
 let shown = ''; // what the panel was made of
 
 const link = new Link({changed: () => refresh(), refused: (why) => showLogin(why), news: (text) => say(text, false)});
@@ -88,8 +89,9 @@ function strip() {
   byId('state').textContent = state;
   byId('strip').classList.toggle('lost', !link.isOpen);
   const words = fleet?.stopped ? [fleet.words, fleet.advice].filter(Boolean).join('. ') : '';
-  byId('stopped').textContent = words;
+  byId('stopped-words').textContent = words;
   byId('stopped').hidden = words === '';
+  byId('release').hidden = !link.may('press');
 }
 
 function tabs() {
@@ -101,6 +103,11 @@ function tabs() {
     alarms: link.all('alarms').filter((one) => !one.acknowledged).length + link.all('faults').length,
   };
   WORDS.boats = capital(link.welcome?.robots ?? 'boat') + 's';
+  const now = JSON.stringify([tab, counts, WORDS.boats]);
+  if (now === tabbed || (isPressed() && tabbed !== '')) {
+    return;
+  }
+  tabbed = now;
   byId('tabs').replaceChildren(...TABS.map((name) =>
     element('button', {role: 'tab', 'aria-selected': String(name === tab), onclick: () => {
       const isShown = tab === name && document.body.classList.contains('open');
@@ -109,6 +116,7 @@ function tabs() {
       }
       tab = name;
       document.body.classList.toggle('open', !isShown);
+      tabbed = '';
       refresh(true);
       chart?.resized();
     }}, WORDS[name], counts[name] > 0 ? element('b', {}, String(counts[name])) : null)));
@@ -139,7 +147,7 @@ function refresh(always = false) {
   if (isOver()) {
     back();
   }
-  const isBusy = document.activeElement instanceof HTMLSelectElement || document.activeElement instanceof HTMLInputElement;
+  const isBusy = isPressed() || (byId('panel').contains(document.activeElement) && document.activeElement?.matches('select, input, :focus-visible'));
   tabs();
   if (form) {
     shown = '';
@@ -173,6 +181,7 @@ byId('login').addEventListener('submit', (/** @type {Event} */ event) => {
   sessionStorage.setItem('key', byId('login-key').value);
   join();
 });
+hold(byId('release'), () => actions.command({t: 'releaseFleet'}));
 hold(byId('stop'), () => actions.command({t: 'stopFleet'}));
 theme();
 if (sessionStorage.getItem('name')) {

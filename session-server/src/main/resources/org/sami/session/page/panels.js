@@ -32,6 +32,9 @@ export function boats(link, actions) {
   });
 }
 
+/** The plan that is chosen to be started. @type {string | null} */
+let plan = null;
+
 /** @param {Link} link @param {Actions} actions */
 export function missions(link, actions) {
   const running = link.all('missions').filter((one) => one.state === 'running' && one.parent === undefined);
@@ -45,8 +48,9 @@ export function missions(link, actions) {
       link.may('start') ? abort(actions, mission) : null));
   }
   if (link.may('start')) {
-    const plans = (link.welcome.plans ?? []).map((/** @type {any} */ plan) => element('option', {value: plan.id}, plan.title));
-    const list = /** @type {HTMLSelectElement} */ (element('select', {id: 'plans', 'aria-label': 'Plan'}, ...plans));
+    const plans = (link.welcome.plans ?? []).map((/** @type {any} */ one) => element('option', {value: one.id}, one.title));
+    const list = /** @type {HTMLSelectElement} */ (element('select', {id: 'plans', 'aria-label': 'Plan', onchange: () => (plan = list.value)}, ...plans));
+    list.value = plan ?? list.value;
     nodes.push(element('div', {class: 'start'}, list, element('button', {class: 'main', onclick: () => actions.command({t: 'start', plan: list.value})}, 'Start mission')));
   }
   return nodes.length > 0 ? nodes : [element('p', {class: 'hint'}, 'No mission runs.')];

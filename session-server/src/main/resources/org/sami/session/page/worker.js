@@ -12,8 +12,10 @@ self.addEventListener('fetch', (event) => {
   event.respondWith(
     fetch(event.request)
       .then((answer) => {
-        const kept = answer.clone();
-        event.waitUntil(caches.open(CACHE).then((cache) => cache.put(event.request, kept)));
+        if (answer.ok) {
+          const kept = answer.clone();
+          event.waitUntil(caches.open(CACHE).then((cache) => cache.put(event.request, kept)));
+        }
         return answer;
       })
       .catch(() => caches.match(event.request).then((kept) => kept ?? Response.error())));
