@@ -113,7 +113,7 @@ enum SamiModule {
     /** A session for several people. */
     SESSION_SERVER(
             "session-server",
-            30,
+            36,
             List.of("org.sami.session.."),
             List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */

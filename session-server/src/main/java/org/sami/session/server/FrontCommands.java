@@ -195,19 +195,8 @@ final class FrontCommands {
         if (text.isEmpty() || text.length() > MOST_NOTE) {
             throw new RefusedException("a note has 1 to " + MOST_NOTE + " characters");
         }
-        Optional<GeoPoint> where = message.has("lat") ? Optional.of(point(message)) : Optional.empty();
+        Optional<GeoPoint> where = message.has("lat") ? Optional.of(message.point()) : Optional.empty();
         news.tell(person.name(), "notes: " + text, where);
         return CompletableFuture.completedFuture(CommandReply.DONE);
-    }
-
-    /** The place of a message. */
-    static GeoPoint point(FrontMessage message) throws MalformedMessageException {
-        double lat = message.real("lat");
-        double lon = message.real("lon");
-        try {
-            return GeoPoint.of(lat, lon);
-        } catch (IllegalArgumentException noPlace) {
-            throw new RefusedException(String.valueOf(noPlace.getMessage()));
-        }
     }
 }

@@ -15,6 +15,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.sami.crw.session.RefusedException;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * One message of a front, its members checked. Immutable.
@@ -129,6 +131,17 @@ record FrontMessage(String type, long id, JsonNode body) {
                 : OptionalDouble.empty();
         return value.orElseThrow(
                 () -> new MalformedMessageException("'" + type + "' needs the number '" + member + "'"));
+    }
+
+    /** Its place; one outside of the valid degrees is refused. */
+    GeoPoint point() throws MalformedMessageException {
+        double latDeg = real("lat");
+        double lonDeg = real("lon");
+        try {
+            return GeoPoint.of(latDeg, lonDeg);
+        } catch (IllegalArgumentException noPlace) {
+            throw new RefusedException(String.valueOf(noPlace.getMessage()));
+        }
     }
 
     List<String> texts(String member) throws MalformedMessageException {

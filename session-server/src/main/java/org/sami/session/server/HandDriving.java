@@ -49,7 +49,7 @@ final class HandDriving {
             }
             case "goTo" -> {
                 handBack(boat);
-                yield done(session.byHand().goTo(boat, FrontCommands.point(message)));
+                yield done(session.byHand().goTo(boat, message.point()));
             }
             case "holdBoat" -> {
                 handBack(boat);
