@@ -135,7 +135,7 @@ class PairWindowTest {
                         .fleet()
                         .boat("olga")
                         .flatMap(BoatSnapshot::mode)
-                        .filter(BoatMode.STOPPED::equals)
+                        .filter(BoatMode.FLEET_STOP::equals)
                         .isPresent());
 
         KeyRing lost = KeyRing.inMemory();
