@@ -87,7 +87,8 @@ final class AutopilotCommands {
         }
         return switch (now.mode()) {
             case VehicleMotion.AUTO, VehicleMotion.GUIDED -> paths.isAtEnd() ? BoatMode.HOLD : BoatMode.PATH;
-            case VehicleMotion.LOITER, CopterMotion.BRAKE -> BoatMode.HOLD;
+            case VehicleMotion.LOITER -> BoatMode.HOLD;
+            case CopterMotion.BRAKE -> stoppedBy.isEmpty() ? BoatMode.HOLD : BoatMode.FLEET_STOP;
             case "RTL", "SMART_RTL", "LAND" -> BoatMode.RETURN;
             case VehicleMotion.HOLD, "INITIALIZING" -> BoatMode.STOPPED;
             default -> BoatMode.TELEOPERATION;

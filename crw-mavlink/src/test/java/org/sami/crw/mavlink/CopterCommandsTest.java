@@ -164,6 +164,9 @@ class CopterCommandsTest {
                 .isInstanceOfSatisfying(
                         Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.FLEET_STOPPED));
         assertThat(copter.mode()).isEqualTo(SmallCopter.BRAKE);
+        Await.until(
+                "it is said to be stopped",
+                () -> client.last(Telemetry.class).orElseThrow().mode() == BoatMode.FLEET_STOP);
 
         assertThat(client.ask(new FleetRelease("go"))).isInstanceOf(Ack.class);
         assertThat(client.ask(new StartWaypoints("now", "path", 1))).isInstanceOf(Ack.class);
