@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.incident;
 import java.util.Objects;
 
 /**
- * What a run's operator does beside its missions: actions of a plan, one at a time in the order in which they are asked for (thesis 8.1, Figure 8.2b).
+ * What a run's operator does besides its missions: actions of a plan, one at a time in the order in which they are asked for (thesis 8.1, Figure 8.2b).
  * Incidents are noticed only during those of one place.
  *
  * @param plan its id; empty text where the operator does nothing else and notices incidents at once

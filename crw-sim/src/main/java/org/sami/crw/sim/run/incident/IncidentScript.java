@@ -13,7 +13,7 @@ import java.util.Objects;
  * @param onIncident steps for each incident; the next incident waits until they are done
  * @param places what is answered where a point or an area is asked for, by field or variable
  * @param delays of single answers
- * @param background what the operator does beside the missions, from the start to the end of the run
+ * @param background what the operator does besides the missions, from the start to the end of the run
  */
 public record IncidentScript(
         List<ScriptStep> start,
