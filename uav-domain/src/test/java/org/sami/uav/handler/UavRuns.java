@@ -11,6 +11,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -60,7 +61,7 @@ final class UavRuns {
 
         InProcessRun prepared() {
             String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + answers + "]}";
-            RunSettings.Fleet fleet = new RunSettings.Fleet(copters, 4, AREA_M, 3)
+            FleetSettings fleet = new FleetSettings(copters, 4, AREA_M, 3)
                     .of(RobotKind.COPTER)
                     .on(weather.conditions())
                     .with(InitialCharges.parse(charges));

@@ -24,6 +24,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -47,7 +48,7 @@ class ScoutAndSampleRunTest {
 
     private RunReport run(int boats, int copters, String charges, String rules) {
         String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}";
-        RunSettings.Fleet fleet = new RunSettings.Fleet(boats + copters, 4, 600, 1)
+        FleetSettings fleet = new FleetSettings(boats + copters, 4, 600, 1)
                 .team(boats, copters)
                 .with(InitialCharges.parse(charges));
         RunSettings settings = RunSettings.of(PLAN, PLAN, fleet)

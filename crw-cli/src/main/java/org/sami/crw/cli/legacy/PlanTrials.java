@@ -13,6 +13,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlanLocations;
 import org.sami.crw.sim.run.settings.RunPlan;
@@ -52,7 +53,7 @@ public final class PlanTrials {
     /** Runs a plan, unless the observer wants an end. */
     public PlanTrial run(Plan plan, RunObserver observer) {
         long seed = settings.seed() * 31 + project.plans().indexOf(plan);
-        RunSettings.Fleet fleet = new RunSettings.Fleet(settings.boats(), settings.locations(), settings.areaM(), seed)
+        FleetSettings fleet = new FleetSettings(settings.boats(), settings.locations(), settings.areaM(), seed)
                 .at(Site.at(new PlanLocations(project, plan, List.of()).suitable(Site.USUAL_CENTRE, settings.areaM())));
         List<String> presses =
                 RandomInterrupts.draw(new PlanInterrupts(vocabulary, project, plan), fleet.boatNames(), settings, seed);

@@ -9,6 +9,7 @@ import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
@@ -151,7 +152,7 @@ public final class RunOptions {
         List<BoatAddress> all = new ArrayList<>(named);
         found.stream().filter(address -> !named.contains(address)).forEach(all::add);
         if (!found.isEmpty()) {
-            ScenarioOptions.within("--near: the number of boats", all.size(), 1, RunSettings.Fleet.MOST_BOATS);
+            ScenarioOptions.within("--near: the number of boats", all.size(), 1, FleetSettings.MOST_BOATS);
         }
         return all;
     }
@@ -179,7 +180,7 @@ public final class RunOptions {
         }
         try {
             List<BoatAddress> addresses = BoatAddress.parseAll(text);
-            ScenarioOptions.within("--connect: the number of boats", addresses.size(), 1, RunSettings.Fleet.MOST_BOATS);
+            ScenarioOptions.within("--connect: the number of boats", addresses.size(), 1, FleetSettings.MOST_BOATS);
             return addresses;
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--connect: " + e.getMessage());

@@ -16,6 +16,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.PlannedMission;
 import org.sami.crw.sim.run.settings.RunInput;
@@ -183,11 +184,11 @@ public final class ScenarioOptions {
         int count = rest.addresses().isEmpty()
                 ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS)
                 : rest.addresses().size();
-        within("--boats", count, 1, RunSettings.Fleet.MOST_BOATS);
+        within("--boats", count, 1, FleetSettings.MOST_BOATS);
         int more = rest.addresses().isEmpty() && copters != null ? copters : 0;
-        within("--copters", more, 0, RunSettings.Fleet.MOST_BOATS - count);
-        within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
-        within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
+        within("--copters", more, 0, FleetSettings.MOST_BOATS - count);
+        within("--locations", locations, 1, FleetSettings.MOST_LOCATIONS);
+        within("--area", areaM, FleetSettings.SHORTEST_AREA_M, FleetSettings.LONGEST_AREA_M);
         try {
             return RunSettings.of(plan, mission, fleet(count + more, rest))
                     .speed(rest.speed())
@@ -269,11 +270,13 @@ public final class ScenarioOptions {
         return read;
     }
 
-    private RunSettings.Fleet fleet(int count, Rest rest) {
-        RunSettings.Fleet fleet =
-                new RunSettings.Fleet(count, locations, areaM, rest.seed(), rest.water(), charges(), site());
-        RunSettings.Fleet ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
-        RunSettings.Fleet using = energy == null ? ranging : ranging.with(energy(energy));
+    private FleetSettings fleet(int count, Rest rest) {
+        FleetSettings fleet = new FleetSettings(count, locations, areaM, rest.seed())
+                .on(rest.water())
+                .with(charges())
+                .at(site());
+        FleetSettings ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
+        FleetSettings using = energy == null ? ranging : ranging.with(energy(energy));
         return radio == null ? using : using.over(radio(radio));
     }
 
@@ -308,7 +311,7 @@ public final class ScenarioOptions {
         if (robots != RobotKind.ROBOT || settings.isConnected()) {
             return settings.withFleet(settings.fleet().of(robots));
         }
-        RunSettings.Fleet fleet = settings.fleet();
+        FleetSettings fleet = settings.fleet();
         int ofBoats = fleet.boats() - (copters == null ? 0 : copters);
         try {
             return settings.withFleet(fleet.team(ofBoats, copters == null ? DEFAULT_COPTERS : copters));

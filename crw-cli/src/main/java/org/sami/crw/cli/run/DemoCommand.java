@@ -13,6 +13,7 @@ import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SpeedConverter;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.boat.BoatProcess;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.DomainLibrary;
@@ -83,7 +84,7 @@ public final class DemoCommand implements Callable<Integer> {
     }
 
     private int inThisProcess(Speed chosen) throws IOException {
-        return run(new RunSettings.Fleet(NAMES.size(), 12, 600, 1), chosen, FAST_LIMIT_MILLIS, List.of());
+        return run(new FleetSettings(NAMES.size(), 12, 600, 1), chosen, FAST_LIMIT_MILLIS, List.of());
     }
 
     private int onBoatsThatAreProcesses() throws IOException, InterruptedException {
@@ -99,7 +100,7 @@ public final class DemoCommand implements Callable<Integer> {
                 tell(NAMES.get(addresses.size() - 1) + " is process " + boat.pid() + ", listening on "
                         + addresses.get(addresses.size() - 1));
             }
-            return run(new RunSettings.Fleet(boats.size(), 9, 60, 1), Speed.REAL, LIMIT_MILLIS, addresses);
+            return run(new FleetSettings(boats.size(), 9, 60, 1), Speed.REAL, LIMIT_MILLIS, addresses);
         } finally {
             boats.forEach(BoatProcess::close);
         }
@@ -123,8 +124,7 @@ public final class DemoCommand implements Callable<Integer> {
                 spec.root().userObject().getClass().getName());
     }
 
-    private int run(RunSettings.Fleet fleet, Speed rate, long limitMillis, List<BoatAddress> addresses)
-            throws IOException {
+    private int run(FleetSettings fleet, Speed rate, long limitMillis, List<BoatAddress> addresses) throws IOException {
         Path reports = folder != null
                 ? folder
                 : Files.isDirectory(BUILD) ? BUILD.resolve("demo-report") : Files.createTempDirectory("crw-demo");

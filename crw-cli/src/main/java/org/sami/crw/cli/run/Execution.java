@@ -41,6 +41,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.WallPacer;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.crw.sim.run.settings.PlanLocations;
@@ -390,7 +391,7 @@ final class Execution {
     }
 
     private void tellSettings(RunSettings settings) {
-        RunSettings.Fleet fleet = settings.fleet();
+        FleetSettings fleet = settings.fleet();
         err.printf(
                 Locale.ROOT,
                 "running %s: %ss %d%s, locations %d, area %.0f m, seed %d, speed %s%n",

@@ -6,6 +6,7 @@ import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.InProcessRun;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.DomainLibrary;
@@ -36,7 +37,7 @@ public final class EndlessRun implements AutoCloseable {
         Project project = library.projectOf(PLAN).orElseThrow();
         RunPlan plan =
                 new RunPlan(library.vocabulary(), project, project.plan(PLAN).orElseThrow());
-        RunSettings settings = RunSettings.of(PLAN, PLAN, new RunSettings.Fleet(boats, 1, 600, 1))
+        RunSettings settings = RunSettings.of(PLAN, PLAN, new FleetSettings(boats, 1, 600, 1))
                 .limitMillis((long) (hours * HOUR_MS))
                 .answers(NEVER_END)
                 .build();

@@ -17,6 +17,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.figures.Figure;
@@ -141,7 +142,7 @@ final class SpeedBenchmark {
         Project project = library.projectOf(PLAN).orElseThrow();
         RunPlan plan =
                 new RunPlan(library.vocabulary(), project, project.plan(PLAN).orElseThrow());
-        RunSettings settings = RunSettings.of(PLAN, PLAN, new RunSettings.Fleet(boats, 1, SIDE_M * Math.sqrt(boats), 1))
+        RunSettings settings = RunSettings.of(PLAN, PLAN, new FleetSettings(boats, 1, SIDE_M * Math.sqrt(boats), 1))
                 .limitMillis(LIMIT_MILLIS)
                 .parameters(LANES)
                 .build();

@@ -18,6 +18,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /**
@@ -42,7 +43,7 @@ public final class Experiment {
         for (ExperimentCase one : cases) {
             conditions.forEach((name, water) -> {
                 for (long seed : seeds) {
-                    RunSettings.Fleet fleet = one.settings().fleet().on(water).drawnFrom(seed);
+                    FleetSettings fleet = one.settings().fleet().on(water).drawnFrom(seed);
                     trials.add(new Trial(one, name, one.settings().withFleet(fleet)));
                 }
             });

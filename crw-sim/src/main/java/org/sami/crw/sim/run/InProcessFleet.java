@@ -19,6 +19,7 @@ import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.TrueTracks;
 import org.sami.crw.sim.run.record.TrueVisits;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.world.SimulatedWater;
 import org.sami.spn.value.GeoPoint;
@@ -62,7 +63,7 @@ final class InProcessFleet implements RunFleet {
         this.water = water;
         this.session = session;
         trueTracks = new TrueTracks(
-                settings.fleet().conditions().hasExactPositions()
+                settings.fleet().inProcess().conditions().hasExactPositions()
                         ? Optional.empty()
                         : Optional.of(water::reportedBoats));
     }
@@ -89,7 +90,7 @@ final class InProcessFleet implements RunFleet {
 
     @Override
     public DefaultAnswers operatorDefaults() {
-        RunSettings.Fleet fleet = settings.fleet();
+        FleetSettings fleet = settings.fleet();
         return new DefaultAnswers(
                 water.quay(),
                 fleet.site().centreInProcess(),
@@ -113,7 +114,7 @@ final class InProcessFleet implements RunFleet {
     public LinkResult link(String boat) {
         BoatProxy proxy = water.fleet().proxies().find(boat).orElseThrow();
         FleetHistory.Link history = session.fleet().history().link(boat);
-        Radio radio = settings.fleet().radio();
+        Radio radio = settings.fleet().inProcess().radio();
         return new LinkResult(
                 radio.isPerfect() ? LINK : LINK + ", radio " + radio,
                 proxy.status().bootId(),

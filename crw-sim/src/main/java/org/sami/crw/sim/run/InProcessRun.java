@@ -91,7 +91,7 @@ public final class InProcessRun {
                     plan.project(),
                     SessionJournal.over(journal.inputs()),
                     CrwServices.STANDARD.drivenWith(
-                            settings.fleet().conditions().crossTrackError()),
+                            settings.fleet().inProcess().conditions().crossTrackError()),
                     world,
                     FaultPolicy.ATTENDED,
                     pictures));

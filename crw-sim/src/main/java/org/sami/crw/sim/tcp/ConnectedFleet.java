@@ -26,6 +26,7 @@ import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.crw.sim.run.record.RunNotes;
 import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.TrackRecorder;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.value.GeoPoint;
 
@@ -87,7 +88,7 @@ final class ConnectedFleet implements RunFleet {
 
     @Override
     public DefaultAnswers operatorDefaults() {
-        RunSettings.Fleet size = settings.fleet();
+        FleetSettings size = settings.fleet();
         return new DefaultAnswers(area.centre(), size.areaM(), size.locations(), size.seed());
     }
 

@@ -158,8 +158,8 @@ public final class TcpRun {
                 ProxyConfig.DEFAULT.withClientId(process.clientId()).withTelemetryHz(SessionDefaults.TELEMETRY_HZ);
         SessionRuntime runtime = new SessionRuntime.RealTime(
                 process.clock(), TcpBaseConfig.of(proxy, settings.fleet().seed()), Optional.empty(), Optional.empty());
-        CrwServices services =
-                CrwServices.STANDARD.drivenWith(settings.fleet().conditions().crossTrackError());
+        CrwServices services = CrwServices.STANDARD.drivenWith(
+                settings.fleet().inProcess().conditions().crossTrackError());
         return new SessionSetup(
                 input.plan().vocabulary(),
                 input.plan().project(),

@@ -15,6 +15,7 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.TestRuns;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Many runs side by side come out as they do one by one. */
@@ -75,7 +76,7 @@ class ExperimentTest {
         return new ExperimentCase(
                 "explore",
                 CASES.get(2).plan(),
-                CASES.get(2).settings().withFleet(new RunSettings.Fleet(200, 9, 1300, 1)),
+                CASES.get(2).settings().withFleet(new FleetSettings(200, 9, 1300, 1)),
                 AnswersFile.EMPTY);
     }
 
@@ -157,7 +158,7 @@ class ExperimentTest {
     }
 
     private static ExperimentCase of(String plan, double areaM) {
-        RunSettings settings = RunSettings.of(plan, plan, new RunSettings.Fleet(3, 9, areaM, 1))
+        RunSettings settings = RunSettings.of(plan, plan, new FleetSettings(3, 9, areaM, 1))
                 .limitMillis(7_200_000)
                 .build();
         return new ExperimentCase(plan, TestRuns.plan(plan), settings, AnswersFile.EMPTY);

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.SettingsMap;
 
@@ -30,8 +31,8 @@ class RadioTest {
 
     @Test
     void journalKeepsItUnlessItIsPerfect() {
-        RunSettings settings = RunSettings.of("clv", "Visit", new RunSettings.Fleet(3, 6, 120, 1))
-                .build();
+        RunSettings settings =
+                RunSettings.of("clv", "Visit", new FleetSettings(3, 6, 120, 1)).build();
         RunSettings over = settings.withFleet(settings.fleet().over(Radio.parse(ALL)));
 
         assertThat(SettingsMap.read(SettingsMap.write(over))).isEqualTo(over);

@@ -15,6 +15,7 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.report.TrackPoint;
 import org.sami.crw.service.reach.Range;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -100,7 +101,7 @@ class BatteryRunTest {
         RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(3, 12, 600, 1).with(InitialCharges.parse("100,37,100")))
+                        new FleetSettings(3, 12, 600, 1).with(InitialCharges.parse("100,37,100")))
                 .limitMillis(7_200_000)
                 .parameters(java.util.Map.of("@swapTime", swapTime))
                 .answerAfterMillis(0)
@@ -128,7 +129,7 @@ class BatteryRunTest {
     @ValueSource(longs = {1, 2, 3})
     void batteryIsSwappedInRoughWaterToo(long seed) {
         RunSettings settings = settings("100,37,100", 12, "recharge@battery");
-        RunSettings.Fleet fleet = settings.fleet().on(Conditions.ROUGH).drawnFrom(seed);
+        FleetSettings fleet = settings.fleet().on(Conditions.ROUGH).drawnFrom(seed);
 
         RunReport report = TestRuns.run(plan(), settings.withFleet(fleet));
 
@@ -153,7 +154,7 @@ class BatteryRunTest {
         RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(1, 120, 400, 3).with(InitialCharges.parse("25")))
+                        new FleetSettings(1, 120, 400, 3).with(InitialCharges.parse("25")))
                 .limitMillis(20_000_000)
                 .interrupts(List.of("recharge@battery"))
                 .build();
@@ -188,7 +189,7 @@ class BatteryRunTest {
         return RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(3, locations, 600, 1).with(InitialCharges.parse(charges)))
+                        new FleetSettings(3, locations, 600, 1).with(InitialCharges.parse(charges)))
                 .limitMillis(7_200_000)
                 .interrupts(List.of(interrupts))
                 .build();

@@ -29,6 +29,7 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -151,7 +152,7 @@ class ClearWaysRunTest {
         String answers = """
                 {"format": "crw-answers", "version": 1, "rules": [
                  {"event": "OperatorCreateLocations", "answer": {"values": {"locations": [%s]}}}]}""".formatted(locations());
-        RunSettings.Fleet fleet = new RunSettings.Fleet(3, 8, 400, seed).on(conditions);
+        FleetSettings fleet = new FleetSettings(3, 8, 400, seed).on(conditions);
         RunSettings settings = RunSettings.of(plan, plan, fleet)
                 .limitMillis(7_200_000)
                 .answers(answers)

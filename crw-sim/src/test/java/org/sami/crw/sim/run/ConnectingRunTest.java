@@ -10,6 +10,7 @@ import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
@@ -45,7 +46,7 @@ class ConnectingRunTest {
 
     private static RunReport run(String text, Site site) {
         Project project = new ProjectReader(LIBRARY.vocabulary()).read(text).orThrow();
-        RunSettings settings = RunSettings.of("p", "p", new RunSettings.Fleet(2, 3, 200, 5).at(site))
+        RunSettings settings = RunSettings.of("p", "p", new FleetSettings(2, 3, 200, 5).at(site))
                 .limitMillis(60_000)
                 .answerAfterMillis(1000)
                 .build();

@@ -21,6 +21,7 @@ import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.ProjectWriter;
 
@@ -103,7 +104,7 @@ class CrashTest {
         assertThat(crashAfter(25, file)).isTrue();
 
         try (ResumedJournal journal = ResumedJournal.open(file)) {
-            RunSettings other = RunSettings.of("sample", "sample", new RunSettings.Fleet(3, 5, 120, 12))
+            RunSettings other = RunSettings.of("sample", "sample", new FleetSettings(3, 5, 120, 12))
                     .limitMillis(3_600_000)
                     .answerAfterMillis(4_000)
                     .build();

@@ -12,6 +12,7 @@ import org.sami.crw.report.FiringResult;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Boats that go through a dangerous area one after another, in one shared sub-mission (thesis, Figure 7.4), with many seeds. */
@@ -29,7 +30,7 @@ class DangerousAreaRunTest {
 
     private static RunReport run(long seed, List<String> interrupts) {
         RunSettings settings = RunSettings.of(
-                        "clv-dangerous-area", "clv-dangerous-area", new RunSettings.Fleet(3, 9, 120, seed))
+                        "clv-dangerous-area", "clv-dangerous-area", new FleetSettings(3, 9, 120, seed))
                 .limitMillis(7_200_000)
                 .answers(ANSWERS)
                 .interrupts(interrupts)

@@ -15,6 +15,7 @@ import org.sami.crw.report.Exploration;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.TrackPoint;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
@@ -94,7 +95,7 @@ class DividedAreaRunTest {
                 project.plan("explore-area").orElseThrow());
         return TestRuns.run(
                 plan,
-                RunSettings.of(plan.plan().id(), plan.plan().name(), new RunSettings.Fleet(3, 1, AREA_M, 1))
+                RunSettings.of(plan.plan().id(), plan.plan().name(), new FleetSettings(3, 1, AREA_M, 1))
                         .limitMillis(7_200_000)
                         .parameters(Map.of("@spacing", "10"))
                         .build());

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.Energy;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** What is promised of boats whose consumption depends on their speed is what they drive: judged by true batteries. */
@@ -19,7 +20,7 @@ class EnergyRunTest {
                 RunSettings.of(
                                 "explore-area",
                                 "Explore",
-                                new RunSettings.Fleet(1, 1, 150, 1).with(Energy.parse("drag,hotel=900")))
+                                new FleetSettings(1, 1, 150, 1).with(Energy.parse("drag,hotel=900")))
                         .limitMillis(7_200_000)
                         .parameters(Map.of("@spacing", "50"))
                         .build());

@@ -17,6 +17,7 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.file.ReportJson;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
@@ -93,7 +94,7 @@ class ExploredAreaRunTest {
         RunPlan plan = TestRuns.plan("explore-area");
         return TestRuns.run(
                 plan,
-                RunSettings.of(plan.plan().id(), plan.plan().name(), new RunSettings.Fleet(3, 1, 150, 1).on(conditions))
+                RunSettings.of(plan.plan().id(), plan.plan().name(), new FleetSettings(3, 1, 150, 1).on(conditions))
                         .limitMillis(7_200_000)
                         .parameters(Map.of("@spacing", String.valueOf(spacingM)))
                         .build());

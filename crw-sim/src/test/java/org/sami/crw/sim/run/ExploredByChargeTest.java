@@ -17,6 +17,7 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.report.TrackPoint;
 import org.sami.crw.service.reach.Charge;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -170,7 +171,7 @@ class ExploredByChargeTest {
                 RunSettings.of(
                                 plan.plan().id(),
                                 plan.plan().name(),
-                                new RunSettings.Fleet(3, 1, areaM, seed)
+                                new FleetSettings(3, 1, areaM, seed)
                                         .on(conditions)
                                         .with(InitialCharges.parse(charges)))
                         .limitMillis(7_200_000)

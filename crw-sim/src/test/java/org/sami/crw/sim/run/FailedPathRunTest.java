@@ -15,6 +15,7 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
@@ -25,7 +26,7 @@ class FailedPathRunTest {
     private static RunReport run(String id, Map<String, String> parameters, List<String> interrupts, String rules) {
         RunPlan plan = TestRuns.plan(id);
         String answers = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}";
-        RunSettings settings = RunSettings.of(id, id, new RunSettings.Fleet(2, 4, 300, 1).on(TORRENT))
+        RunSettings settings = RunSettings.of(id, id, new FleetSettings(2, 4, 300, 1).on(TORRENT))
                 .limitMillis(7_200_000)
                 .parameters(parameters)
                 .answers(answers)

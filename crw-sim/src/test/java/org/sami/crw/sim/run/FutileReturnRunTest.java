@@ -11,6 +11,7 @@ import org.sami.crw.report.DecisionResult;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /**
@@ -74,7 +75,7 @@ class FutileReturnRunTest {
         String rules = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + location
                 + (rule.isEmpty() ? "" : ", " + rule) + "]}";
         RunSettings settings = RunSettings.of(
-                        "clv-interrupts", "Visits", new RunSettings.Fleet(1, 1, 600, 1).withRangeM(RANGE_M))
+                        "clv-interrupts", "Visits", new FleetSettings(1, 1, 600, 1).withRangeM(RANGE_M))
                 .limitMillis(20_000_000)
                 .answers(rules)
                 .interrupts(List.of("recharge@battery"))

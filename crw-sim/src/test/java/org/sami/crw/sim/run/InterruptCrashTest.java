@@ -15,6 +15,7 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -24,9 +25,7 @@ import org.sami.spn.json.ProjectWriter;
 class InterruptCrashTest {
     private static final RunPlan PLAN = TestRuns.plan("clv-interrupts");
     private static final RunSettings SETTINGS = RunSettings.of(
-                    "clv-interrupts",
-                    "visits",
-                    new RunSettings.Fleet(2, 5, 120, 4).with(InitialCharges.parse("100,15.5")))
+                    "clv-interrupts", "visits", new FleetSettings(2, 5, 120, 4).with(InitialCharges.parse("100,15.5")))
             .limitMillis(3_600_000)
             .answerAfterMillis(4_000)
             .interrupts(List.of("recharge:1@25", "recharge@battery", "alarm@70", "recharge:1@71", "alarm@5000"))

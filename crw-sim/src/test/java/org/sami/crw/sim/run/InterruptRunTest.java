@@ -11,6 +11,7 @@ import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.ReportText;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -86,7 +87,7 @@ class InterruptRunTest {
         for (String plan : List.of("clv", "station-keep", "measure", "explore-area")) {
             RunPlan runPlan = TestRuns.plan(plan);
             RunReport report = TestRuns.run(
-                    runPlan, TestRuns.settings(runPlan, 3, 6, 7).withFleet(new RunSettings.Fleet(3, 6, 400, 7)));
+                    runPlan, TestRuns.settings(runPlan, 3, 6, 7).withFleet(new FleetSettings(3, 6, 400, 7)));
             assertThat(ReportText.text(report)).as(plan).contains("ended").doesNotContain("discarded");
             assertThat(report.isGreen()).as(plan).isTrue();
             assertThat(report.decisions())

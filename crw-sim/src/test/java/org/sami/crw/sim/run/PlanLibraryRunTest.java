@@ -17,6 +17,7 @@ import org.sami.crw.report.InterruptResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
@@ -33,13 +34,13 @@ class PlanLibraryRunTest {
     private record Run(
             String plan,
             NamedConditions water,
-            RunSettings.Fleet fleet,
+            FleetSettings fleet,
             Map<String, String> values,
             List<String> interrupts,
             String answers,
             List<String> fires) {
         static Run of(String plan, int boats, int locations, double areaM, String... fires) {
-            RunSettings.Fleet fleet = new RunSettings.Fleet(boats, locations, areaM, 3);
+            FleetSettings fleet = new FleetSettings(boats, locations, areaM, 3);
             return new Run(plan, NamedConditions.CALM, fleet, Map.of(), List.of(), "", List.of(fires));
         }
 

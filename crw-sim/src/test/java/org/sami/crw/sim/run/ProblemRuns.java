@@ -4,6 +4,7 @@ import java.util.Map;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -40,7 +41,7 @@ final class ProblemRuns {
                 new ProjectReader(TestRuns.LIBRARY.vocabulary()).read(text).orThrow();
         RunPlan plan = new RunPlan(
                 TestRuns.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
-        RunSettings settings = RunSettings.of(id, id, new RunSettings.Fleet(BOATS, 1, 600, 1).with(charges))
+        RunSettings settings = RunSettings.of(id, id, new FleetSettings(BOATS, 1, 600, 1).with(charges))
                 .limitMillis(400_000)
                 .parameters(parameters)
                 .build();

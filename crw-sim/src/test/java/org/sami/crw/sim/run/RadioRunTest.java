@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.link.Radio;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Runs in process over a radio: one of three boats has a location about 140 m from the quay. */
@@ -58,7 +59,7 @@ class RadioRunTest {
     private static RunReport run(String radio, long limitMillis) {
         return TestRuns.run(
                 TestRuns.plan("clv"),
-                RunSettings.of("clv", "Visit", new RunSettings.Fleet(3, 6, 120, 1).over(Radio.parse(radio)))
+                RunSettings.of("clv", "Visit", new FleetSettings(3, 6, 120, 1).over(Radio.parse(radio)))
                         .limitMillis(limitMillis)
                         .build());
     }

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.report.DecisionResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** What is promised of boats with another range than usual is what they drive: judged by true batteries. */
@@ -43,7 +44,7 @@ class RangeRunTest {
     private static RunReport explored(double rangeM) {
         return TestRuns.run(
                 TestRuns.plan("explore-area"),
-                RunSettings.of("explore-area", "Explore", new RunSettings.Fleet(3, 1, 400, 1).withRangeM(rangeM))
+                RunSettings.of("explore-area", "Explore", new FleetSettings(3, 1, 400, 1).withRangeM(rangeM))
                         .limitMillis(7_200_000)
                         .parameters(Map.of("@spacing", "50"))
                         .build());

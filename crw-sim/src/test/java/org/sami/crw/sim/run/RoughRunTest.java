@@ -11,6 +11,7 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.crw.sim.run.record.ReadingRecorder;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.value.GeoPoint;
@@ -26,7 +27,7 @@ class RoughRunTest {
 
     private static RunReport run(Conditions conditions, long seed) {
         RunPlan plan = TestRuns.plan("clv");
-        RunSettings settings = RunSettings.of("clv", "clv", new RunSettings.Fleet(2, 6, 300, seed).on(conditions))
+        RunSettings settings = RunSettings.of("clv", "clv", new FleetSettings(2, 6, 300, seed).on(conditions))
                 .limitMillis(7_200_000)
                 .build();
         return TestRuns.run(plan, settings);

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
@@ -40,7 +41,7 @@ class SeededInterruptsTest {
         RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(boats, locations, 300, seed).with(charges(random, boats)))
+                        new FleetSettings(boats, locations, 300, seed).with(charges(random, boats)))
                 .limitMillis(20_000_000)
                 .answerAfterMillis(random.nextLong(20_000))
                 .interrupts(interrupts)

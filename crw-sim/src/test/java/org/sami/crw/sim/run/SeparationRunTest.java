@@ -13,6 +13,7 @@ import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.SimulatedHull;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
@@ -54,7 +55,7 @@ class SeparationRunTest {
     })
     void twentyBoatsKeepApartAndCompleteTheirMission(
             String id, double areaM, int locations, String interrupts, double withinS) {
-        RunReport report = run(id, new RunSettings.Fleet(20, locations, areaM, 1), interrupts);
+        RunReport report = run(id, new FleetSettings(20, locations, areaM, 1), interrupts);
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.locations()).allMatch(LocationResult::visited);
@@ -66,7 +67,7 @@ class SeparationRunTest {
     @ParameterizedTest
     @ValueSource(longs = {1, 2})
     void asInTheFieldBoatsAreSeldomNear(long seed) {
-        RunReport report = run("clv", new RunSettings.Fleet(20, 100, 200, seed).on(Conditions.FIELD), "");
+        RunReport report = run("clv", new FleetSettings(20, 100, 200, seed).on(Conditions.FIELD), "");
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(leastM).as(nearest).isGreaterThanOrEqualTo(1);
@@ -80,14 +81,14 @@ class SeparationRunTest {
     @ParameterizedTest
     @ValueSource(longs = {13, 57})
     void inRoughWaterBoatsDoNotHoldEachOtherUpForever(long seed) {
-        RunReport report = run("clv", new RunSettings.Fleet(20, 100, 200, seed).on(Conditions.ROUGH), "");
+        RunReport report = run("clv", new FleetSettings(20, 100, 200, seed).on(Conditions.ROUGH), "");
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.locations()).allMatch(one -> one.reported().isPresent());
         assertThat(report.result().simulatedMillis() / 1000.0).isLessThan(360);
     }
 
-    private RunReport run(String id, RunSettings.Fleet fleet, String interrupts) {
+    private RunReport run(String id, FleetSettings fleet, String interrupts) {
         RunPlan plan = TestRuns.plan(id);
         RunSettings settings = TestRuns.settings(plan, fleet.boats(), fleet.locations(), fleet.seed())
                 .withFleet(fleet)

@@ -17,6 +17,7 @@ import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
@@ -72,7 +73,7 @@ class VisitRunTest {
         RunSettings settings = RunSettings.of(
                         plan.plan().id(),
                         plan.plan().id(),
-                        new RunSettings.Fleet(24, 1, 120, 3).on(NamedConditions.FIELD.conditions()))
+                        new FleetSettings(24, 1, 120, 3).on(NamedConditions.FIELD.conditions()))
                 .limitMillis(150_000)
                 .parameters(Map.of("@spacing", "6"))
                 .build();

@@ -25,6 +25,7 @@ import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.TestRuns;
 import org.sami.crw.sim.run.record.RunProgress;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
@@ -107,7 +108,7 @@ class BoatsOfPlansTest {
     }
 
     private static RunSettings settings(BoatOnTcp boat) {
-        return RunSettings.of("p", "p", new RunSettings.Fleet(1, 1, 20, 1))
+        return RunSettings.of("p", "p", new FleetSettings(1, 1, 20, 1))
                 .speed(Speed.REAL)
                 .limitMillis(WITHIN_MS)
                 .answerAfterMillis(10 * WITHIN_MS)

@@ -26,6 +26,7 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.TestRuns;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
@@ -90,7 +91,7 @@ class SetBackClockTest {
     }
 
     private static RunSettings settings(BoatOnTcp boat) {
-        return RunSettings.of("station-keep", "station-keep", new RunSettings.Fleet(1, 1, 20, 1))
+        return RunSettings.of("station-keep", "station-keep", new FleetSettings(1, 1, 20, 1))
                 .speed(Speed.REAL)
                 .limitMillis(60_000)
                 .parameters(Map.of("watch-time.duration", WATCH_MS / 1000 + "s"))

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.DomainLibrary;
@@ -45,7 +46,7 @@ public final class TestRuns {
 
     /** Settings of a run of the sample. */
     public static RunSettings sampleSettings() {
-        return RunSettings.of("sample", "sample", new RunSettings.Fleet(3, 5, 120, 11))
+        return RunSettings.of("sample", "sample", new FleetSettings(3, 5, 120, 11))
                 .limitMillis(3_600_000)
                 .answerAfterMillis(4_000)
                 .answers(text("sample-answers.json"))
@@ -54,7 +55,7 @@ public final class TestRuns {
 
     /** Settings with all that most tests leave alone. */
     public static RunSettings settings(RunPlan plan, int boats, int locations, long seed) {
-        return RunSettings.of(plan.plan().id(), plan.plan().name(), new RunSettings.Fleet(boats, locations, 600, seed))
+        return RunSettings.of(plan.plan().id(), plan.plan().name(), new FleetSettings(boats, locations, 600, seed))
                 .limitMillis(7_200_000)
                 .build();
     }

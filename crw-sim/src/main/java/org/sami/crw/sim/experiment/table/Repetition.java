@@ -15,7 +15,7 @@ import org.sami.crw.sim.run.incident.IncidentRun;
 import org.sami.crw.sim.run.incident.IncidentRunInput;
 import org.sami.crw.sim.run.incident.IncidentRunResult;
 import org.sami.crw.sim.run.incident.IncidentScript;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -108,7 +108,7 @@ final class Repetition {
     private Optional<List<RunRow>> attempt(int attempt, BooleanSupplier stop) {
         boolean drawsLocations = scripts.incidents().kind() == Incidents.Kind.INSIDE;
         long worldSeed = drawsLocations ? seed + (attempt - 1) * NEXT_ATTEMPT : seed;
-        RunSettings.Fleet fleet = ScenarioVariables.fleet(configuration.variables(), worldSeed);
+        FleetSettings fleet = ScenarioVariables.fleet(configuration.variables(), worldSeed);
         List<RunRow> rows = new ArrayList<>();
         IncidentKind kind = kind();
         if (isAtTimes()) {
@@ -161,7 +161,7 @@ final class Repetition {
     private Optional<RunRow> row(
             String version,
             int attempt,
-            RunSettings.Fleet fleet,
+            FleetSettings fleet,
             IncidentScript script,
             IncidentKind kind,
             BooleanSupplier stop) {

@@ -6,16 +6,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.SplittableRandom;
-import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.hull.SensorKind;
 import org.sami.crw.sim.hull.SensorSetting;
+import org.sami.crw.sim.run.settings.FleetSettings;
+import org.sami.crw.sim.run.settings.InProcessBoats;
 import org.sami.crw.sim.run.settings.InitialCharges;
-import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Site;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.TextNumbers;
 
@@ -62,19 +60,17 @@ public final class ScenarioVariables {
     }
 
     /** The fleet of a run. */
-    static RunSettings.Fleet fleet(Map<String, String> variables, long seed) {
-        int boats = (int) number(variables, "boats", 1, RunSettings.Fleet.MOST_BOATS);
-        return new RunSettings.Fleet(
-                boats,
-                (int) number(variables, "locations", 1, RunSettings.Fleet.MOST_LOCATIONS),
-                number(variables, "area", RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M),
-                seed,
-                conditions(variables),
-                charges(variables, boats, seed),
-                Site.USUAL,
-                RobotKind.BOAT,
-                OptionalDouble.of(number(
-                        variables, "range", RunSettings.Fleet.SHORTEST_RANGE_M, RunSettings.Fleet.LONGEST_RANGE_M)));
+    static FleetSettings fleet(Map<String, String> variables, long seed) {
+        int boats = (int) number(variables, "boats", 1, FleetSettings.MOST_BOATS);
+        return new FleetSettings(
+                        boats,
+                        (int) number(variables, "locations", 1, FleetSettings.MOST_LOCATIONS),
+                        number(variables, "area", FleetSettings.SHORTEST_AREA_M, FleetSettings.LONGEST_AREA_M),
+                        seed)
+                .on(conditions(variables))
+                .with(charges(variables, boats, seed))
+                .withRangeM(
+                        number(variables, "range", InProcessBoats.SHORTEST_RANGE_M, InProcessBoats.LONGEST_RANGE_M));
     }
 
     private static Conditions conditions(Map<String, String> variables) {

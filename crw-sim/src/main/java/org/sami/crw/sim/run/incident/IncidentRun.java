@@ -24,7 +24,7 @@ import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunHash;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.world.SimulatedBoatConnector;
 import org.sami.crw.sim.run.world.SimulatedWater;
 import org.sami.spn.host.HostStatus;
@@ -87,7 +87,8 @@ public final class IncidentRun {
                     input.vocabulary(),
                     input.project(),
                     SessionJournal.over(RunJournal.none().inputs()),
-                    CrwServices.STANDARD.drivenWith(input.fleet().conditions().crossTrackError()),
+                    CrwServices.STANDARD.drivenWith(
+                            input.fleet().inProcess().conditions().crossTrackError()),
                     world,
                     FaultPolicy.ATTENDED,
                     Optional.empty()));
@@ -97,7 +98,7 @@ public final class IncidentRun {
     }
 
     private ScriptedAnswers answers(BackgroundWork background) {
-        RunSettings.Fleet fleet = input.fleet();
+        FleetSettings fleet = input.fleet();
         DefaultAnswers defaults = new DefaultAnswers(
                 water.quay(),
                 fleet.site().centreInProcess(),

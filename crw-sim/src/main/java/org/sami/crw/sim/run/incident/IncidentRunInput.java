@@ -1,7 +1,7 @@
 package org.sami.crw.sim.run.incident;
 
 import java.util.Objects;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -16,7 +16,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 public record IncidentRunInput(
         Vocabulary vocabulary,
         Project project,
-        RunSettings.Fleet fleet,
+        FleetSettings fleet,
         long answerAfterMillis,
         long limitMillis,
         IncidentScript script,

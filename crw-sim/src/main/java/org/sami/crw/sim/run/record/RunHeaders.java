@@ -6,6 +6,7 @@ import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.report.MapPoint;
 import org.sami.crw.report.RunHeader;
 import org.sami.crw.report.RunPlace;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.model.Project;
@@ -24,7 +25,7 @@ public final class RunHeaders {
      * @param plane around the area's centre
      */
     public static RunHeader of(RunPlan plan, RunSettings settings, LocalFrame plane) {
-        RunSettings.Fleet fleet = settings.fleet();
+        FleetSettings fleet = settings.fleet();
         Optional<GeoPoint> quay = settings.isConnected()
                 ? Optional.empty()
                 : Optional.of(fleet.site().quayInProcess(fleet.areaM()));

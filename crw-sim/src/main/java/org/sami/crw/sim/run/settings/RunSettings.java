@@ -5,14 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.OptionalDouble;
 import java.util.OptionalLong;
-import java.util.stream.IntStream;
-import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.sim.hull.Conditions;
-import org.sami.crw.sim.hull.Energy;
-import org.sami.crw.sim.link.Radio;
 
 /**
  * Everything that determines a run, in addition to its plans and its vocabulary. A run in process is a function of these; of the speed only
@@ -33,7 +27,7 @@ import org.sami.crw.sim.link.Radio;
 public record RunSettings(
         String plan,
         String mission,
-        Fleet fleet,
+        FleetSettings fleet,
         Speed speed,
         OptionalLong limitMillis,
         Map<String, String> parameters,
@@ -47,243 +41,6 @@ public record RunSettings(
 
     /** After how long the simulated operator answers unless somebody says otherwise, in simulated milliseconds. */
     public static final long STANDARD_ANSWER_MILLIS = 5_000;
-
-    /**
-     * The boats and what they are sent to.
-     *
-     * @param areaM side of the square in which locations lie, in metres
-     * @param conditions on the water of boats in this process; others have their own, and where they do not say how they fare in it, these are
-     *     planned with
-     * @param charges of the batteries of boats in this process; others have their own
-     * @param site where on earth that is
-     * @param boats how many robots in all, of whatever kind
-     * @param robots what they are; those of boats are named boats in this record
-     * @param rangeM how far a full battery takes boats in this process on average, in metres; empty for the usual range
-     * @param copters how many of them, the last ones, are copters where both kinds are together; 0 otherwise
-     * @param energy what decides how much charge boats in this process use
-     * @param radio between base and boats in this process; the base's is in the middle of the quay
-     */
-    public record Fleet(
-            int boats,
-            int locations,
-            double areaM,
-            long seed,
-            Conditions conditions,
-            InitialCharges charges,
-            Site site,
-            RobotKind robots,
-            OptionalDouble rangeM,
-            int copters,
-            Radio radio,
-            Energy energy) {
-        /** The greatest number of boats. */
-        public static final int MOST_BOATS = 250;
-
-        /** The greatest number of locations. */
-        public static final int MOST_LOCATIONS = 10_000;
-
-        /** The shortest side of the area, in metres. */
-        public static final double SHORTEST_AREA_M = 10;
-
-        /** The longest side of the area, in metres: the plane of the simulated water is exact to there. */
-        public static final double LONGEST_AREA_M = 20_000;
-
-        /** The shortest range, in metres. */
-        public static final double SHORTEST_RANGE_M = 100;
-
-        /** The longest range, in metres. */
-        public static final double LONGEST_RANGE_M = 1_000_000;
-
-        /** A fleet within the limits. */
-        public Fleet {
-            within("boats", boats, 1, MOST_BOATS);
-            within("locations", locations, 1, MOST_LOCATIONS);
-            if (!(areaM >= SHORTEST_AREA_M && areaM <= LONGEST_AREA_M)) {
-                throw new IllegalArgumentException("the area's side is 10 to 20000 m, not " + areaM);
-            }
-            Objects.requireNonNull(conditions, "conditions");
-            if (!charges.fit(boats)) {
-                throw new IllegalArgumentException(
-                        "the batteries of " + boats + " boats have one charge for all or one for each, not " + charges);
-            }
-            Objects.requireNonNull(site, "site");
-            Objects.requireNonNull(robots, "robots");
-            Objects.requireNonNull(radio, "radio");
-            Objects.requireNonNull(energy, "energy");
-            double metres = rangeM.orElse(SHORTEST_RANGE_M);
-            if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
-                throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
-            }
-            if (rangeM.isPresent() && robots == RobotKind.COPTER) {
-                throw new IllegalArgumentException("only boats have a range; copters fly for a time");
-            }
-            if (!energy.isPerMetre() && robots == RobotKind.COPTER) {
-                throw new IllegalArgumentException(
-                        "only boats use their battery by their speed; copters fly for a time");
-            }
-            if (energy.isCurve() && rangeM.isPresent()) {
-                throw new IllegalArgumentException("a range follows from the boats' curve: give one of the two");
-            }
-            within("copters", copters, 0, robots == RobotKind.ROBOT ? boats : 0);
-        }
-
-        /** A fleet of boats. */
-        public Fleet(
-                int boats,
-                int locations,
-                double areaM,
-                long seed,
-                Conditions conditions,
-                InitialCharges charges,
-                Site site) {
-            this(boats, locations, areaM, seed, conditions, charges, site, RobotKind.BOAT, OptionalDouble.empty());
-        }
-
-        /** A fleet of robots of one kind, with a perfect radio. */
-        public Fleet(
-                int boats,
-                int locations,
-                double areaM,
-                long seed,
-                Conditions conditions,
-                InitialCharges charges,
-                Site site,
-                RobotKind robots,
-                OptionalDouble rangeM) {
-            this(
-                    boats,
-                    locations,
-                    areaM,
-                    seed,
-                    conditions,
-                    charges,
-                    site,
-                    robots,
-                    rangeM,
-                    0,
-                    Radio.PERFECT,
-                    Energy.PER_METRE);
-        }
-
-        /** A fleet with full batteries in calm water. */
-        public Fleet(int boats, int locations, double areaM, long seed) {
-            this(boats, locations, areaM, seed, Conditions.CALM, InitialCharges.FULL, Site.USUAL);
-        }
-
-        /** The same fleet with more or fewer boats. */
-        Fleet of(int otherBoats) {
-            return new Fleet(
-                    otherBoats, locations, areaM, seed, conditions, charges, site, robots, rangeM, 0, radio, energy);
-        }
-
-        /** The same fleet on other water. */
-        public Fleet on(Conditions water) {
-            return new Fleet(
-                    boats, locations, areaM, seed, water, charges, site, robots, rangeM, copters, radio, energy);
-        }
-
-        /** The same fleet, with other locations, batteries and all else that is drawn. */
-        public Fleet drawnFrom(long otherSeed) {
-            return new Fleet(
-                    boats,
-                    locations,
-                    areaM,
-                    otherSeed,
-                    conditions,
-                    charges,
-                    site,
-                    robots,
-                    rangeM,
-                    copters,
-                    radio,
-                    energy);
-        }
-
-        /** The same fleet with other charges. */
-        public Fleet with(InitialCharges others) {
-            return new Fleet(
-                    boats, locations, areaM, seed, conditions, others, site, robots, rangeM, copters, radio, energy);
-        }
-
-        /** The same fleet with batteries that last for so many metres on average when they are full. */
-        public Fleet withRangeM(double metres) {
-            return new Fleet(
-                    boats,
-                    locations,
-                    areaM,
-                    seed,
-                    conditions,
-                    charges,
-                    site,
-                    robots,
-                    OptionalDouble.of(metres),
-                    copters,
-                    radio,
-                    energy);
-        }
-
-        /** The same fleet with links over another radio. */
-        public Fleet over(Radio other) {
-            return new Fleet(
-                    boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, other, energy);
-        }
-
-        /** The same fleet, whose boats use their batteries so. */
-        public Fleet with(Energy other) {
-            return new Fleet(
-                    boats, locations, areaM, seed, conditions, charges, site, robots, rangeM, copters, radio, other);
-        }
-
-        /** The same fleet elsewhere. */
-        public Fleet at(Site other) {
-            return new Fleet(
-                    boats, locations, areaM, seed, conditions, charges, other, robots, rangeM, copters, radio, energy);
-        }
-
-        /** The same fleet of other robots of one kind. */
-        public Fleet of(RobotKind others) {
-            return new Fleet(
-                    boats, locations, areaM, seed, conditions, charges, site, others, rangeM, 0, radio, energy);
-        }
-
-        /** A fleet of boats and copters together, the rest the same. */
-        public Fleet team(int ofBoats, int ofCopters) {
-            return new Fleet(
-                    ofBoats + ofCopters,
-                    locations,
-                    areaM,
-                    seed,
-                    conditions,
-                    charges,
-                    site,
-                    RobotKind.ROBOT,
-                    rangeM,
-                    ofCopters,
-                    radio,
-                    energy);
-        }
-
-        /** The names of the robots, in order: boat1, boat2, ..., copter1, ... where both kinds are together. */
-        public List<String> boatNames() {
-            return IntStream.range(0, boats).mapToObj(this::nameOf).toList();
-        }
-
-        private String nameOf(int index) {
-            int first = boats - copters;
-            return kindOf(index).nameOf(robots == RobotKind.ROBOT && index >= first ? index - first : index);
-        }
-
-        /** What a robot is, counted from 0. */
-        public RobotKind kindOf(int index) {
-            return robots.of(index >= boats - copters);
-        }
-
-        private static void within(String what, int value, int least, int most) {
-            if (value < least || value > most) {
-                throw new IllegalArgumentException(what + " are " + least + " to " + most + ", not " + value);
-            }
-        }
-    }
 
     public RunSettings {
         Objects.requireNonNull(plan, "plan");
@@ -303,29 +60,16 @@ public record RunSettings(
             throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + connect.size()
                     + " addresses for " + fleet.boats() + " boats");
         }
-        if (!connect.isEmpty() && !fleet.conditions().sensors().isEmpty()) {
-            throw new IllegalArgumentException(
-                    "boats behind TCP have their own water and sensors: see crw boat --help");
-        }
-        if (!connect.isEmpty() && !fleet.charges().equals(InitialCharges.FULL)) {
-            throw new IllegalArgumentException("boats behind TCP have their own batteries: see crw boat --help");
-        }
-        if (!connect.isEmpty() && fleet.rangeM().isPresent()) {
-            throw new IllegalArgumentException("boats behind TCP say their range themselves: see crw boat --help");
-        }
-        if (!connect.isEmpty() && !fleet.energy().isPerMetre()) {
-            throw new IllegalArgumentException("boats behind TCP say what they use themselves: see crw boat --help");
-        }
-        if (!connect.isEmpty() && !fleet.radio().isPerfect()) {
-            throw new IllegalArgumentException("boats behind TCP have a network of their own, and no simulated radio");
-        }
-        if (!connect.isEmpty() && fleet.site().quay().isPresent()) {
-            throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");
+        if (!connect.isEmpty()) {
+            fleet.inProcess().requireUnset();
+            if (fleet.site().quay().isPresent()) {
+                throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");
+            }
         }
     }
 
     /** A run as fast as the machine can, without limit, of one mission, on boats in this process, in which nobody presses an interrupt. */
-    public static Builder of(String plan, String mission, Fleet fleet) {
+    public static Builder of(String plan, String mission, FleetSettings fleet) {
         return new Builder(plan, mission, fleet);
     }
 
@@ -366,7 +110,7 @@ public record RunSettings(
     }
 
     /** The same run with other boats. */
-    public RunSettings withFleet(Fleet other) {
+    public RunSettings withFleet(FleetSettings other) {
         return change().fleet(other).build();
     }
 
@@ -389,7 +133,7 @@ public record RunSettings(
     public static final class Builder {
         private final String plan;
         private final String mission;
-        private Fleet fleet;
+        private FleetSettings fleet;
         private Speed speed = Speed.MAX;
         private OptionalLong limitMillis = OptionalLong.empty();
         private Map<String, String> parameters = Map.of();
@@ -399,13 +143,13 @@ public record RunSettings(
         private List<String> interrupts = List.of();
         private List<String> also = List.of();
 
-        private Builder(String plan, String mission, Fleet fleet) {
+        private Builder(String plan, String mission, FleetSettings fleet) {
             this.plan = plan;
             this.mission = mission;
             this.fleet = fleet;
         }
 
-        public Builder fleet(Fleet value) {
+        public Builder fleet(FleetSettings value) {
             fleet = value;
             return this;
         }

@@ -11,7 +11,6 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
-import org.sami.crw.sim.run.settings.RunSettings.Fleet;
 
 /** The settings of a run as text by name, as they stand in the header of its journal. */
 public final class SettingsMap {
@@ -31,7 +30,7 @@ public final class SettingsMap {
     /** As text by name. */
     public static Map<String, String> write(RunSettings settings) {
         Map<String, String> map = new TreeMap<>();
-        Fleet fleet = settings.fleet();
+        FleetSettings fleet = settings.fleet();
         map.put("plan", settings.plan());
         map.put("mission", settings.mission());
         map.put("boats", String.valueOf(fleet.boats()));
@@ -47,17 +46,17 @@ public final class SettingsMap {
                     CONNECT,
                     settings.connect().stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
         }
-        map.putAll(fleet.conditions().toMap());
+        map.putAll(fleet.inProcess().conditions().toMap());
         map.putAll(fleet.site().toMap());
-        if (!fleet.charges().equals(InitialCharges.FULL)) {
-            map.put(BATTERY, fleet.charges().toString());
+        if (!fleet.inProcess().charges().equals(InitialCharges.FULL)) {
+            map.put(BATTERY, fleet.inProcess().charges().toString());
         }
-        fleet.rangeM().ifPresent(metres -> map.put(RANGE, String.valueOf(metres)));
-        if (!fleet.energy().isPerMetre()) {
-            map.put(ENERGY, fleet.energy().toString());
+        fleet.inProcess().rangeM().ifPresent(metres -> map.put(RANGE, String.valueOf(metres)));
+        if (!fleet.inProcess().energy().isPerMetre()) {
+            map.put(ENERGY, fleet.inProcess().energy().toString());
         }
-        if (!fleet.radio().isPerfect()) {
-            map.put(RADIO, fleet.radio().toString());
+        if (!fleet.inProcess().radio().isPerfect()) {
+            map.put(RADIO, fleet.inProcess().radio().toString());
         }
         if (fleet.robots() != RobotKind.BOAT) {
             map.put(ROBOTS, fleet.robots().word());
@@ -83,21 +82,15 @@ public final class SettingsMap {
                 parameters.put(name.substring(PARAMETER.length()), value);
             }
         });
-        Fleet fleet = new Fleet(
+        FleetSettings fleet = new FleetSettings(
                 Integer.parseInt(needed(map, "boats")),
                 Integer.parseInt(needed(map, "locations")),
                 Double.parseDouble(needed(map, "areaM")),
                 Long.parseLong(needed(map, "seed")),
-                Conditions.fromMap(map),
-                map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
                 Site.fromMap(map),
                 map.containsKey(ROBOTS) ? RobotKind.of(map.get(ROBOTS)) : RobotKind.BOAT,
-                map.containsKey(RANGE)
-                        ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
-                        : OptionalDouble.empty(),
                 Integer.parseInt(map.getOrDefault(COPTERS, "0")),
-                map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT,
-                map.containsKey(ENERGY) ? Energy.parse(needed(map, ENERGY)) : Energy.PER_METRE);
+                inProcess(map));
         RunSettings.Builder settings = RunSettings.of(needed(map, "plan"), needed(map, "mission"), fleet)
                 .speed(Speed.parse(needed(map, "speed")))
                 .parameters(parameters)
@@ -112,6 +105,17 @@ public final class SettingsMap {
             settings.connect(BoatAddress.parseAll(map.get(CONNECT)));
         }
         return settings.build();
+    }
+
+    private static InProcessBoats inProcess(Map<String, String> map) {
+        return new InProcessBoats(
+                Conditions.fromMap(map),
+                map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
+                map.containsKey(RANGE)
+                        ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
+                        : OptionalDouble.empty(),
+                map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT,
+                map.containsKey(ENERGY) ? Energy.parse(needed(map, ENERGY)) : Energy.PER_METRE);
     }
 
     private static void number(Map<String, String> map, String name, List<String> values) {

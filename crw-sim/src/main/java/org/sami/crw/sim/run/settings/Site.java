@@ -24,7 +24,7 @@ public record Site(Optional<GeoPoint> centre, Optional<GeoPoint> quay) {
     public static final double QUAY_M = 20;
 
     /** The plane of the simulated water is exact to about this distance from its centre, in metres. */
-    public static final double REACH_M = RunSettings.Fleet.LONGEST_AREA_M;
+    public static final double REACH_M = FleetSettings.LONGEST_AREA_M;
 
     /** No place is given. */
     public static final Site USUAL = new Site(Optional.empty(), Optional.empty());

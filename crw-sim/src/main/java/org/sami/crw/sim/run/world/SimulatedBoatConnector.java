@@ -19,7 +19,7 @@ import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.session.FleetConnector;
 import org.sami.crw.session.picture.PictureAccess;
 import org.sami.crw.sim.fleet.SimulatedFleet;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.Site;
 import org.sami.spn.value.GeoPoint;
 
@@ -136,9 +136,9 @@ public final class SimulatedBoatConnector implements FleetConnector {
     @Override
     public List<String> create(String name, String color, GeoPoint start, int count) {
         SimulatedFleet fleet = fleet();
-        if (count > RunSettings.Fleet.MOST_BOATS - fleet.boats().size()) {
+        if (count > FleetSettings.MOST_BOATS - fleet.boats().size()) {
             throw new IllegalArgumentException(count + " boats more would be too many; a run has at most "
-                    + RunSettings.Fleet.MOST_BOATS + ", and there are "
+                    + FleetSettings.MOST_BOATS + ", and there are "
                     + fleet.boats().size());
         }
         double eastM = fleet.frame().eastM(start.latDeg(), start.lonDeg());
@@ -157,8 +157,8 @@ public final class SimulatedBoatConnector implements FleetConnector {
     }
 
     private void join(String id, double eastM, double northM) {
-        if (fleet().boats().size() >= RunSettings.Fleet.MOST_BOATS) {
-            throw new IllegalArgumentException("a run has at most " + RunSettings.Fleet.MOST_BOATS + " boats");
+        if (fleet().boats().size() >= FleetSettings.MOST_BOATS) {
+            throw new IllegalArgumentException("a run has at most " + FleetSettings.MOST_BOATS + " boats");
         }
         fleet().join(id, eastM, northM, water.orElseThrow().hullOf(id));
         meetNewBoats();

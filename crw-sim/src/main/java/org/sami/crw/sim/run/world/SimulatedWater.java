@@ -18,7 +18,7 @@ import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunHash;
-import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.spn.value.GeoPoint;
 
 /** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
@@ -30,11 +30,11 @@ public final class SimulatedWater {
     private final LocalFrame plane;
     private final GeoPoint quay;
     private final SimulatedFleet fleet;
-    private final RunSettings.Fleet settings;
+    private final FleetSettings settings;
 
     /** Water with boats in a line from west to east, whose middle is the quay; copters of the same fleet stand north of them. */
     public SimulatedWater(
-            VirtualClock clock, RunSettings.Fleet settings, Function<String, Consumer<FleetEvent>> listeners) {
+            VirtualClock clock, FleetSettings settings, Function<String, Consumer<FleetEvent>> listeners) {
         this.clock = clock;
         this.settings = settings;
         GeoPoint centre = settings.site().centreInProcess();
@@ -52,28 +52,31 @@ public final class SimulatedWater {
                 FleetConfig.DEFAULT
                         .withHull(hull(settings))
                         .withoutTracks()
-                        .withConditions(settings.conditions().of(settings.robots()))
-                        .withRadio(settings.radio()));
+                        .withConditions(settings.inProcess().conditions().of(settings.robots()))
+                        .withRadio(settings.inProcess().radio()));
         for (int i = boats(settings); i < settings.boats(); i++) {
             String copter = settings.boatNames().get(i);
             fleet.join(copter, (i - boats(settings)) * SPACING_M, COPTERS_NORTH_M, HullConfig.COPTER);
         }
         for (int i = 0; i < settings.boats(); i++) {
-            fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
+            fleet.boats()
+                    .get(i)
+                    .hull()
+                    .setBatteryPercent(settings.inProcess().charges().of(i));
         }
     }
 
     /** How many of the fleet lie in the line; all where there is one kind. */
-    private static int boats(RunSettings.Fleet settings) {
+    private static int boats(FleetSettings settings) {
         return settings.boats() - settings.copters();
     }
 
-    private static HullConfig hull(RunSettings.Fleet settings) {
+    private static HullConfig hull(FleetSettings settings) {
         HullConfig usual = HullConfig.of(settings.robots());
-        HullConfig ranging = settings.rangeM().isPresent()
-                ? usual.withRangeM(settings.rangeM().getAsDouble())
+        HullConfig ranging = settings.inProcess().rangeM().isPresent()
+                ? usual.withRangeM(settings.inProcess().rangeM().getAsDouble())
                 : usual;
-        return ranging.with(settings.energy());
+        return ranging.with(settings.inProcess().energy());
     }
 
     public VirtualClock clock() {

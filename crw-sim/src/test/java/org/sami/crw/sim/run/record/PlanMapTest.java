@@ -14,6 +14,7 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.run.TestRuns;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.ProjectReader;
@@ -154,7 +155,7 @@ class PlanMapTest {
 
     private static RunSettings settings(RunPlan plan, long stopMillis) {
         RunSettings usual = TestRuns.settings(plan, 2, 1, 1);
-        return RunSettings.of(usual.plan(), usual.mission(), new RunSettings.Fleet(2, 1, 200, 1))
+        return RunSettings.of(usual.plan(), usual.mission(), new FleetSettings(2, 1, 200, 1))
                 .speed(usual.speed())
                 .limitMillis(stopMillis)
                 .parameters(usual.parameters())

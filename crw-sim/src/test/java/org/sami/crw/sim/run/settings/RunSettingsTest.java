@@ -21,8 +21,7 @@ import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.value.GeoPoint;
 
 class RunSettingsTest {
-    private static final RunSettings FULL = RunSettings.of(
-                    "visit", "Visit \u00e4", new RunSettings.Fleet(5, 30, 612.5, -7))
+    private static final RunSettings FULL = RunSettings.of("visit", "Visit \u00e4", new FleetSettings(5, 30, 612.5, -7))
             .speed(new Speed(2.5))
             .limitMillis(90_500)
             .parameters(Map.of("@x", "a=b", "event.field", "1"))
@@ -155,7 +154,7 @@ class RunSettingsTest {
     @ParameterizedTest
     @CsvSource({"0,12,600", "251,12,600", "3,0,600", "3,10001,600", "3,12,9", "3,12,20001", "3,12,NaN"})
     void refusesNonsense(int boats, int locations, double areaM) {
-        assertThatThrownBy(() -> new RunSettings.Fleet(boats, locations, areaM, 1))
+        assertThatThrownBy(() -> new FleetSettings(boats, locations, areaM, 1))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(", not ");
     }

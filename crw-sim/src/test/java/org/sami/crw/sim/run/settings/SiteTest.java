@@ -84,7 +84,7 @@ class SiteTest {
     }
 
     private static RunSettings settings(RunPlan plan, double areaM, Site site) {
-        RunSettings.Fleet fleet = new RunSettings.Fleet(3, 4, areaM, 1).at(site);
+        FleetSettings fleet = new FleetSettings(3, 4, areaM, 1).at(site);
         RunSettings usual = TestRuns.settings(plan, 3, 4, 1);
         return RunSettings.of(usual.plan(), usual.mission(), fleet)
                 .speed(usual.speed())
