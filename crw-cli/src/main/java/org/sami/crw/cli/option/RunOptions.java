@@ -152,7 +152,7 @@ public final class RunOptions {
         List<BoatAddress> all = new ArrayList<>(named);
         found.stream().filter(address -> !named.contains(address)).forEach(all::add);
         if (!found.isEmpty()) {
-            ScenarioOptions.within("--near: the number of boats", all.size(), 1, FleetSettings.MOST_BOATS);
+            UsageFault.unlessWithin("--near: the number of boats", all.size(), 1, FleetSettings.MOST_BOATS);
         }
         return all;
     }
@@ -180,7 +180,7 @@ public final class RunOptions {
         }
         try {
             List<BoatAddress> addresses = BoatAddress.parseAll(text);
-            ScenarioOptions.within("--connect: the number of boats", addresses.size(), 1, FleetSettings.MOST_BOATS);
+            UsageFault.unlessWithin("--connect: the number of boats", addresses.size(), 1, FleetSettings.MOST_BOATS);
             return addresses;
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--connect: " + e.getMessage());

@@ -14,74 +14,24 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
-import org.sami.crw.sim.hull.Energy;
-import org.sami.crw.sim.link.Radio;
-import org.sami.crw.sim.run.settings.FleetSettings;
-import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.PlannedMission;
 import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
-import org.sami.crw.sim.run.settings.Site;
 import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.FileTooLargeException;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
-import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options that decide a mission and its fleet, whatever its seed, its water and its speed are. */
 public final class ScenarioOptions {
-    private static final int DEFAULT_BOATS = 3;
-    private static final int DEFAULT_COPTERS = 2;
-
-    @Option(
-            names = "--boats",
-            paramLabel = "N",
-            description = "How many boats, named boat1, boat2, ...; 1 to 250 (default 3).")
-    private @Nullable Integer boats;
-
-    @Option(
-            names = "--copters",
-            paramLabel = "N",
-            description = "How many copters, named copter1, copter2, ..., in addition to the boats; with --domain team "
-                    + "(default 2 there).")
-    private @Nullable Integer copters;
-
-    @Option(
-            names = "--locations",
-            paramLabel = "N",
-            defaultValue = "12",
-            description = "How many locations the simulated operator gives; 1 to 10000 (default ${DEFAULT-VALUE}).")
-    private int locations;
-
-    @Option(
-            names = "--area",
-            paramLabel = "METRES",
-            defaultValue = "600",
-            description = "Side of the square in which they lie; 10 to 20000 (default ${DEFAULT-VALUE}).")
-    private double areaM;
-
-    @Option(
-            names = "--at",
-            paramLabel = "LAT,LON",
-            converter = PositionConverter.class,
-            description =
-                    "Where its centre lies, in degrees (default 45.7,10.72; with --connect the middle of the boats). "
-                            + "Nothing else moves it.")
-    private @Nullable GeoPoint centre;
-
-    @Option(
-            names = "--quay",
-            paramLabel = "LAT,LON",
-            converter = PositionConverter.class,
-            description =
-                    "Where the boats of this process lie at the start and get full batteries, the middle of their "
-                            + "line (default 20 m south of the square).")
-    private @Nullable GeoPoint quay;
+    @Mixin
+    private FleetOptions fleet = new FleetOptions();
 
     @Option(
             names = "--for",
@@ -141,35 +91,6 @@ public final class ScenarioOptions {
 
     private Optional<RunScript> read = Optional.empty(); // the script, once it was needed
 
-    @Option(
-            names = "--battery",
-            paramLabel = "PERCENT[,PERCENT...]",
-            description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
-    private @Nullable String battery;
-
-    @Option(
-            names = "--range",
-            paramLabel = "METRES",
-            description =
-                    "How far a full battery takes each boat of this process on average; 100 to 1000000 (default 3500).")
-    private @Nullable Double rangeM;
-
-    @Option(
-            names = "--energy",
-            paramLabel = "drag,hotel=WATTS,battery=WH|MPS:WATTS,...,battery=WH",
-            description = "What boats of this process use: drag for a metre that costs four times as much at twice the"
-                    + " speed, with a hotel load while afloat; or their own curve of power by speed, from 0 m/s"
-                    + " (default: a metre costs the same at any speed, rest nothing; a battery has 148 Wh).")
-    private @Nullable String energy;
-
-    @Option(
-            names = "--radio",
-            paramLabel = "loss=PERCENT,range=METRES,lost-link=ACTION",
-            description = "The radio of the boats of this process, all of it or parts: how many messages are lost, how"
-                    + " far from the quay it reaches, and what boats do without a link: hold, return, continue or"
-                    + " drift (default: nothing is lost, it reaches everywhere, hold).")
-    private @Nullable String radio;
-
     /** What determines a run in addition to these options. */
     public record Rest(long seed, Conditions water, Speed speed, List<BoatAddress> addresses) {}
 
@@ -181,16 +102,8 @@ public final class ScenarioOptions {
      * @throws UsageFault if they make no sense
      */
     public RunSettings settings(String plan, String mission, Rest rest, Path folder) {
-        int count = rest.addresses().isEmpty()
-                ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS)
-                : rest.addresses().size();
-        within("--boats", count, 1, FleetSettings.MOST_BOATS);
-        int more = rest.addresses().isEmpty() && copters != null ? copters : 0;
-        within("--copters", more, 0, FleetSettings.MOST_BOATS - count);
-        within("--locations", locations, 1, FleetSettings.MOST_LOCATIONS);
-        within("--area", areaM, FleetSettings.SHORTEST_AREA_M, FleetSettings.LONGEST_AREA_M);
         try {
-            return RunSettings.of(plan, mission, fleet(count + more, rest))
+            return RunSettings.of(plan, mission, fleet.fleet(rest.addresses().size(), rest.seed(), rest.water()))
                     .speed(rest.speed())
                     .limit(Optional.ofNullable(limitMillis)
                             .map(OptionalLong::of)
@@ -270,87 +183,28 @@ public final class ScenarioOptions {
         return read;
     }
 
-    private FleetSettings fleet(int count, Rest rest) {
-        FleetSettings fleet = new FleetSettings(count, locations, areaM, rest.seed())
-                .on(rest.water())
-                .with(charges())
-                .at(site());
-        FleetSettings ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
-        FleetSettings using = energy == null ? ranging : ranging.with(energy(energy));
-        return radio == null ? using : using.over(radio(radio));
-    }
-
-    private static Energy energy(String text) {
-        try {
-            return Energy.parse(text);
-        } catch (IllegalArgumentException e) {
-            throw new UsageFault("--energy: " + e.getMessage());
-        }
-    }
-
-    private static Radio radio(String text) {
-        try {
-            return Radio.parse(text);
-        } catch (IllegalArgumentException e) {
-            throw new UsageFault("--radio: " + e.getMessage());
-        }
-    }
-
     /**
      * A fleet of what a domain commands.
      *
      * @throws UsageFault for copters where the domain has none, or not in addition
      */
     public RunSettings withRobots(RunSettings settings, RobotKind robots) {
-        if (copters != null && (robots != RobotKind.ROBOT || settings.isConnected())) {
-            throw new UsageFault(
-                    settings.isConnected()
-                            ? "--copters is for simulated copters, not for robots that are connected"
-                            : "--copters is for --domain team; with one kind of robots --boats says how many");
-        }
-        if (robots != RobotKind.ROBOT || settings.isConnected()) {
-            return settings.withFleet(settings.fleet().of(robots));
-        }
-        FleetSettings fleet = settings.fleet();
-        int ofBoats = fleet.boats() - (copters == null ? 0 : copters);
-        try {
-            return settings.withFleet(fleet.team(ofBoats, copters == null ? DEFAULT_COPTERS : copters));
-        } catch (IllegalArgumentException e) {
-            throw new UsageFault(String.valueOf(e.getMessage()));
-        }
+        return fleet.withRobots(settings, robots);
     }
 
-    private Site site() {
-        return new Site(Optional.ofNullable(centre), Optional.ofNullable(quay));
+    /** Whether the number of boats was given. */
+    boolean hasBoats() {
+        return fleet.hasBoats();
     }
 
-    private InitialCharges charges() {
-        return battery == null ? InitialCharges.FULL : InitialCharges.parse(battery);
+    /** Whether it was given where the boats lie. */
+    boolean hasQuay() {
+        return fleet.hasQuay();
     }
 
     /** Whether a script stands in the place of a plan. */
     public boolean hasScript() {
         return script != null;
-    }
-
-    /** Whether the number of boats was given. */
-    boolean hasBoats() {
-        return boats != null;
-    }
-
-    /** Whether it was given where the boats lie. */
-    boolean hasQuay() {
-        return quay != null;
-    }
-
-    public static void within(String option, double value, double least, double most) {
-        if (!(value >= least && value <= most)) {
-            throw new UsageFault(option + " is " + number(least) + " to " + number(most) + ", not " + number(value));
-        }
-    }
-
-    private static String number(double value) {
-        return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
     }
 
     /** The answers file as it was named; the option's name where there is none. */

@@ -27,4 +27,19 @@ public final class UsageFault extends RuntimeException {
             throw new UsageFault(String.valueOf(unfit.getMessage()));
         }
     }
+
+    /**
+     * Looks whether an option's number is within its limits.
+     *
+     * @throws UsageFault if not, or if it is not a number
+     */
+    public static void unlessWithin(String option, double value, double least, double most) {
+        if (!(value >= least && value <= most)) {
+            throw new UsageFault(option + " is " + number(least) + " to " + number(most) + ", not " + number(value));
+        }
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
+    }
 }

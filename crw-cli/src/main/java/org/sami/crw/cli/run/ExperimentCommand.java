@@ -182,7 +182,7 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
         if (jobs == null) {
             return Runtime.getRuntime().availableProcessors();
         }
-        ScenarioOptions.within("--jobs", jobs, 1, MOST_JOBS);
+        UsageFault.unlessWithin("--jobs", jobs, 1, MOST_JOBS);
         return jobs;
     }
 

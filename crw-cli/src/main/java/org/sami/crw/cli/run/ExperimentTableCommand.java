@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.PlanSource;
-import org.sami.crw.cli.option.ScenarioOptions;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -170,9 +169,9 @@ final class ExperimentTableCommand implements Callable<Integer> {
         if (file == null == tables.isEmpty()) {
             throw new UsageFault("which experiment? Name tables (--table), or a file");
         }
-        ScenarioOptions.within("--repetitions", repetitions, 1, MOST_REPETITIONS);
+        UsageFault.unlessWithin("--repetitions", repetitions, 1, MOST_REPETITIONS);
         if (jobs != null) {
-            ScenarioOptions.within("--jobs", jobs, 1, 1000);
+            UsageFault.unlessWithin("--jobs", jobs, 1, 1000);
         }
         if (overwrite && out == null) {
             throw new UsageFault("--overwrite: there is no --out whose files it could be about");
