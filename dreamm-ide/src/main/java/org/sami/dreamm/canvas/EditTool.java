@@ -40,7 +40,7 @@ final class EditTool implements NetTool {
     private double fromX;
     private double fromY;
     private boolean moved;
-    private SnapGuide guide = SnapGuide.free(0, 0);
+    private SnapWhileDragging guide = SnapWhileDragging.free(0, 0);
     private final Rectangle2D box = new Rectangle2D.Double();
     private Optional<NetPointer> last = Optional.empty();
     private Optional<String> hovered = Optional.empty();
@@ -96,7 +96,7 @@ final class EditTool implements NetTool {
         fromX = pointer.x();
         fromY = pointer.y();
         moved = false;
-        guide = SnapGuide.free(0, 0);
+        guide = SnapWhileDragging.free(0, 0);
         Optional<Handles> handled = handled(pointer);
         if (connecting.isUnderWay()) {
             gesture = Gesture.CONNECT;
@@ -172,7 +172,7 @@ final class EditTool implements NetTool {
             return;
         }
         Set<String> selected = actions.edits().frames().withContents(view.selected());
-        guide = snapping ? snapped(selected, dx, dy) : SnapGuide.free(dx, dy);
+        guide = snapping ? snapped(selected, dx, dy) : SnapWhileDragging.free(dx, dy);
         view.preview(MovedDrawing.of(
                 net.drawing(),
                 selected,
@@ -182,7 +182,7 @@ final class EditTool implements NetTool {
                 guide.dy()));
     }
 
-    private SnapGuide snapped(Set<String> selected, double dx, double dy) {
+    private SnapWhileDragging snapped(Set<String> selected, double dx, double dy) {
         Optional<Vertex> held = net.drawing().vertices().stream()
                 .filter(vertex -> selected.contains(vertex.id()))
                 .filter(vertex -> vertex.box().grown(8).contains(fromX, fromY))
@@ -191,13 +191,13 @@ final class EditTool implements NetTool {
                         .filter(vertex -> selected.contains(vertex.id()))
                         .findFirst());
         if (held.isEmpty()) {
-            return SnapGuide.free(dx, dy);
+            return SnapWhileDragging.free(dx, dy);
         }
         List<LayoutPoint> others = view.scene().vertices().stream()
                 .filter(vertex -> !selected.contains(vertex.id()))
                 .map(Vertex::centre)
                 .toList();
-        return SnapGuide.of(held.get().centre(), dx, dy, others);
+        return SnapWhileDragging.of(held.get().centre(), dx, dy, others);
     }
 
     @Override

@@ -155,7 +155,8 @@ final class NetActions {
         if (whyNotEdit(kind == Kind.PLACE ? "net-add-place" : "net-add-transition")
                 .isEmpty()) {
             LayoutPoint free = net.free(
-                    Math.round(x / SnapGuide.GRID) * SnapGuide.GRID, Math.round(y / SnapGuide.GRID) * SnapGuide.GRID);
+                    Math.round(x / SnapWhileDragging.GRID) * SnapWhileDragging.GRID,
+                    Math.round(y / SnapWhileDragging.GRID) * SnapWhileDragging.GRID);
             make(edits.add(kind, free.x(), free.y(), mode()));
         }
     }

@@ -52,7 +52,7 @@ final class WalkCommands {
             commands.add(
                     "net-nudge-" + way,
                     "Move " + way + " by a step of the grid",
-                    () -> nudge(direction, SnapGuide.GRID),
+                    () -> nudge(direction, SnapWhileDragging.GRID),
                     commands.selected("net-move"),
                     "ctrl " + key);
             commands.add(

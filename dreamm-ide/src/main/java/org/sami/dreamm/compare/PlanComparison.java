@@ -72,7 +72,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
     private static final class Builder {
         private final Plan before;
         private final Plan after;
-        private final ElementWords words;
+        private final DifferenceWords words;
         private final Map<String, NetChange> changes = new LinkedHashMap<>();
         private final List<Difference> differences = new ArrayList<>();
         private final Map<String, String> goneIds = new LinkedHashMap<>();
@@ -80,7 +80,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
         Builder(Plan before, Plan after, Vocabulary vocabulary) {
             this.before = before;
             this.after = after;
-            this.words = new ElementWords(before, after, vocabulary);
+            this.words = new DifferenceWords(before, after, vocabulary);
         }
 
         PlanComparison build() {

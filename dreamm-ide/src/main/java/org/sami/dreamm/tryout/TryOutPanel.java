@@ -27,7 +27,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.PlainText;
+import org.sami.ui.look.PlainTextUI;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
@@ -119,7 +119,7 @@ public final class TryOutPanel extends FoldingPanel {
 
     private void tab(String title, JPanel view) {
         view.setName("try-tab-" + title.toLowerCase(Locale.ROOT));
-        tabs.addTab(PlainText.of(title), view);
+        tabs.addTab(PlainTextUI.of(title), view);
     }
 
     private JPanel toolbar() {

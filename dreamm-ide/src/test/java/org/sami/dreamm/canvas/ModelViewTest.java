@@ -228,7 +228,7 @@ class ModelViewTest {
         scene.key("ctrl DOWN");
 
         before.forEach((id, at) -> {
-            double down = id.equals("execute") ? SnapGuide.GRID : 0;
+            double down = id.equals("execute") ? SnapWhileDragging.GRID : 0;
             assertThat(scene.vertex(id).centre().x()).as(id).isCloseTo(at.x(), within(0.2));
             assertThat(scene.vertex(id).centre().y()).as(id).isCloseTo(at.y() + down, within(0.2));
         });

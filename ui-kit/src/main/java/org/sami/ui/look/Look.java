@@ -42,7 +42,7 @@ public final class Look {
         LookScale.put(percent);
         UIScale.setZoomFactor(1); // else the font's size would be taken as one at the scale that was
         UIManager.put("defaultFont", Fonts.base());
-        PlainText.install();
+        PlainTextUI.install();
         try {
             UIManager.setLookAndFeel(laf(next));
         } catch (UnsupportedLookAndFeelException e) {

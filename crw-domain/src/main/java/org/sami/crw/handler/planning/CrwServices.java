@@ -2,11 +2,11 @@ package org.sami.crw.handler.planning;
 
 import java.util.Objects;
 import org.sami.crw.service.allocation.AllocationService;
-import org.sami.crw.service.assembly.AssemblyAlgorithm;
-import org.sami.crw.service.assembly.HexagonalAssembly;
 import org.sami.crw.service.coverage.CoverageAlgorithm;
 import org.sami.crw.service.coverage.LawnMower;
 import org.sami.crw.service.path.PathService;
+import org.sami.crw.service.placement.AssemblyAlgorithm;
+import org.sami.crw.service.placement.HexagonalAssembly;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**

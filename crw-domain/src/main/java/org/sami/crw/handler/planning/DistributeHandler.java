@@ -19,7 +19,7 @@ import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;
 import org.sami.crw.service.allocation.WorkItem;
-import org.sami.crw.service.assembly.HexagonalPlacement;
+import org.sami.crw.service.placement.SpreadLocations;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.ActivationHandler;
@@ -145,8 +145,7 @@ public final class DistributeHandler implements ActivationHandler {
             return ActivationFields.points(ActivationFields.required(activation, LOCATIONS), LOCATIONS);
         }
         Water water = Restrictions.water(activation, area.get().outline().get(0), error);
-        List<GeoPoint> spread =
-                HexagonalPlacement.over(area.get(), ActivationFields.metres(activation, "spacing"), water);
+        List<GeoPoint> spread = SpreadLocations.over(area.get(), ActivationFields.metres(activation, "spacing"), water);
         if (spread.isEmpty()) {
             throw new IllegalArgumentException("There is no room for a location in the area, clear of no-go areas");
         }

@@ -19,7 +19,7 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.FoldingPanel;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
-import org.sami.ui.look.PlainText;
+import org.sami.ui.look.PlainTextUI;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.look.WidthTrackingPanel;
 
@@ -67,7 +67,7 @@ public final class SelectedBoatPanel extends FoldingPanel {
         JTabbedPane tabs = new JTabbedPane();
         tabs.setName("boat-tabs");
         tabs.addTab("Commands", WidthTrackingPanel.fromLeastHeight(commands));
-        tabs.addTab(PlainText.of(context.say("Before launch")), WidthTrackingPanel.fromLeastHeight(launch));
+        tabs.addTab(PlainTextUI.of(context.say("Before launch")), WidthTrackingPanel.fromLeastHeight(launch));
         tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
         tabs.addTab("Settings", scrolled(settings));
         CommandRow buttons = new CommandRow();

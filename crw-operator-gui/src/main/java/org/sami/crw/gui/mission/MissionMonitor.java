@@ -24,7 +24,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Outcome;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.PlainText;
+import org.sami.ui.look.PlainTextUI;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.ValueEditors;
 
@@ -296,7 +296,9 @@ public final class MissionMonitor extends JPanel {
         String title = twice ? mission.words() + " (" + mission.id() + ")" : mission.words();
         states.put(mission.id(), State.of(mission));
         tabs.addTab(
-                PlainText.of(title), icon(mission), view); // with its icon: a tab that widens later is cut at the edge
+                PlainTextUI.of(title),
+                icon(mission),
+                view); // with its icon: a tab that widens later is cut at the edge
         tabs.setSelectedComponent(view);
         view.focusFirst();
         return view;

@@ -123,7 +123,7 @@ final class MissionView extends FoldingPanel {
     void refreshEnding() {
         if (ending.proposed().isPresent()) {
             OperatorModels models = context.models();
-            ending.say(EndWords.lines(
+            ending.say(EndingWords.lines(
                             MissionEnd.of(
                                     mission,
                                     models.missions().snapshot(),

@@ -7,7 +7,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.FleetCheck;
-import org.sami.crw.operator.alarm.PlanCheck;
+import org.sami.crw.operator.alarm.MissingCapabilities;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.model.Plan;
@@ -60,8 +60,9 @@ final class ReadyNote extends JLabel {
     void refresh(Optional<Plan> plan, Optional<Project> project) {
         List<BoatSnapshot> boats = List.copyOf(context.models().fleet().snapshot());
         FleetCheck check = FleetCheck.of(boats, context.models().alarms().snapshot(), context.nowMillis());
-        List<String> missing = plan.flatMap(chosen -> project.map(loaded ->
-                        PlanCheck.of(chosen, loaded, boats, context.robots()).missing()))
+        List<String> missing = plan.flatMap(
+                        chosen -> project.map(loaded -> MissingCapabilities.of(chosen, loaded, boats, context.robots())
+                                .missing()))
                 .orElse(List.of());
         String words = check.words();
         List<String> told = new ArrayList<>();

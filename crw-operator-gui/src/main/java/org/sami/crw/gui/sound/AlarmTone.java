@@ -8,12 +8,12 @@ import org.sami.spn.protocol.Priority;
  * tones. Made by computing, from no file.
  */
 public enum AlarmTone {
-    /** Three quick high pairs, again every three seconds. */
-    CRITICAL(3000, new int[][] {{988, 110}, {740, 110}, {988, 110}, {740, 110}, {988, 110}, {740, 110}}),
-    /** Two notes upwards, again every ten seconds. */
-    HIGH(10_000, new int[][] {{523, 160}, {0, 60}, {659, 220}}),
-    /** One soft low note, once. */
-    MEDIUM(Long.MAX_VALUE, new int[][] {{392, 240}});
+    /** Three quick high pairs. */
+    CRITICAL(new int[][] {{988, 110}, {740, 110}, {988, 110}, {740, 110}, {988, 110}, {740, 110}}),
+    /** Two notes upwards. */
+    HIGH(new int[][] {{523, 160}, {0, 60}, {659, 220}}),
+    /** One soft low note. */
+    MEDIUM(new int[][] {{392, 240}});
 
     /** Samples a second of what {@link #samples} gives: one channel, 16 bits, the low byte first. */
     public static final int RATE_HZ = 22_050;
@@ -21,11 +21,9 @@ public enum AlarmTone {
     private static final double LOUDNESS = 0.5;
     private static final double EDGE_S = 0.008; // rises and falls, or it clicks
 
-    private final long againMillis;
     private final int[][] notes; // Hz (0 = none) and ms
 
-    AlarmTone(long againMillis, int[][] notes) {
-        this.againMillis = againMillis;
+    AlarmTone(int[][] notes) {
         this.notes = notes;
     }
 
@@ -37,11 +35,6 @@ public enum AlarmTone {
             case MEDIUM -> Optional.of(MEDIUM);
             default -> Optional.empty();
         };
-    }
-
-    /** After how many ms it sounds again while its cause lasts. */
-    public long againMillis() {
-        return againMillis;
     }
 
     /** How long it sounds, in ms. */

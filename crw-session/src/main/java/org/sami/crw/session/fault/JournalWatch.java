@@ -19,7 +19,7 @@ final class JournalWatch {
     private final Bytes bytes;
     private final HealthModel health;
     private final Object identity;
-    private final RoomWatch room = new RoomWatch();
+    private final DiskSpaceWatch room = new DiskSpaceWatch();
 
     /** How large the journal is. */
     @FunctionalInterface

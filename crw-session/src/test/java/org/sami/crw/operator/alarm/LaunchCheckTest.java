@@ -158,7 +158,7 @@ class LaunchCheckTest {
         Plan parent = team.plan("explore-team").orElseThrow();
         Plan child = around.plan("look-around").orElseThrow().withId("avoid-boat");
 
-        assertThat(PlanCheck.of(
+        assertThat(MissingCapabilities.of(
                                 parent,
                                 team.withPlans(List.of(parent, child)),
                                 List.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind)),
@@ -169,7 +169,7 @@ class LaunchCheckTest {
 
     private static List<String> missing(DomainLibrary library, String id, List<BoatSnapshot> boats) {
         Project project = library.projectOf(id).orElseThrow();
-        return PlanCheck.of(project.plan(id).orElseThrow(), project, boats, RobotKind.BOAT)
+        return MissingCapabilities.of(project.plan(id).orElseThrow(), project, boats, RobotKind.BOAT)
                 .missing();
     }
 

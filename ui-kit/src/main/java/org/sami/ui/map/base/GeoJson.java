@@ -90,7 +90,7 @@ final class GeoJson {
     private void object(Optional<String> nameOutside, boolean mustBeKnown) throws IOException {
         String type = "";
         Optional<String> name = nameOutside;
-        Coordinates coordinates = found.begin();
+        CoordinateRuns coordinates = found.begin();
         boolean hasGeometry = false;
         int named = found.named();
         while (in.nextToken() == JsonToken.FIELD_NAME) {
@@ -156,7 +156,7 @@ final class GeoJson {
         return name;
     }
 
-    private void coordinates(Coordinates into, JsonToken value) throws IOException {
+    private void coordinates(CoordinateRuns into, JsonToken value) throws IOException {
         if (value == JsonToken.VALUE_NULL) {
             return;
         }
@@ -167,8 +167,8 @@ final class GeoJson {
     }
 
     /** A list of lists, or of numbers, whose start was read, to its end. */
-    private void list(Coordinates into, int depth) throws IOException {
-        if (depth > Coordinates.DEEPEST) {
+    private void list(CoordinateRuns into, int depth) throws IOException {
+        if (depth > CoordinateRuns.DEEPEST) {
             throw new GeoJsonFault("coordinates are nested too deep");
         }
         JsonToken next = in.nextToken();
@@ -187,7 +187,7 @@ final class GeoJson {
     }
 
     /** Longitude comes first in GeoJSON; a third number is an altitude, and more are allowed. */
-    private void position(Coordinates into, int depth) throws IOException {
+    private void position(CoordinateRuns into, int depth) throws IOException {
         double lonDeg = in.getDoubleValue();
         if (!in.nextToken().isNumeric()) {
             throw new GeoJsonFault("a position is [longitude, latitude], not " + word());

@@ -16,7 +16,7 @@ final class OutlineCollector {
     private final List<Run> lines = new ArrayList<>();
     private final List<List<Run>> polygons = new ArrayList<>();
     private final List<NamedPoint> names = new ArrayList<>();
-    private Coordinates current = new Coordinates();
+    private CoordinateRuns current = new CoordinateRuns();
     private long points;
     private long outlines;
     private long namesBeyond;
@@ -39,8 +39,8 @@ final class OutlineCollector {
     }
 
     /** The coordinates of the next geometry. */
-    Coordinates begin() {
-        current = new Coordinates();
+    CoordinateRuns begin() {
+        current = new CoordinateRuns();
         return current;
     }
 
@@ -78,7 +78,7 @@ final class OutlineCollector {
     }
 
     /** Keeps a geometry. */
-    void take(GeometryType type, Coordinates coordinates, String name) throws GeoJsonFault {
+    void take(GeometryType type, CoordinateRuns coordinates, String name) throws GeoJsonFault {
         if (coordinates.isEmpty()) {
             return; // allowed: nothing is there
         }
@@ -104,7 +104,7 @@ final class OutlineCollector {
             outlines += more.size();
             points += coordinates.size();
         }
-        current = new Coordinates();
+        current = new CoordinateRuns();
         if (outlines >= budget.outlines()) {
             full("more than " + MapFileLimits.number(budget.outlines()) + " lines and outlines");
         }

@@ -11,7 +11,7 @@ import javax.swing.plaf.basic.BasicHTML;
  * document, and fetches the pictures that it names; names of projects, plans, boats and files come from others. It stands before the look's own delegates,
  * which it asks for what they make.
  */
-public final class PlainText extends ComponentUI {
+public final class PlainTextUI extends ComponentUI {
     private static final String DISABLE = "html.disable";
     private static final String NOTHING = "\u200B"; // has no width
 
@@ -28,11 +28,11 @@ public final class PlainText extends ComponentUI {
             "RadioButtonMenuItemUI",
             "ToolTipUI");
 
-    private PlainText() {}
+    private PlainTextUI() {}
 
     /** Makes texts plain in all components that are made or get another look from now on. */
     static void install() {
-        DELEGATES.forEach(delegate -> UIManager.put(delegate, PlainText.class.getName()));
+        DELEGATES.forEach(delegate -> UIManager.put(delegate, PlainTextUI.class.getName()));
     }
 
     /** Called by Swing for each component that gets its look. */

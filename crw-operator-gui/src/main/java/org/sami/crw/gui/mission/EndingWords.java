@@ -11,8 +11,8 @@ import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
 
 /** What an abort or a completion will do, in lines. */
-final class EndWords {
-    private EndWords() {}
+final class EndingWords {
+    private EndingWords() {}
 
     /**
      * The lines; never none.
@@ -23,9 +23,9 @@ final class EndWords {
         List<String> lines = new ArrayList<>();
         interceptor.ifPresent(name -> lines.add("The plan has a transition for it, " + name
                 + ": what it draws comes first. What follows comes when the mission ends."));
-        List<BoatChange> stop = end.boats().stream().filter(EndWords::stops).toList();
+        List<BoatChange> stop = end.boats().stream().filter(EndingWords::stops).toList();
         if (!stop.isEmpty()) {
-            lines.add(stop.stream().map(EndWords::loses).collect(Collectors.joining(", "))
+            lines.add(stop.stream().map(EndingWords::loses).collect(Collectors.joining(", "))
                     + (stop.size() == 1 ? " stops" : " stop") + ": nobody else wants anything of "
                     + (stop.size() == 1 ? "it." : "them."));
         }

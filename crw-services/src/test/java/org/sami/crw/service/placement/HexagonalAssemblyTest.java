@@ -1,4 +1,4 @@
-package org.sami.crw.service.assembly;
+package org.sami.crw.service.placement;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -24,13 +24,13 @@ import org.sami.spn.naming.ElementNames;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Vertices and edges by the names that people call them, and in what two versions of one differ. */
-final class ElementWords {
+final class DifferenceWords {
     private final Vocabulary vocabulary;
     private final Plan before;
     private final Plan after;
 
     /** Words for the elements of two versions of a plan; those that both have are called as in the later one. */
-    ElementWords(Plan before, Plan after, Vocabulary vocabulary) {
+    DifferenceWords(Plan before, Plan after, Vocabulary vocabulary) {
         this.before = before;
         this.after = after;
         this.vocabulary = vocabulary;

@@ -6,7 +6,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.Mercator;
 
 /** The coordinates of one geometry as they are read, before its type is known: runs of positions, and which of them belong together. */
-final class Coordinates {
+final class CoordinateRuns {
     /** A position of a MultiPolygon lies in so many lists. */
     static final int DEEPEST = 4;
 

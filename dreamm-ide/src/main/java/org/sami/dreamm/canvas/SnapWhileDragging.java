@@ -10,15 +10,15 @@ import org.sami.spn.model.LayoutPoint;
  * @param dx by how much all that is dragged moves
  * @param column the line on which it lies with another, in drawing units
  */
-record SnapGuide(double dx, double dy, Optional<Double> column, Optional<Double> row) {
+record SnapWhileDragging(double dx, double dy, Optional<Double> column, Optional<Double> row) {
     /** The distance of the grid's lines, in drawing units. */
     static final double GRID = 20;
 
     private static final double SNAP_DISTANCE = 7;
 
     /** As it is dragged, without a grid. */
-    static SnapGuide free(double dx, double dy) {
-        return new SnapGuide(dx, dy, Optional.empty(), Optional.empty());
+    static SnapWhileDragging free(double dx, double dy) {
+        return new SnapWhileDragging(dx, dy, Optional.empty(), Optional.empty());
     }
 
     /**
@@ -27,10 +27,10 @@ record SnapGuide(double dx, double dy, Optional<Double> column, Optional<Double>
      * @param from the centre of the vertex under the pointer, before
      * @param others centres of those that are not dragged
      */
-    static SnapGuide of(LayoutPoint from, double dx, double dy, List<LayoutPoint> others) {
+    static SnapWhileDragging of(LayoutPoint from, double dx, double dy, List<LayoutPoint> others) {
         Optional<Double> column = nearest(from.x() + dx, others, true);
         Optional<Double> row = nearest(from.y() + dy, others, false);
-        return new SnapGuide(
+        return new SnapWhileDragging(
                 column.orElseGet(() -> onGrid(from.x() + dx)) - from.x(),
                 row.orElseGet(() -> onGrid(from.y() + dy)) - from.y(),
                 column,

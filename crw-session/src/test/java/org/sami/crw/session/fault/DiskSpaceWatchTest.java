@@ -7,11 +7,11 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.operator.health.HealthFault;
 import org.sami.spn.protocol.Priority;
 
-class RoomWatchTest {
+class DiskSpaceWatchTest {
     private static final long MB = 1 << 20;
     private static final long MINUTE = 60_000;
 
-    private final RoomWatch watch = new RoomWatch();
+    private final DiskSpaceWatch watch = new DiskSpaceWatch();
 
     private static String text(Optional<HealthFault> said) {
         return said.orElseThrow().text();

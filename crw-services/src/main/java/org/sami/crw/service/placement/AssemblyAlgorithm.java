@@ -1,4 +1,4 @@
-package org.sami.crw.service.assembly;
+package org.sami.crw.service.placement;
 
 import java.util.Map;
 import org.sami.spn.value.GeoPoint;

@@ -27,8 +27,8 @@ import org.sami.spn.value.Value;
  *
  * @param missing a sentence without its full stop for each boat and each thing that it cannot do
  */
-public record PlanCheck(List<String> missing) {
-    public PlanCheck {
+public record MissingCapabilities(List<String> missing) {
+    public MissingCapabilities {
         missing = List.copyOf(missing);
     }
 
@@ -39,7 +39,7 @@ public record PlanCheck(List<String> missing) {
      * @param project with the plans of its sub-missions
      * @param robots what the fleet is
      */
-    public static PlanCheck of(Plan plan, Project project, Collection<BoatSnapshot> boats, RobotKind robots) {
+    public static MissingCapabilities of(Plan plan, Project project, Collection<BoatSnapshot> boats, RobotKind robots) {
         Set<String> missing = new LinkedHashSet<>();
         withSubMissions(plan, project).stream()
                 .flatMap(one -> one.places().stream())
@@ -54,7 +54,7 @@ public record PlanCheck(List<String> missing) {
                         missing.add("no robot can do " + event.type() + ": " + String.join(", ", reasons));
                     }
                 });
-        return new PlanCheck(List.copyOf(missing));
+        return new MissingCapabilities(List.copyOf(missing));
     }
 
     private static Optional<String> missing(BoatSnapshot boat, OutputEventSpec event, RobotKind robots) {

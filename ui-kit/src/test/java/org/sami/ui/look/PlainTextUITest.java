@@ -30,7 +30,7 @@ import org.sami.palette.Theme;
 
 /** A name that looks like HTML is shown as it is written, and nothing is fetched for it. The theme is the whole process's. */
 @Isolated
-class PlainTextTest {
+class PlainTextUITest {
     private static final String NAME = "<html><img src='http://127.0.0.1:9/name.png'>";
 
     @AfterEach
@@ -81,8 +81,8 @@ class PlainTextTest {
     @ParameterizedTest
     @ValueSource(strings = {NAME, "<HTML>x", "<html>"})
     void aTitleThatLooksLikeHtmlIsWrittenSoThatItIsNone(String title) {
-        assertThat(BasicHTML.isHTMLString(PlainText.of(title))).isFalse();
-        assertThat(PlainText.of(title)).endsWith(title);
-        assertThat(PlainText.of("anna")).isEqualTo("anna");
+        assertThat(BasicHTML.isHTMLString(PlainTextUI.of(title))).isFalse();
+        assertThat(PlainTextUI.of(title)).endsWith(title);
+        assertThat(PlainTextUI.of("anna")).isEqualTo("anna");
     }
 }

@@ -1,4 +1,4 @@
-package org.sami.crw.service.assembly;
+package org.sami.crw.service.placement;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -47,7 +47,7 @@ class ClearOfObstaclesTest {
     void locationsAreSpreadOverTheWholeAreaClearOfTheIsland() {
         GeoArea area = box(100);
 
-        List<GeoPoint> spread = HexagonalPlacement.over(area, 15, ISLAND);
+        List<GeoPoint> spread = SpreadLocations.over(area, 15, ISLAND);
 
         double freeM2 = 200 * 200 - 65 * 65;
         double eachM2 = 15 * 15 * Math.sqrt(3) / 2;
@@ -58,7 +58,7 @@ class ClearOfObstaclesTest {
                     .filteredOn(other -> Geodesy.distanceM(one, other) < 14.9)
                     .containsExactly(one);
         });
-        assertThatThrownBy(() -> HexagonalPlacement.over(area, 0.01, ISLAND)).hasMessageContaining("more than 100000");
+        assertThatThrownBy(() -> SpreadLocations.over(area, 0.01, ISLAND)).hasMessageContaining("more than 100000");
     }
 
     private static Map<String, Optional<GeoPoint>> boats(int count) {

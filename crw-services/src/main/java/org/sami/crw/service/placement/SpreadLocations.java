@@ -1,4 +1,4 @@
-package org.sami.crw.service.assembly;
+package org.sami.crw.service.placement;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,11 +14,11 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** Locations spread over an area on a hexagonal grid: as many as fit at a spacing, each in the area and clear of what is forbidden. */
-public final class HexagonalPlacement {
+public final class SpreadLocations {
     /** More are no plan but a mistake in the spacing. */
     private static final int MOST = 100_000;
 
-    private HexagonalPlacement() {}
+    private SpreadLocations() {}
 
     /**
      * The locations, by rows from the south.

@@ -12,7 +12,7 @@ import org.sami.spn.protocol.Priority;
  * Says for how long the room on the journal's disk lasts, by what the session has written in the last ten minutes and by how fast the room becomes less.
  * For one thread.
  */
-final class RoomWatch {
+final class DiskSpaceWatch {
     private static final long WINDOW_MS = 600_000;
     private static final long SHORTEST_MS = 30_000;
     private static final double LITTLE_MIN = HealthDefaults.ROOM_LOW_MIN;
