@@ -130,7 +130,7 @@ class ExperimentTableCommandTest {
         assertThat(ran.exitCode()).isEqualTo(6);
         assertThat(ran.out())
                 .containsPattern("3, 8, 1 +- +- +- +0 +2 +0")
-                .contains("3, 8, 1, repetition 1, standard: running, it did not end within 20 s");
+                .contains("3, 8, 1, repetition 1, standard: running, it did not end within 20 s: assemble goes on");
     }
 
     @Test

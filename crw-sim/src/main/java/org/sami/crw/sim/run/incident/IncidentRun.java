@@ -2,6 +2,7 @@ package org.sami.crw.sim.run.incident;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.operator.ClickCount;
 import org.sami.crw.report.RunOutcome;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
@@ -28,6 +30,7 @@ import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.world.SimulatedBoatConnector;
 import org.sami.crw.sim.run.world.SimulatedWater;
 import org.sami.spn.host.HostStatus;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /**
@@ -171,8 +174,22 @@ public final class IncidentRun {
             return Optional.of(troubles.get(0));
         }
         return clock.nowMs() > input.limitMillis()
-                ? Optional.of("it did not end within " + input.limitMillis() / 1000 + " s")
+                ? Optional.of("it did not end within " + input.limitMillis() / 1000 + " s" + whatIsLeft())
                 : Optional.empty();
+    }
+
+    /** Which missions go on at the limit, and which boats lie there with nothing left in their batteries. */
+    private String whatIsLeft() {
+        List<String> facts = new ArrayList<>();
+        missions.running().forEach(plan -> facts.add(plan + " goes on"));
+        for (BoatState boat : water.boats()) {
+            if (boat.batteryPercent() <= 0) {
+                facts.add("the battery of " + boat.id() + " is empty, "
+                        + Math.round(Geodesy.distanceM(water.quay(), GeoPoint.of(boat.latDeg(), boat.lonDeg())))
+                        + " m from the quay");
+            }
+        }
+        return facts.isEmpty() ? "" : ": " + String.join("; ", facts);
     }
 
     private IncidentRunResult result(Optional<String> fault) {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
@@ -60,6 +61,11 @@ final class RunMissions implements HostListener {
 
     boolean isRunning(String plan) {
         return running.containsValue(plan);
+    }
+
+    /** The plans of the running root missions, each once, by name. */
+    Set<String> running() {
+        return new TreeSet<>(roots.values());
     }
 
     /** Ids of the running root missions of a plan. */
