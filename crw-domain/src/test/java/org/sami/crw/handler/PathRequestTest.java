@@ -257,7 +257,7 @@ class PathRequestTest {
     private Occurrence answer() {
         assertThat(engine.received("PathResponse")).hasSize(1);
         Occurrence answer = engine.received("PathResponse").get(0);
-        RequestTest.assertFitsVocabulary(answer);
+        TwoBoatsOnHandlers.assertFitsVocabulary(answer);
         return answer;
     }
 
